@@ -33,7 +33,7 @@ from kinetruss.runs import load, resume, run, run_variants
 
 SAMPLES, BLOCK, T_END = 1201, 25, 12.0
 DONE, REFUSED, BROKEN = 0, 3, 4
-PASSING = ("Read it again", "no good sample", "being begun", "is no kinetruss run", "is damaged: [Errno 2]")
+PASSING = ("Read it again", "no good sample", "has just been started", "is not a kinetruss run", "is damaged: [Errno 2]")
 """What a reader may be told at the moment in which a run takes the place of another."""
 Work = Callable[[Path], object]
 
@@ -145,7 +145,7 @@ class Campaign:
             if not any(f"process {pid} on {socket.gethostname()}, since " in text for pid in holders):
                 self.fault(f"{what}: the refusal names none of {list(holders)}: {text}")
         elif not any(
-            words in text for words in ("holds a run already", "has ended", "is no kinetruss run", "is not empty", *PASSING)
+            words in text for words in ("holds a run already", "has ended", "is not a kinetruss run", "is not empty", *PASSING)
         ):
             self.fault(f"{what}: refused for another reason: {text}")
 
@@ -244,7 +244,7 @@ class Campaign:
             run(model(), out=out, block=BLOCK)
         code, text = self.ended(first, "gone")
         if code == REFUSED and not any(
-            words in text for words in ("was removed or replaced", "no longer in it", "is no kinetruss run")
+            words in text for words in ("was removed or replaced", "changed by another program", "is not a kinetruss run")
         ):
             self.fault(f"gone: {text}")
         if replaced:

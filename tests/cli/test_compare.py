@@ -108,7 +108,7 @@ def test_an_unknown_parameter_stops_before_any_work(tmp_path):
         "library.payload_mas=3": "Did you mean 'payload_mass'",
         f"{DURATION}=3,4 kg": "'4 kg' is not a time (s). Write for example",
         "library.payload_mass=3 s": "'3 s' is not a mass (kg)",
-        f"{DURATION}": "sets nothing",
+        f"{DURATION}": "has no value",
         f"{DURATION}=": "empty value",
         f"{DURATION}=3,,5": "empty value",
         f"{DURATION}=3,3": "a value twice",

@@ -75,8 +75,8 @@ def test_a_run_that_is_not_whole_is_said_to_be(tmp_path):
         runs.run(tripod(), out=tmp_path / "half", block=10, progress=stop)
     done = call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open")
     assert done.exit_code == 0
-    assert "not whole: 10 of 41 samples are good" in done.stderr
-    assert "This run is not whole." in (tmp_path / "half" / "report" / "report.html").read_text()
+    assert "not complete: 10 of 41 samples are good" in done.stderr
+    assert "This run is not complete." in (tmp_path / "half" / "report" / "report.html").read_text()
     record = json.loads(call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open", "--json").stdout)
     assert record["whole"] is False
 

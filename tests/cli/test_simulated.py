@@ -65,7 +65,7 @@ def test_the_page_tells_how_it_was_stepped_and_what_happened(folder):
 def test_an_event_ends_a_run_with_exit_code_0(folder):
     done = call("run", EXAMPLE, "down", "-o", folder / "down")
     assert done.exit_code == 0
-    assert "Completed: an event that was to stop the run did so." in done.stdout
+    assert "Completed: an event stopped the run as requested." in done.stdout
     assert "Stopped by half_a_metre (coordinate B.y falls through -0.5 m)" in done.stdout
 
 
@@ -126,7 +126,7 @@ def test_an_interrupt_leaves_a_readable_run_to_go_on_with(tmp_path):
         running.send_signal(signal.SIGINT)
         out, error = running.communicate(timeout=60)
     assert (running.returncode, out) == (1, "")
-    assert "samples are kept. Go on with: kinetruss run --resume" in error
+    assert "samples are kept. Continue with: kinetruss run --resume" in error
     assert "Traceback" not in error
     half = runs.load(tmp_path / "run")
     assert (half.status.name, half.state) == ("INTERRUPTED", "incomplete")

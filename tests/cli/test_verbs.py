@@ -232,7 +232,7 @@ def test_joint_forces_by_member_node_axis_and_time(folder):
 def test_info_of_another_folder_says_what_it_is_not(tmp_path):
     done = call("info", tmp_path)
     assert done.exit_code == 1
-    assert "no kinetruss run" in done.stderr
+    assert "not a kinetruss run" in done.stderr
 
 
 def test_examples_are_listed_copied_and_never_replace(tmp_path):
@@ -353,7 +353,7 @@ def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
         running.send_signal(signal.SIGINT)
         out, error = running.communicate(timeout=60)
     assert (running.returncode, out) == (1, "")
-    assert "of 200001 samples are kept. Go on with: kinetruss run --resume" in error
+    assert "of 200001 samples are kept. Continue with: kinetruss run --resume" in error
     assert "Traceback" not in error
 
 

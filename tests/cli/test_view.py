@@ -81,7 +81,7 @@ def test_vibrations_of_a_model_file(place):
         (("one/out", "-o", "x.html", "--modes"), "--modes goes with"),
         (("one/out", "-o", "x.html", "--no-open", "--case", "al"), "No load case called 'al'"),
         (("nowhere", "-o", "x.html"), "does not exist"),
-        (("one", "-o", "x.html", "--no-open"), "no kinetruss run"),
+        (("one", "-o", "x.html", "--no-open"), "not a kinetruss run"),
         (("model.yaml", "-o", "model.yaml/x.html", "--no-open"), "cannot be written"),
     ],
 )

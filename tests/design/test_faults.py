@@ -117,7 +117,7 @@ def test_faults_of_a_mission(line, said, tmp_path):
     ("text", "said"),
     [
         ("", "1:1: model: is empty. Start with kinetruss_mission: 1"),
-        ("- a", "1:1: model: is no table of names."),
+        ("- a", "1:1: model: is not a table of names."),
         ("runs: [a", "1:7: model: is not YAML"),
         ("runs: [slew]", "1:1: catalogues: 'catalogues' is missing. Add it."),
         ("catalogues: {}", "1:1: model: names no catalogue."),
@@ -167,8 +167,8 @@ def test_all_faults_of_a_mission_at_once(tmp_path):
         ("source: s\nmotors:\n  m: {inertia: 1e-6, resistance: 2 ohm, torque_constant: 0.04 N m/A, "
          "emf_constant: 0.04 V s/rad, max_speed: 3000}", "3:16: motors.m.inertia: 1e-6 has no unit."),
         ("tubes: [", "2:1: model: is not YAML: did not find expected node content"),
-        ("[]", "1:1: model: is no table of names."),
-        ("", "1:1: model: is no table of names."),
+        ("[]", "1:1: model: is not a table of names."),
+        ("", "1:1: model: is not a table of names."),
     ],
 )  # fmt: skip
 def test_faults_of_a_catalogue(text, said, tmp_path):

@@ -178,5 +178,5 @@ def test_self_stress_is_shared_whichever_rows_are_kept():
 def test_loops_asked_for_with_the_sparse_solver_get_the_one_that_chooses_rows_anew(name):
     run = kt.dynamics.simulate(LOOPS[name](), 2.0, samples=21, method=kt.DOP853(solver="sparse"))
     assert run.data.attrs["solver"] == "dense"
-    assert "The dense solver is taken" in run.message
+    assert "The dense solver is used" in run.message
     assert drift(run) < 1e-8

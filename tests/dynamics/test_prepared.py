@@ -94,7 +94,7 @@ def test_drives_given_as_arrays():
     same_places(ready.along(motion.data["time"].values, *laws), motion, 2)
     with pytest.raises(kt.InputError, match=r"value has shape \(201, 2\)\. Give \(201, 1\)"):
         ready.along(motion.data["time"].values, np.hstack([laws[0]] * 2), laws[1], laws[2])
-    with pytest.raises(kt.InputError, match="turns far between two of the 5 samples"):
+    with pytest.raises(kt.InputError, match="turns by more than 0.8 rad between two of the 5 samples"):
         ready.along(motion.data["time"].values[::50], *(law[::50] for law in laws))
 
 

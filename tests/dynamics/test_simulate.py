@@ -76,7 +76,7 @@ def test_instants_choose_what_is_told_not_how_it_is_stepped():
     [
         ({"t_end": -1.0}, "t_end is -1 s, not after the start"),
         ({"t_end": 0.0}, "not after the start"),
-        ({}, "Say how long"),
+        ({}, "Give the end of the simulation"),
         ({"t_end": 1.0, "times": [-0.5, 1.0]}, "go outside the run"),
         ({"t_end": 1.0, "times": [0.0, 2.0]}, "go outside the run"),
         ({"t_end": 1.0, "samples": 1}, "at least 2"),
@@ -121,7 +121,7 @@ def test_positions_that_contradict_the_bars_are_projected_and_it_is_said():
     longer = pendulum(bars={"rod": kt.Bar(ends=("O", "A"), length=1.01)})
     run = simulate(longer, 0.1, samples=3)
     assert run.motion.length[0, 0].item() == pytest.approx(1.01, abs=1e-13)
-    assert "moved by the least that does, most node A by 0.01 m" in run.message
+    assert "moved by the smallest change that fits, most at node A by 0.01 m" in run.message
     far = kt.Model(nodes={"A": (0, 0), "B": (3, 0), "C": kt.Node(at=(1.5, 1), mass=1)}, fixed=["A", "B"],
                    bars={"a": kt.Bar(ends=("A", "C"), length=1.0), "b": kt.Bar(ends=("B", "C"), length=1.0)})  # fmt: skip
     with pytest.raises(InputError, match="cannot be closed"):
@@ -166,7 +166,7 @@ def test_forces_are_watched_of_rigid_and_of_elastic_bars():
     run = simulate(pulled, 2.0, samples=11, events={"zero": kt.Event(force="spring", value=0.0)})
     assert run.time[-1].item() == pytest.approx(math.pi / 20, abs=1e-8)
     damped = oscillator(damping=1.0, natural_length=0.9)
-    with pytest.raises(InputError, match=r"events\.zero: the force of 'spring' is not watched"):
+    with pytest.raises(InputError, match=r"events\.zero: the force of 'spring' cannot be watched"):
         simulate(damped, 1.0, events={"zero": kt.Event(force="spring", value=0.0)})
 
 

@@ -86,8 +86,8 @@ def test_a_run_that_ends_within_the_first_stretch():
 def test_at_rest_it_is_said_which_freedoms_meet_and_how_to_choose():
     run = simulate(row(2, 0.0, 0.0), 1.0, samples=11)
     assert run.status is Status.COMPLETED
-    assert "The start is a singular position, at rest, where 3 freedoms meet (B0 moves along y" in run.message
-    assert "start 0.01 m off it, or with velocities" in run.message
+    assert "The start is a singular position, at rest, with 3 degrees of freedom (B0 moves along y" in run.message
+    assert "start 0.01 m away from it, or with velocities" in run.message
     assert "not unique" not in run.message
     assert [(p.time, p.certain) for p in run.passages[:1]] == [(0.0, False)]
     for beside, rate in ((0.0, 0.1), (1e-3, 0.0)):
@@ -131,7 +131,7 @@ def test_a_flat_arrangement_let_go_is_told_as_stiff_to_second_order_only(method)
     run = simulate(flat(("A",), gravity=(0.3, 0, -9.81)), 1.0, method=method, raise_on_failure=False)
     assert "Stiff to second order only" in run.message
     assert "C moves along z" in run.message
-    assert "Hold a node off the plane by bars, or add a support." in run.message
+    assert "Connect a node outside the plane by bars, or add a support." in run.message
 
 
 def test_nothing_of_the_kind_is_said_of_loops_that_move_against_their_count():

@@ -234,5 +234,5 @@ def test_numbers_that_overflow_end_the_run_before_they_are_shown():
     ],
 )
 def test_what_has_no_series_is_refused_with_the_mend(model, options, words):
-    with pytest.raises(InputError, match=rf"no power series of this motion: .*{words}.* Take DOP853\(\)"):
+    with pytest.raises(InputError, match=rf"no power series of this motion: .*{words}.* Use DOP853\(\)"):
         simulate(model, 1.0, method=kt.Taylor(), **options)

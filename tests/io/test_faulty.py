@@ -18,7 +18,7 @@ EXPECTED = """
     coincident_nodes.yaml              5:3                      stands where node 'B' stands, at (1.0, 0.0).
     colon_in_text.yaml                 2:14                     is not YAML: mapping values are not allowed in this context.
     comments_only.yaml                 1:1                      is empty.
-    control_character.yaml             2:14                     is no text: a control character stands here.
+    control_character.yaml             2:14                     is not text: there is a control character here.
     decimal_comma.yaml                 6:9                      '1,25 m' is not a length: a comma in the number.
     decimal_comma_in_list.yaml         4:3                      has 3 coordinates, other nodes have 2.
     drive_of_fixed_axis.yaml           6:3                      moves A.x, which is fixed.
@@ -37,7 +37,7 @@ EXPECTED = """
     infinity.yaml                      5:14                     '-inf' is not a finite acceleration.
     inner_over_outer.yaml              5:1                      inner diameter 0.019 m must be at least 0 and less than
     limits_swapped.yaml                6:3                      limits (1.6, 1.2) must be [least, largest].
-    list_at_top.yaml                   1:1                      is no table of names.
+    list_at_top.yaml                   1:1                      is not a table of names.
     many_faults.yaml                   5:10                     '100 mmm' is not a length: 'mmm' is not a unit known here.
     many_faults.yaml                   8:12                     no node called 'E'.
     many_faults.yaml                   12:12                    joins node 'D' to itself.
@@ -56,14 +56,14 @@ EXPECTED = """
     motion_columns.yaml                history_columns.csv:1:28 column 'Q.x' is not known here.
     motion_not_there.yaml              6:18                     there is no file '../tables/not_there.csv'.
     name_with_space.yaml               2:9                      'left end' is no name: it is empty, or has a space
-    nan.json                           3:32                     is not JSON: 'NaN' is no value.
+    nan.json                           3:32                     is not JSON: 'NaN' is not a value.
     nan.yaml                           4:7                      '.nan' is not a finite length.
     negative_area.yaml                 5:32                     -0.0003 must be greater than 0.
     negative_length.yaml               4:30                     -1 must be greater than 0.
     negative_mass.yaml                 4:28                     -2 must not be negative.
     nested_too_deep.yaml               2:57                     is nested more than 50 levels deep.
     no_nodes.yaml                      1:1                      'nodes' is missing.
-    not_utf8.yaml                      2:18                     is not UTF-8 text: byte 30 (0xfc) is no part of it.
+    not_utf8.yaml                      2:18                     is not UTF-8 text: byte 30 (0xfc) is not allowed in it.
     number_as_name.json                4:23                     is 2; expected text.
     one_end.yaml                       4:3                      has 1 entry, too few.
     over_library_model.yaml            4:46                     no drive or pose coordinate called 'bay.bta'.
@@ -73,7 +73,7 @@ EXPECTED = """
     run_without_trajectory.yaml        6:3                      has neither trajectory nor motion.
     self_joined_bar.yaml               6:3                      joins node 'D' to itself.
     tab_indent.yaml                    3:1                      is not YAML: found character that cannot start any token (while
-    table_back_in_time.yaml            back_in_time.csv:5:1     time goes back or stands still: 0.15 after 0.2 in line 4.
+    table_back_in_time.yaml            back_in_time.csv:5:1     time does not increase: 0.15 after 0.2 in line 4.
     table_decimal_commas.yaml          decimal_commas.csv:3:1   has 4 cells; the header has 2.
     table_decimal_commas.yaml          decimal_commas.csv:4:1   has 4 cells; the header has 2.
     table_gap.yaml                     gap.csv:7:1              gap of 2 s before this row; the median step is 0.1 s.
@@ -82,10 +82,10 @@ EXPECTED = """
     table_semicolons.yaml              semicolons.csv:1:1       has one column only.
     table_too_short.yaml               too_short.csv:5:1        has 3 rows.
     table_unknown_column.yaml          7:8                      no drive or pose coordinate called 'trun'.
-    table_words.yaml                   words.csv:3:5            'n/a' is no number, in column 'turn'.
+    table_words.yaml                   words.csv:3:5            'n/a' is not a number, in column 'turn'.
     table_words.yaml                   words.csv:4:5            the cell is empty, in column 'turn'.
-    table_words.yaml                   words.csv:5:5            'nan' is no number, in column 'turn'.
-    table_wrong_unit.yaml              wrong_unit.csv:1:7       column 'turn' has the unit [kg], which is none of a coordinate.
+    table_words.yaml                   words.csv:5:5            'nan' is not a number, in column 'turn'.
+    table_wrong_unit.yaml              wrong_unit.csv:1:7       column 'turn' has the unit [kg], which is not a unit of
     tagged.yaml                        3:8                      has the tag 'tag:yaml.org,2002:python/object/apply:os.getcwd'.
     times_standing_still.yaml          6:3                      time goes back or stands still: entry 3 is 1 s after 1 s.
     two_documents.yaml                 5:1                      holds another document.
@@ -113,7 +113,7 @@ EXPECTED = """
     unknown_unit.yaml                  4:7                      '1 furlong' is not a length: 'furlong' is not a unit known here.
     unknown_unit.yaml                  5:10                     '3 inches' is not a length: 'inches' is not a unit known here.
     unknown_version.yaml               1:1                      format version '2' is not known here.
-    utf16.yaml                         1:1                      is not UTF-8 text: byte 0 (0xff) is no part of it. It looks like
+    utf16.yaml                         1:1                      is not UTF-8 text: byte 0 (0xff) is not allowed in it. It looks
     word_as_quantity.yaml              4:33                     'no' is not a mass: no number in front.
     wrong_unit.yaml                    4:27                     '20 mm' is not a mass (kg).
     yes_as_flag.yaml                   5:38                     'yes' is not true or false.

@@ -66,7 +66,9 @@ def test_file_and_table_together(folder):
 
 def test_file_that_is_no_name(folder):
     path = folder("loads: {tip: {node: C, file: [a]}}\n")
-    assert [str(fault) for fault in kt.check(path)] == ["loads.tip.file: names no file. Write for example file: table.csv."]
+    assert [str(fault) for fault in kt.check(path)] == [
+        "loads.tip.file: does not name a file. Write for example file: table.csv."
+    ]
 
 
 def test_faults_of_a_table_are_few(folder):

@@ -78,8 +78,8 @@ def test_own_records_come_first(read):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("library: [vgt]\n", "library: names no library model"),
-        ("library: {bays: 2}\n", "library: names no library model"),
+        ("library: [vgt]\n", "library: does not name a library model"),
+        ("library: {bays: 2}\n", "library: does not name a library model"),
         ("library: materials.MATERIALS\n", "no library model called"),
         ("library: {name: vgt.double_octahedral, longeron: 0.5 m}\n", "library.longeron: 0.5 m cannot span"),
         ("library: {name: vgt.double_octahedral, bays: two}\n", "library.bays: 'two' is not a whole number"),
@@ -104,7 +104,7 @@ def test_parameters_of_the_library_model_can_be_replaced(tmp_path):
     assert (model.nodes["B"].mass, model.materials["tube"].density) == (40, 2700)
     path.write_text("library: vgt.triangular")
     assert kt.read(path, library={"payload_mass": 3}).nodes["B"].mass == 3
-    with pytest.raises(kt.ModelError, match=r"library.material: is no table in the file. Set it as a whole"):
+    with pytest.raises(kt.ModelError, match=r"library.material: is not a table in the file. Set it as a whole"):
         kt.read(path, library={"material.density": 3})
     with pytest.raises(kt.ModelError, match="library.payload_mas: .*Did you mean 'payload_mass'"):
         kt.read(path, library={"payload_mas": 3})

@@ -153,7 +153,7 @@ def idle() -> kt.Spline:
 def test_drives_that_fight_are_refused() -> None:
     model = fourbar(bars={**fourbar().bars, "rocker": {"ends": ("C", "D"), "kind": "driven"},
                           "extra": {"ends": ("A", "C"), "kind": "driven"}})  # fmt: skip
-    with pytest.raises(kt.InputError, match="drives fight"):
+    with pytest.raises(kt.InputError, match="drives contradict each other"):
         kt.kinematics.follow(model, MOTOR)
 
 

@@ -27,7 +27,7 @@ def test_out_of_reach_says_how_far_it_goes(height, samples):
         apex(height), kt.Quintic(moves={"a": (own, nearest + 0.5)}, duration=1.0), samples=samples, raise_on_failure=False
     )
     assert motion.status is kt.Status.OUT_OF_REACH and not motion.status.ok
-    assert f"the nearest to what is asked for then is a {nearest:.6g} m of" in motion.message
+    assert f"the nearest possible then is a {nearest:.6g} m of" in motion.message
     assert motion.length.sel(member="a").values.max() < nearest
 
 
@@ -45,7 +45,7 @@ def test_a_drive_of_a_rigid_structure_is_not_called_singular():
         bars={"ab": ("A", "B"), "bc": ("B", "C"), "cd": ("C", "D"), "diagonal": ("A", "C")},
         drives={"turn": kt.AngleDrive("ab")},
     )  # fmt: skip
-    with pytest.raises(InputError, match="The drives fight: 'angle of ab' is held by the rest"):
+    with pytest.raises(InputError, match="The drives contradict each other: 'angle of ab' is fixed by the others"):
         follow(rigid, kt.Quintic(moves={"turn": ("90 deg", "100 deg")}, duration=1.0), samples=5)
 
 

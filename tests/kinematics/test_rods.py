@@ -33,7 +33,7 @@ def test_a_stroke_that_is_too_short_is_said(side):
     jack = jack.with_(active={"jack": jack.active["jack"].with_(**{side: kt.Part(length=0.8, mass=1)})})
     move = kt.Quintic(moves={"jack": (1.0, 0.75)}, duration=1)
     motion = kt.kinematics.follow(jack, move, samples=11)
-    said = f"jack gets 0.75 m short (t = 1 s), shorter than its {side} rod of 0.8 m"
+    said = f"jack shortens to 0.75 m (t = 1 s), less than its {side} rod of 0.8 m"
     assert said in motion.message and said in kt.dynamics.inverse(jack, motion).message
     assert said in kt.dynamics.simulate(jack, 1.0, trajectory=move, samples=3).message
     assert kt.kinematics.follow(jack, kt.Quintic(moves={"jack": (1.0, 0.8)}, duration=1), samples=11).message == ""

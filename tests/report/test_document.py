@@ -113,7 +113,7 @@ def test_each_kind_of_run_has_its_parts(kind):
         assert name in page.headings
     for name in absent:
         assert name not in page.headings
-    assert "not whole" not in text
+    assert "not complete" not in text
     assert len(page.ids) == len(set(page.ids))
     for address in page.addresses:
         assert address.startswith(("#", "data:")), address
@@ -238,9 +238,9 @@ def stopped(tmp_path) -> RunResult:
 def test_an_interrupted_run_says_so_on_top(tmp_path):
     page = Page(text := report.document_page(stopped(tmp_path)).html)
     top = page.words[: page.words.index("Result")]
-    assert "This run is not whole. It was interrupted. 10 of 41 samples are good" in top
+    assert "This run is not complete. It was interrupted. 10 of 41 samples are good" in top
     assert "kinetruss run --resume half" in top
-    assert "(not whole)" in re.search(r"<title>(.*?)</title>", text)[1]
+    assert "(not complete)" in re.search(r"<title>(.*?)</title>", text)[1]
     assert "No limit was checked" in page.words  # utilisation is known at the end only
     assert "Strength was not judged" in page.words
     assert embedded(text)["whole"] is False
@@ -253,7 +253,7 @@ def test_a_run_that_ended_early_says_so_on_top():
     assert not done.whole
     page = Page(text := report.document_page(done).html)
     top = page.words[: page.words.index("Result")]
-    assert f"This run is not whole. {done.status.value} {done.good} of 41 samples are good" in top
+    assert f"This run is not complete. {done.status.value} {done.good} of 41 samples are good" in top
     assert done.message in top
     assert "exceeded in the part that was computed" in page.words
     assert "∞" in page.cells  # past the buckling load: no number

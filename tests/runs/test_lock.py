@@ -339,7 +339,7 @@ def test_a_folder_that_may_not_be_written_is_said_to_be_so(tmp_path, below):
         (errno.ENOSPC, "Make room and go on with: kinetruss run --resume"),
         (errno.EACCES, "Allow this user to write there and go on with"),
         (errno.EROFS, "Make the file system writable and go on with"),
-        (errno.EIO, "Go on with: kinetruss run --resume"),
+        (errno.EIO, "Continue with: kinetruss run --resume"),
     ],
 )
 def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, number, words):

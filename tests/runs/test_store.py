@@ -100,10 +100,10 @@ def test_one_writer_at_a_time(tmp_path):
 @pytest.mark.parametrize("overwrite", [False, True])
 def test_a_folder_of_something_else_is_never_replaced(tmp_path, overwrite):
     (tmp_path / "thesis.tex").write_text("years of work")
-    with pytest.raises(InputError, match="not empty and is no kinetruss run"):
+    with pytest.raises(InputError, match="not empty and is not a kinetruss run"):
         check_target(tmp_path, overwrite)
     (tmp_path / "kinetruss.json").write_text("{}")  # the name alone does not make it a run
-    with pytest.raises(InputError, match="no kinetruss run"):
+    with pytest.raises(InputError, match="not a kinetruss run"):
         check_target(tmp_path, overwrite)
     assert (tmp_path / "thesis.tex").read_text() == "years of work"
 
@@ -141,7 +141,7 @@ def test_a_file_is_no_folder(tmp_path):
 
 def test_what_is_not_a_run_is_said(tmp_path):
     assert not is_store(tmp_path)
-    with pytest.raises(StoreError, match=r"no kinetruss run: it has no kinetruss\.json"):
+    with pytest.raises(StoreError, match=r"not a kinetruss run: it has no kinetruss\.json"):
         open_store(tmp_path)
     (tmp_path / "kinetruss.json").write_text(json.dumps({"kinetruss_run": 99}))
     with pytest.raises(StoreError, match="newer kinetruss"):

@@ -54,14 +54,14 @@ def test_no_part_of_it_looks_completed(half):
 @pytest.mark.parametrize(
     ("verb", "place", "words"),
     [
-        ("info RUN", "stdout", "Incomplete: it was interrupted. Go on with: kinetruss run --resume"),
+        ("info RUN", "stdout", "Incomplete: it was interrupted. Continue with: kinetruss run --resume"),
         ("info RUN --json", "stdout", '"state": "incomplete", "status": "INTERRUPTED"'),
-        ("export RUN RUN/run.csv", "stderr", "not whole: 8 of 13 samples are good"),
-        ("view RUN -o RUN/view.html --no-open", "stderr", "not whole: 8 of 13 samples are good"),
-        ("plot RUN --quantity member_force -o RUN/plot.svg", "stderr", "not whole: 8 of 13 samples are good"),
-        ("compare RUN", "stderr", "not whole: 8 of 13 samples are good"),
-        ("picture RUN -o RUN/shape.svg", "stderr", "not whole: 8 of 13 samples are good"),
-        ("report RUN --no-open --no-pdf --no-view", "stderr", "not whole: 8 of 13 samples are good"),
+        ("export RUN RUN/run.csv", "stderr", "not complete: 8 of 13 samples are good"),
+        ("view RUN -o RUN/view.html --no-open", "stderr", "not complete: 8 of 13 samples are good"),
+        ("plot RUN --quantity member_force -o RUN/plot.svg", "stderr", "not complete: 8 of 13 samples are good"),
+        ("compare RUN", "stderr", "not complete: 8 of 13 samples are good"),
+        ("picture RUN -o RUN/shape.svg", "stderr", "not complete: 8 of 13 samples are good"),
+        ("report RUN --no-open --no-pdf --no-view", "stderr", "not complete: 8 of 13 samples are good"),
     ],
 )
 def test_every_verb_that_shows_it_says_so(half, verb, place, words):
@@ -69,7 +69,7 @@ def test_every_verb_that_shows_it_says_so(half, verb, place, words):
     assert done.exit_code == 0, done.output
     assert words in getattr(done, place)
     if verb.startswith("report"):
-        assert "This run is not whole." in (half / "report" / "report.html").read_text(encoding="utf-8")
+        assert "This run is not complete." in (half / "report" / "report.html").read_text(encoding="utf-8")
 
 
 def test_its_page_says_so(half):

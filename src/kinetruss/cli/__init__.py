@@ -1,4 +1,4 @@
-"""The command line: verbs, each a few lines over the Python interface."""
+"""The command line: each command calls the Python interface."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Exit codes that no library gives."""
+"""Exit codes of the command line."""
 
 __all__ = ["INTERRUPTED"]
 
 INTERRUPTED = 130
-"""After Ctrl-C, as shells have it: 128 and the number of the signal."""
+"""After Ctrl-C: 128 plus the number of the signal, as in shells."""

@@ -24,13 +24,13 @@ Example:
   kinetruss compile
 """
 RUNS = (("double_octahedral_slew", "slew"),), (("double_pendulum", "fall"), ("double_pendulum", "long"))
-"""Runs that between them need what most others need: a prescribed motion with forces, strength and motors; simulations.
+"""Runs that together need the kernels of most models: a prescribed motion with forces, strength and motors; simulations.
 
-The groups have few kernels in common, so that each is worth a process of its own."""
+The groups share few kernels, so each group is compiled in its own process."""
 POLL = 0.5
-"""Seconds between two looks at what another process has compiled."""
+"""Seconds between two checks of the kernels compiled by other processes."""
 STEP = 20
-"""Kernels from line to line, where there is no terminal for a bar."""
+"""Number of kernels per printed line, if there is no terminal for a progress bar."""
 
 
 @click.command("compile", cls=Verb, context_settings=HELP, epilog=EPILOG)
@@ -38,10 +38,11 @@ STEP = 20
 @click.option("--all", "rare", is_flag=True, help="Also what only some models need: hinges, membranes, large structures.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
-    """Compile the kernels that most runs need, and keep them: some minutes, once; else the first runs do it.
+    """Compile the kernels that most runs need, and keep them on disk. It takes some minutes, once; otherwise the first runs do
+    it.
 
-    What is kept already is not compiled again. For images of containers: build them with `--all`, run them without the right to
-    write. NUMBA_CACHE_DIR names another folder to keep kernels in.
+    Kernels that are already on disk are not compiled again. For container images: compile with `--all` when they are built;
+    they then run without write permission. NUMBA_CACHE_DIR names another folder for the kernels.
 
     Exit code 0: done; 1: compiled kernels cannot be kept on disk.
     """
@@ -62,11 +63,15 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
     if as_json:
         print_json("compile", {"compiled": len(compiled), "seconds": seconds})
     elif not quiet:
-        click.echo(f"{len(compiled)} kernels compiled in {seconds:.0f} s. What other runs need is compiled by them.")
+        click.echo(
+            f"{len(compiled)} kernels compiled in {seconds:.0f} s. Other kernels are compiled by the runs that need them."
+        )
 
 
 def _run_all(look: Callable[[], None]) -> None:
-    """All runs, the groups side by side where there are processors for them. look : called now and then while others work."""
+    """Do all runs, the groups in parallel if there are enough processors. look : called regularly while other processes
+    work.
+    """
     from kinetruss.runs.many import processors
 
     first, *others = RUNS
@@ -107,7 +112,7 @@ def _run_group(group: Sequence[tuple[str, str]]) -> None:
 
 @contextmanager
 def _counted(told: Callable[[int, int], None]) -> Iterator[tuple[set[str], Callable[[], None]]]:
-    """Names of the kernels that are compiled, and what counts those of other processes too; after each, how many are there."""
+    """Names of the compiled kernels, and a function that counts those of other processes too; reports the count after each."""
     from kinetruss.kernels.compiled import jit
     from kinetruss.kernels.compiled.caches import count_kernels
 
@@ -139,7 +144,7 @@ def _silent(_done: int, _count: int) -> None:
 
 
 def _lines() -> Callable[[int, int], None]:
-    """What writes a line for every so many kernels."""
+    """A function that prints a line after every `STEP` kernels."""
     last = 0
 
     def told(done: int, count: int) -> None:

@@ -1,4 +1,4 @@
-"""The group of all verbs. Their modules import nothing heavy: a verb loads what it needs when it runs."""
+"""The group of all commands. Their modules import nothing slow: a command loads what it needs when it runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A progress bar for what takes a while."""
+"""A progress bar for long computations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FIRST = " (the first start on a machine compiles, once)"
 
 @contextmanager
 def bar(silent: bool, what: str = "samples", first: str = FIRST) -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar on stderr, where that is a terminal. first : said until the first one is done."""
+    """A progress bar on stderr, if that is a terminal. first : text shown until the first item is done."""
     if silent or not sys.stderr.isatty():
         yield None
         return
@@ -22,6 +22,6 @@ def bar(silent: bool, what: str = "samples", first: str = FIRST) -> Iterator[Cal
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as found:
-        # the first start compiles kernels for a minute or more, without a word of its own
+        # the first start compiles kernels for a minute or more, without output
         task = found.add_task(f"{what}{first}", total=None)
         yield lambda done, total: found.update(task, completed=done, total=total, description=what)

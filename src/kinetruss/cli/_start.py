@@ -1,4 +1,4 @@
-"""Where the command ``kinetruss`` begins: Ctrl-C ends it in one line from the first import on."""
+"""Entry point of the command ``kinetruss``: Ctrl-C ends it with one line, also during imports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all verbs share: errors as one clear text, one JSON object on stdout, the exit code."""
+"""Common parts of all commands: errors as one text, one JSON object on stdout, the exit code."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from kinetruss.errors import InputError, KinetrussError, ModelError
 __all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "instant", "json_option", "max_size_option", "print_json", "size"]
 
 HELP = {"help_option_names": ["-h", "--help"]}
-FILE = click.Path(path_type=Path)  # what is wrong with a model file, its reader says better
+FILE = click.Path(path_type=Path)  # the reader of a model file reports its faults better
 FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
 
 
@@ -24,7 +24,7 @@ class Verb(click.Command):
     """A command whose errors end as a text on stderr (with ``--json``: an object on stdout), never a traceback."""
 
     def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> click.Context:
-        """Read the arguments; with ``--json`` wrong usage is an object too."""
+        """Read the arguments; with ``--json`` wrong usage is reported as an object too."""
         wanted = "--json" in args
         try:
             return super().make_context(info_name, args, parent, **extra)
@@ -34,7 +34,7 @@ class Verb(click.Command):
             raise
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the verb; turn an error into its text and exit code, and a warning into a line of stderr."""
+        """Run the command; turn an error into its text and exit code, and a warning into a line on stderr."""
         try:
             with warnings.catch_warnings():
                 warnings.showwarning = _warned  # type: ignore[assignment]
@@ -62,7 +62,7 @@ def _warned(message: Warning | str, *_place: Any) -> None:
 
 
 def _told(error: click.ClickException) -> None:
-    """Wrong usage, or Ctrl-C, as the one object; ends the verb."""
+    """Report wrong usage, or Ctrl-C, as the one object, and end the command."""
     print_json("error", {"error": error.format_message(), "exit_code": error.exit_code})
     raise click.exceptions.Exit(error.exit_code) from None
 
@@ -86,7 +86,7 @@ def fault_record(fault: Any, source: str | None) -> dict[str, Any]:
 
 
 def print_json(kind: str, record: dict[str, Any]) -> None:
-    """The one object that ``--json`` prints; `schema` names its form."""
+    """Print the one object of ``--json``; `schema` names its format."""
     click.echo(json.dumps({"schema": f"kinetruss.{kind}/1", **record}, ensure_ascii=False, allow_nan=False))
 
 

@@ -23,9 +23,9 @@ Examples:
 @json_option
 @click.option("--filter", "wanted", metavar="TEXT", help="Only cases whose id, class or source contains TEXT.")
 def verify(as_json: bool, wanted: str | None) -> None:
-    """Compare this installation with every published and exact reference that kinetruss claims.
+    """Compare this installation with all published and exact references of kinetruss.
 
-    Every case has a class that says what its agreement shows; inputs that are not the printed ones are named.
+    The class of a case says what its agreement shows. Inputs that differ from the printed ones are named.
 
     Exit code 0: all agree; 1: at least one does not.
     """
@@ -67,7 +67,7 @@ def _print(found: Any) -> None:
 
 
 def _print_own(found: Any) -> None:
-    """The product's own values beside those by formulas or inputs of the source that are wrong."""
+    """Print the product's own values next to those of wrong formulas or inputs of the source."""
     from kinetruss.display import Table, number
 
     rows = [
@@ -81,7 +81,7 @@ def _print_own(found: Any) -> None:
 
 
 def _print_texts(found: Any, title: str, texts: Any) -> None:
-    """Every text once, with the cases that it belongs to."""
+    """Print every text once, with its cases."""
     cases: dict[str, list[str]] = {}
     for entry in found.entries:
         for text in texts(entry):

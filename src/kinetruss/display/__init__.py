@@ -1,4 +1,4 @@
-"""What people read, said once: numbers with units, colours, tables, the frame of a page. No physics, no results."""
+"""How results look, defined in one place: numbers with units, colours, tables, the frame of a page."""
 
 from __future__ import annotations
 

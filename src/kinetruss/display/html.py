@@ -1,4 +1,4 @@
-"""HTML from plain data: whatever is not markup already is escaped, so that no name can become part of the page."""
+"""HTML from plain data: all text that is not `Markup` is escaped, so that no name can become part of the page."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from typing import Any
 __all__ = ["POLICY", "Markup", "html_page", "element", "joined"]
 
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"
-"""Told to the browser: no request of any kind leaves a page."""
+"""Content security policy of pages: the browser sends no request."""
 VOID = ("br", "img", "link", "meta")
 
 
 class Markup(str):
-    """A text that is HTML already."""
+    """A text that is already HTML."""
 
     __slots__ = ()
 
 
 def element(name: str, *content: Any, **attributes: Any) -> Markup:
-    """One element. Attributes: ``class_="x"``, ``data_name="y"``; None and False leave one out, True gives it without value.
+    """One element. Attributes: ``class_="x"``, ``data_name="y"``; None and False omit one, True gives it without a value.
 
     >>> element("p", "a < b ", element("b", "c"), class_="note")
     '<p class="note">a &lt; b <b>c</b></p>'
@@ -35,7 +35,7 @@ def _attribute(key: str, value: Any) -> str:
 
 
 def joined(content: Any) -> Markup:
-    """Texts, elements and lists of them, one after the other; None is nothing."""
+    """Texts, elements and lists of them, joined in order; None is empty."""
     if content is None:
         return Markup("")
     if isinstance(content, Markup):
@@ -46,7 +46,7 @@ def joined(content: Any) -> Markup:
 
 
 def html_page(title: str, head: str, body: str, policy: str = POLICY) -> str:
-    """A whole page. head, body : HTML of the head beside what every page has, and of the body."""
+    """A whole page. head, body : HTML of the body, and of the head in addition to what every page has."""
     return f"""<!doctype html>
 <html lang="en">
 <head>

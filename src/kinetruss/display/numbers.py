@@ -1,8 +1,8 @@
 """Numbers and units for people. The page of the viewer follows the same rules, with the tables of this module.
 
-A number has four significant digits, a share three; zeros at the end are left out, and ties go away from zero. Prefixes are
-those that engineers use with the unit: 28.4 mA, 12 mm/s, 0.5 kN as 500 N; mass in g, kg and t, angles in degrees, shares in
-percent. The rules for readers: docs/numbers.md.
+A number has four significant digits, a ratio three. Zeros at the end are omitted, and ties round away from zero. Prefixes
+are those that engineers use with the unit: 28.4 mA, 12 mm/s, 500 N for 0.5 kN; mass in g, kg and t, angles in degrees,
+ratios in percent. The rules for readers: docs/numbers.md.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ UNITS: dict[str, tuple[tuple[float, str], ...]] = {
     "rad": ((180 / math.pi, "deg"),),
     "%": ((100.0, "%"),),
 }
-"""SI unit -> (factor, name) by size; other units are shown as they are. ``%`` is the unit of a share: 0.873 is 87.3 %."""
+"""SI unit -> (factor, name) by size; other units are shown as they are. ``%`` is the unit of a ratio: 0.873 is 87.3 %."""
 
 FLOORS = {"Pa": 1e-6, "N/m": 1e-6, "": 1e-12}
-"""Values of a unit in the table above (``""``: any other) that are round-off and shown as 0."""
+"""Values up to this magnitude, by unit (``""``: any other), are round-off and shown as 0."""
 
 DIGITS = {"%": 3, "": 4}
 """Significant digits by unit (``""``: any other)."""
 
 LONG, SHORT = 10**6, -4
-"""From here on, and below this power of ten, a number has an exponent."""
+"""Powers of ten from which on, and below which, a number has an exponent."""
 
 
 def number(value: float, digits: int = 4) -> str:
-    """A number with some significant digits; ``-`` where there is none.
+    """A number with some significant digits; ``-`` if it is not a number.
 
     >>> number(1234567.0), number(123456.0), number(0.00012346), number(-0.0), number(float("nan")), number(-float("inf"))
     ('1.235e6', '123456', '0.0001235', '0', '-', '-∞')
@@ -83,7 +83,7 @@ def scale(largest: float, unit: str) -> tuple[float, str]:
 
 
 def quantity(value: float, unit: str, digits: int = 0) -> str:
-    """A value in an SI unit with the unit in which it is read. digits : significant ones; 0: the usual ones.
+    """A value given in an SI unit, as text with the display unit. digits : number of significant ones; 0: the default.
 
     >>> quantity(58.251, "N"), quantity(1.29414e6, "Pa"), quantity(0.0284, "N m"), quantity(2500.0, "kg"), quantity(-1e-14, "N")
     ('58.25 N', '1.294 MPa', '28.4 mN m', '2.5 t', '0 N')
@@ -99,7 +99,7 @@ def quantity(value: float, unit: str, digits: int = 0) -> str:
 
 
 def instant(time: float | None) -> str:
-    """A time of a history, always in seconds: beside others, and beside the axis of a picture; ``-`` where there is none.
+    """A time of a history as text, always in seconds, as on the axes of pictures; ``-`` if there is none.
 
     >>> instant(0.025), instant(None)
     ('0.025 s', '-')

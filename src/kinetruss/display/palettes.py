@@ -1,4 +1,4 @@
-"""Colours, said once for pages, pictures and films; told apart by colour-blind readers.
+"""Colours of pages, pictures and films, defined in one place; colour-blind readers can distinguish them.
 
 Categories: Wong (2011), Nature Methods 8, 441. SEQUENTIAL: viridis (Smith and van der Walt, 2015).
 """
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 __all__ = ["COLOURS", "DIVERGING", "KINDS", "MISSING", "OVER", "SEQUENTIAL", "SKINS", "colours_of", "limits_of", "rgb"]
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
-"""Of curves, in their order."""
+"""Colours of curves, in their order."""
 DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04")
-"""From compression to tension."""
+"""Colour scale from compression to tension."""
 SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
-"""From nothing to the largest."""
+"""Colour scale from zero to the largest value."""
 MISSING, OVER = "#8a8a8a", "#e5007d"
-"""Where there is no value, and beyond the capacity."""
+"""Colours for missing values, and for values above the capacity."""
 KINDS = {
     "rigid": "#7f93a8",
     "driven": "#009e73",
@@ -31,18 +31,18 @@ KINDS = {
     "cable": "#d99a00",
     "free": "#b0b7bf",
 }
-"""Of bars that no value colours."""
+"""Colours of bars without a value, by kind."""
 SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"}
-"""Of faces that no value colours."""
+"""Colours of faces without a value, by kind."""
 
 
 def rgb(colour: str) -> NDArray[np.float64]:
-    """(3,) of 0 to 255."""
+    """A colour as (3,), 0 to 255."""
     return np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)], float)
 
 
 def colours_of(scale: str, values: NDArray[Any], limits: Sequence[float]) -> NDArray[np.uint8]:
-    """(n, 3) of 0 to 255 for values (n,) on a ``diverging``, ``sequential``, ``capacity`` or ``margin`` scale."""
+    """Colours (n, 3), 0 to 255, of values (n,) on a ``diverging``, ``sequential``, ``capacity`` or ``margin`` scale."""
     table = np.array([rgb(one) for one in (DIVERGING if scale == "diverging" else SEQUENTIAL)])
     low, high = limits
     place = np.clip((np.nan_to_num(values) - low) / ((high - low) or 1.0), 0, 1) * (len(table) - 1)
@@ -57,12 +57,15 @@ def colours_of(scale: str, values: NDArray[Any], limits: Sequence[float]) -> NDA
 
 
 def limits_of(scale: str, values: NDArray[Any]) -> tuple[float, float]:
-    """Ends of the scale for all values that it has to show."""
+    """Ends of the colour scale for the given values."""
     known = values[np.isfinite(values)]
     low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
     if scale == "diverging":
         largest = max(abs(low), abs(high)) or 1.0
         return -largest, largest
     if scale in ("capacity", "margin"):
-        return 0.0, high if 0 < high <= 0.5 else 1.0  # little used: what differs is shown, not one colour for all
+        return (
+            0.0,
+            high if 0 < high <= 0.5 else 1.0,
+        )  # if utilisation is low everywhere, the scale shows differences instead of one colour
     return 0.0, high or 1.0

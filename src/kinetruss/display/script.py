@@ -1,4 +1,4 @@
-"""What the page of the viewer takes from this package, as a JavaScript module."""
+"""The units and colours of this package as a JavaScript module for the viewer's page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables of words and numbers, as text and as HTML."""
+"""Tables of text and numbers, as plain text and as HTML."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from kinetruss.display.html import Markup, element
 __all__ = ["Table"]
 
 SHORT = 14
-"""Rows up to which a table stays on one printed page."""
+"""Number of rows up to which a table is kept on one printed page."""
 
 
 class Table:
-    """Rows of cells below a head: words to the left, numbers (judged by the cells of a column) to the right.
+    """Rows of cells below a head: text is left-aligned; columns of numbers, found from their cells, are right-aligned.
 
     Parameters
     ----------
-    head : names of the columns; without any, the two columns are names and what they are. rows : texts, one a column; in HTML
-        also `Markup`. caption, note : above and below it.
+    head : names of the columns; if empty, the two columns are names and descriptions. rows : texts, one per column; in HTML
+    also `Markup`. caption, note : above and below it.
 
     Examples
     --------
@@ -37,7 +37,7 @@ class Table:
 
     @property
     def text(self) -> str:
-        """Lines of text; what is wide in a terminal takes its two places."""
+        """The table as lines of text; wide characters count as two columns."""
         lines = [[str(cell) for cell in row] for row in ((self.head, *self.rows) if any(self.head) else self.rows)]
         widths = [max(map(cell_len, column)) for column in zip(*lines, strict=True)]
         right = self._numeric()
@@ -67,7 +67,7 @@ class Table:
         return element("figure", element("figcaption", self.caption), whole, foot, class_=size)
 
     def _numeric(self) -> list[bool]:
-        """Which columns hold numbers; of names and what they are, none."""
+        """Mask of the columns that hold numbers; none if the table has no head."""
         if not any(self.head):
             return [False] * len(self.head)
         columns = list(zip(*self.rows, strict=True)) if self.rows else [()] * len(self.head)

@@ -1,4 +1,4 @@
-"""Model files and tables: read, write, check; the JSON Schema; a value set by its path; export of stored runs."""
+"""Model files and tables: read, write, check; the JSON Schema; values set by path; export of stored runs."""
 
 from __future__ import annotations
 

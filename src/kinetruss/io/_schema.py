@@ -1,4 +1,4 @@
-"""JSON Schema of model files, for editors that complete and check while one types."""
+"""JSON Schema of model files, for editors that complete and check them during typing."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ __all__ = ["schema", "schema_file"]
 
 _DIALECT = "https://json-schema.org/draft/2020-12/schema"
 _LIBRARY = {
-    "description": "A library model and its parameters; the other keys are laid over it name by name.",
+    "description": "A library model and its parameters; the other keys change it, name by name.",
     "anyOf": [{"type": "string"}, {"type": "object", "properties": {"name": {"type": "string"}}, "required": ["name"]}],
 }
 _FILE = {"type": "string", "description": "CSV table, relative to this file, in place of times and values"}
 _FROM_FILE = {"Spline": ("times", "values"), "NodalForce": (), "History": ("times", "displacements")}
-"""Records that `file` may fill -> the fields it stands for."""
+"""Records that ``file`` may fill -> the fields that it gives."""
 
 
 def schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of model files, made from the records; the shipped file holds the same.
 
     It allows what `read` allows in form: text with units, plain lists for nodes and bars, a list under ``fixed``, ``file`` in
-    place of a table, ``library``. What names refer to, and units, are judged by `check`.
+    place of a table, ``library``. References and units are checked by `check`.
 
     Examples
     --------
@@ -61,7 +61,7 @@ def schema_file() -> Path:
 
 
 def _tidy(part: Any) -> Any:
-    """Without the titles and discriminators that only repeat names."""
+    """The schema without titles and discriminators that only repeat names."""
     if isinstance(part, dict):
         named = "properties" in part or "$defs" in part
         if "patternProperties" in part:
@@ -83,13 +83,13 @@ def _mapped(key: str, value: Any) -> bool:
 
 
 def _kinds(part: dict[str, Any]) -> dict[str, Any]:
-    """Remember which records a discriminator chooses from."""
+    """Store which records a discriminator chooses from."""
     chosen = part.get("discriminator")
     return {"x-kinds": [ref.rpartition("/")[2] for ref in chosen["mapping"].values()]} if isinstance(chosen, dict) else {}
 
 
 def _unions(part: Any) -> list[list[str]]:
-    """Take out what `_kinds` remembered."""
+    """Remove the entries that `_kinds` stored."""
     found = []
     if isinstance(part, dict):
         if "x-kinds" in part:
@@ -110,7 +110,7 @@ def _allow_file(record: dict[str, Any], fields: tuple[str, ...]) -> None:
 
 
 def _partial(one: dict[str, Any]) -> dict[str, Any]:
-    """What may stand over a library model: an entry as it is alone, or some of its fields, or nothing."""
+    """An entry in a file on a library model: a whole entry, some of its fields, or null."""
     if "propertyNames" not in one:
         return one
     entry = {"anyOf": [one["additionalProperties"], {"type": ["object", "null"]}]}

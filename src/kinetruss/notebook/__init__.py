@@ -1,6 +1,6 @@
-"""Models and runs in a notebook: ``%load_ext kinetruss`` shows them as pictures, `live` gives a model with sliders.
+"""Models and runs in a notebook: ``%load_ext kinetruss`` shows them as pictures, `live` shows a model with sliders.
 
-Parts are imported when first used; nothing below knows of notebooks.
+Parts are imported when first used. No other package depends on notebooks.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ __all__ = ["live"]
 
 
 def live(model: Model, *, height: int = 720, folder: str | Path | None = None) -> LiveModel:
-    """The page of the studio as a widget: sliders, forces, reactions, motors, key frames. No server is started.
+    """The studio page as a widget: sliders, forces, reactions, motors, key frames. No server is started.
 
     Parameters
     ----------
@@ -23,12 +23,12 @@ def live(model: Model, *, height: int = 720, folder: str | Path | None = None) -
 
     Returns
     -------
-    A widget; ``.values`` are the drives now (m, rad), ``.session`` the `studio.Session` behind it, ``.session.model`` the model
-    with what was changed in it.
+    A widget; ``.values`` are the present drive values (m, rad), ``.session`` is its `studio.Session`, ``.session.model`` the
+    model with its changes.
 
     Raises
     ------
-    InputError : anywidget is not installed, or a model that cannot stand.
+    InputError : anywidget is not installed, or the model has no equilibrium or cannot be assembled.
     """
     target = None if folder is None else Path(folder).resolve()
     if target is not None and not target.is_dir():

@@ -1,4 +1,4 @@
-"""Tell IPython how models and runs look."""
+"""Registers the pictures of models and runs with IPython."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from kinetruss.notebook._show import show
 __all__ = ["register"]
 
 SHOWN = (("kinetruss.model._model", "Model"), ("kinetruss.runs._result", "RunResult"))
-"""Where the types that are shown live; they are not imported for it."""
+"""Modules of the types that are shown; they are not imported here."""
 
 
 def register(shell: Any) -> None:
@@ -21,7 +21,7 @@ def register(shell: Any) -> None:
 
 
 def _html(what: Any) -> str | None:
-    """The picture; None (the plain text remains) of what cannot be shown."""
+    """The picture as HTML; None (plain text is shown) if it cannot be drawn."""
     try:
         return show(what)._repr_html_()
     except KinetrussError:

@@ -1,4 +1,4 @@
-"""A model or a run as a picture in a frame of its own."""
+"""A model or a run as a picture in a separate frame."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from kinetruss.viewer import page, scene
 __all__ = ["HEIGHT", "framed", "show"]
 
 HEIGHT = 560
-"""Pixels."""
+"""Default height of the frame, pixels."""
 
 
 class Picture:
-    """What a notebook shows as HTML."""
+    """An object that a notebook shows as HTML."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -24,18 +24,18 @@ class Picture:
 
 
 def show(what: Any, height: int = HEIGHT, **options: Any) -> Picture:
-    """The page of `viewer.page` in a frame: of a model, a run, or with ``model=...`` of a motion, forces or a simulation.
+    """Show the page of `viewer.page` in a frame: a model, a run, or with ``model=...`` a motion, forces or a simulation.
 
-    height : pixels. options : as of `viewer.scene`.
+    height : pixels. options : as for `viewer.scene`.
 
     Raises
     ------
-    InputError : as of `viewer.scene`.
+    InputError : as for `viewer.scene`.
     """
     return Picture(framed(page(scene(what, **options)), height))
 
 
 def framed(text: str, height: int = HEIGHT) -> str:
-    """A page in a frame that may run its program and do nothing else."""
+    """A page in a frame that may run scripts and nothing else."""
     style = f"width:100%;height:{height}px;border:0"
     return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{html.escape(text)}"></iframe>'

@@ -1,4 +1,4 @@
-"""The widget: the page of the studio in a frame, its messages carried to a session in this kernel."""
+"""The widget: the studio page in a frame; its messages go to a session in this kernel."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ export default { render };
 
 
 class LiveModel(anywidget.AnyWidget):
-    """A live model. values : of the drives now, m or rad."""
+    """A live model. values : present drive values, m or rad."""
 
     _esm = FRONT
     page = traitlets.Unicode().tag(sync=True)

@@ -1,4 +1,4 @@
-"""Frozen result records with axes, units, provenance and status. What needs xarray is imported when first used."""
+"""Frozen result records with axes, units, provenance and status. Parts that need xarray are imported when first used."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Named runs: from a model to everything that is asked about a motion, streamed to a folder that survives a kill.
+"""Named runs: all results of a motion of a model, written block by block to a folder that stays readable after a kill.
 
-Opening a stored run needs none of the physics; it is loaded when something is run.
+Opening a stored run does not load the analyses; they are loaded when a run is computed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a run gives back, and reading it from its folder."""
+"""The result of a run, and reading it from its folder."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ __all__ = ["RunResult", "load", "model_of"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RunResult:
-    """Everything one run computed.
+    """The results of one run.
 
-    name : of the run in the model. motion : positions, velocities, accelerations.
+    name : name of the run in the model. motion : positions, velocities, accelerations.
     forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
-    simulation : of a simulated motion, energies, events, how it was integrated; else None.
-    status, message : how it ended (of one that has not: RUNNING or INTERRUPTED); samples that are not good are nowhere in it.
-    samples : how many were asked for; ``len(run.motion.time)`` of them are good.
-    settings : of a variant, dotted path -> value that was set.
+    simulation : for a simulated motion, energies, events and diagnostics; else None.
+    status, message : how it ended (RUNNING or INTERRUPTED if it has not ended); it contains only good samples.
+    samples : number of requested samples; ``len(run.motion.time)`` of them are good.
+    settings : for a variant, dotted path -> value that was set.
     path : the run folder, or None. state : ``finished``, ``running`` or ``incomplete`` (it was killed, or the disk filled).
     """
 
@@ -56,12 +56,12 @@ class RunResult:
 
     @property
     def whole(self) -> bool:
-        """True when the run ended and every sample asked for is good, or an event that was to end it did."""
+        """True if the run ended and every requested sample is good, or an event stopped it as requested."""
         return self.state == "finished" and self.status.ok and (self.good == self.samples or self.status is Status.EVENT)
 
 
 def load(path: str | Path) -> RunResult:
-    """Open a run folder; arrays are read when used.
+    """Open a run folder; arrays are read when they are used.
 
     Raises
     ------
@@ -122,7 +122,9 @@ def model_of(store: Store) -> Model:
 
 
 def _ending(store: Store) -> tuple[Status, str]:
-    """How a run ended, for its parts too; of one that did not, how far it came, so that no part looks whole by itself."""
+    """Status of a run, also for its parts. If the run did not end, the message says how far it came, so that no part looks
+    complete by itself.
+    """
     ledger, state = store.ledger, _state(store)
     if state == "finished":
         return Status[ledger.status], ledger.message
@@ -142,7 +144,7 @@ def _simulation(store: Store, motion: Motion, forces: Mapping[str, Forces], comm
         return None
     data = store.read("simulation")
     if store.ledger.state != "finished":
-        with suppress(StoreError):  # what happened is in the state; a damaged one is told by who goes on from it
+        with suppress(StoreError):  # events are in the state; a damaged state is reported when the run is resumed
             data = data.assign(happened(store.state() or {}))
     return Simulation(data=data, motion=motion, forces=next(iter(forces.values())), **common)
 

@@ -1,4 +1,4 @@
-"""Run a named run of a model; go on with one that was interrupted."""
+"""Do a named run of a model; resume an interrupted one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from kinetruss.results.store import Ledger, Store, Writer, check_unlocked, claim
 from kinetruss.runs._result import RunResult, from_store, model_of
 from kinetruss.runs.blocks.block import Block
 from kinetruss.runs.blocks.blocks import blocks
-from kinetruss.runs.blocks.join import Tally, groups_of, in_memory, tail_groups
+from kinetruss.runs.blocks.join import Accumulator, groups_of, in_memory, tail_groups
 from kinetruss.runs.blocks.planned import Plan, plan
 from kinetruss.runs.blocks.stored import stored_blocks
 
@@ -40,27 +40,27 @@ def run(
 ) -> RunResult:
     """Do a named run: motion, member forces of each load case, section forces, utilisation, motor demands.
 
-    The motion is prescribed (``dynamics.inverse``), or what forces make of it (``dynamics.simulate``).
+    The motion is prescribed (``dynamics.inverse``) or simulated (``dynamics.simulate``).
 
     Parameters
     ----------
-    name : a run of the model; may be left out where there is only one.
+    name : a run of the model; may be omitted if there is only one.
     out : folder to write to, block by block; None keeps everything in memory.
-    overwrite : replace the kinetruss run in `out`; any other folder that is not empty is refused all the same.
-    progress : called with (samples done, samples asked for) after each block.
-    block : samples a block; by default 2000, fewer for large models; of a simulation what is done in about five seconds.
-    settings : what was set to make this model, dotted path -> value; noted with the run, it tells runs apart in pictures.
+    overwrite : replace the kinetruss run in `out`; any other folder that is not empty is still refused.
+    progress : called with (samples done, samples requested) after each block.
+    block : samples per block; by default 2000, fewer for large models; for a simulation the samples of about five seconds.
+    settings : values that were set to make this model, by dotted path; stored with the run as its label in pictures.
 
     Returns
     -------
-    RunResult. A path that ends early (a singular position, lengths that cannot close) is no exception here: the good
+    RunResult. A path that ends early (a singular position, lengths that cannot close) raises no exception: the good
     samples are in the result, with status and message.
 
     Raises
     ------
     InputError : no such run, an output folder that is not empty, faults of the trajectory. Nothing was computed.
-    StoreError : another process is writing the folder; or it cannot be written, e.g. the disk is full, and what was committed
-        stays readable.
+    StoreError : another process is writing the folder; or it cannot be written, e.g. the disk is full. Committed samples
+    stay readable.
     """
     started = time.perf_counter()
     job = plan(model, name, block)
@@ -69,47 +69,48 @@ def run(
     path = Path(out)
     with claimed(path, overwrite) as held:
         computed = blocks(job, fitted=block is None)
-        first = next(computed)  # a refusal comes before anything in the folder is touched
+        first = next(computed)  # all input errors are raised before the folder is changed
         if first.simulation is not None and block is None:
             job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
         writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite, held=held)
-        stored = _stream(job, writer, Tally(job.model), _chained(first, computed), progress, started)
+        stored = _stream(job, writer, Accumulator(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
         return from_store(open_store(path))
-    # one block: it is all here already
+    # one block: the run is already complete
     whole = in_memory(job, [first], stored, time.perf_counter() - started)
     return replace(whole, path=path, settings=settings or {})
 
 
 def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
-    """Go on with a run that was killed, interrupted or ran out of disk, behind its last good sample.
+    """Continue a run that was killed, interrupted or ran out of disk space, after its last good sample.
 
-    A simulation goes on from the stored state of its integration, to the very bits of a run that was never interrupted.
+    A simulation continues from the stored state of its integration; the results equal those of a run without interruption to
+    the last bit.
 
     Raises
     ------
-    InputError : the run has ended already.
+    InputError : the run has already ended.
     StoreError : no run folder, or another process is writing it.
     """
     started = time.perf_counter()
     path = Path(out)
     check_unlocked(path)
-    _unfinished(path)  # refused before anything is written there
+    _unfinished(path)  # raises an error before anything is written there
     with holding(path) as held:
-        store = _unfinished(path)  # as it stands now that nobody else writes it
+        store = _unfinished(path)  # read it again, now that no other process writes it
         job = plan(model_of(store), store.ledger.run, store.ledger.block)
         first = store.ledger.committed
         position, state = (_last_position(store), store.state()) if first else (None, None)
-        tally = Tally(job.model, message=store.ledger.message)
+        accumulated = Accumulator(job.model, message=store.ledger.message)
         for block in stored_blocks(job, from_store(store)) if first else ():
-            tally.add(block)
+            accumulated.add(block)
         computed = blocks(job, first, position, state)
-        _stream(job, reopen(path, store.ledger, held), tally, computed, progress, started - store.ledger.wall_time)
+        _stream(job, reopen(path, store.ledger, held), accumulated, computed, progress, started - store.ledger.wall_time)
     return from_store(open_store(path))
 
 
 def _unfinished(path: Path) -> Store:
-    """The store of a run that can be gone on with."""
+    """The store of a run that can be continued."""
     store = open_store(path)
     if store.ledger.state == "finished":
         raise InputError(f"{path} has ended: {Status[store.ledger.status].value} There is nothing to resume.")
@@ -117,24 +118,24 @@ def _unfinished(path: Path) -> Store:
 
 
 def _stream(
-    job: Plan, writer: Writer, tally: Tally, computed: Iterator[Block], progress: Progress | None, started: float
-) -> Tally:
-    """Write block after block, then what is known only at the end."""
+    job: Plan, writer: Writer, accumulated: Accumulator, computed: Iterator[Block], progress: Progress | None, started: float
+) -> Accumulator:
+    """Write block after block, then the results known only at the end."""
     try:
         for block in computed:
-            tally.add(block)
+            accumulated.add(block)
             writer.append(groups_of(block), time.perf_counter() - started, block.state)
             if progress is not None:
                 progress(writer.ledger.committed, len(job.times))
         if writer.ledger.committed:
-            writer.append(tail_groups(tally))
-        writer.close(tally.status.name, tally.message, time.perf_counter() - started)
+            writer.append(tail_groups(accumulated))
+        writer.close(accumulated.status.name, accumulated.message, time.perf_counter() - started)
     except KeyboardInterrupt:
-        writer.pause(Status.INTERRUPTED.name, tally.message, time.perf_counter() - started)
+        writer.pause(Status.INTERRUPTED.name, accumulated.message, time.perf_counter() - started)
         raise
     finally:
         writer.release()
-    return tally
+    return accumulated
 
 
 def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResult:
@@ -142,13 +143,13 @@ def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResul
     a_sample = 9 * len(job.model.nodes) + members * (10 + len(job.cases) * (10 + 6 * job.run.stations) * job.full)
     mend = "Write it to a folder (out), or take fewer samples or stations."
     hold(len(job.times) * a_sample, f"A run of {len(job.times):,} samples kept in memory", mend)
-    tally, kept = Tally(job.model), []
+    accumulated, kept = Accumulator(job.model), []
     for block in blocks(job):
-        tally.add(block)
+        accumulated.add(block)
         kept.append(block)
         if progress is not None:
-            progress(tally.count, len(job.times))
-    return in_memory(job, kept, tally, time.perf_counter() - started)
+            progress(accumulated.count, len(job.times))
+    return in_memory(job, kept, accumulated, time.perf_counter() - started)
 
 
 def _chained(first: Block, rest: Iterator[Block]) -> Iterator[Block]:
@@ -157,7 +158,7 @@ def _chained(first: Block, rest: Iterator[Block]) -> Iterator[Block]:
 
 
 def ledger_of(job: Plan, settings: Mapping[str, str] | None = None) -> Ledger:
-    """The ledger of a run that begins."""
+    """The ledger of a new run."""
     cases = [case or "all" for case in job.cases]
     options = {"analysis": job.run.analysis, "stations": job.run.stations, "load_cases": cases}
     return Ledger(

@@ -1,1 +1,1 @@
-"""Verbs for models."""
+"""Commands for models."""

@@ -1,4 +1,4 @@
-"""What ``kinetruss info`` tells of bodies."""
+"""The lines of ``kinetruss info`` on bodies."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def body_records(model: Model) -> list[dict[str, Any]]:
 
 
 def body_text(one: dict[str, Any]) -> str:
-    """One line of a body."""
+    """The line of a body."""
     center, moments = (", ".join(f"{x:.6g}" for x in one[key]) for key in ("center", "principal_moments"))
     mass = f"mass {one['mass']:.6g} kg, centre ({center}) m, principal moments {moments} kg m^2" if one["mass"] else "no mass"
     nodes = f"{one['kind']}, nodes {', '.join(one['nodes'])}"

@@ -24,7 +24,7 @@ Example:
 @json_option
 @max_size_option
 def check(model: Path, as_json: bool, max_size: int) -> None:
-    """Report every fault of a model file at once, each as FILE:LINE:COLUMN with its mend.
+    """Report all faults of a model file at once, each as FILE:LINE:COLUMN with its fix.
 
     Exit code 0: none found; 2: faults.
     """

@@ -56,11 +56,11 @@ def _title(model: Path) -> str:
 
 
 def _copy(sources: tuple[Path, ...], folder: Path) -> list[Path]:
-    """Write files into a folder; one that is there already with other contents is never replaced."""
+    """Write files into a folder; an existing file with different contents is never replaced."""
     contents = {folder / source.name: source.read_bytes() for source in sources}
     for path, data in contents.items():
         if path.exists() and path.read_bytes() != data:
-            raise InputError(f"{path} is there already, with other contents. Move it away, or name another folder.")
+            raise InputError(f"{path} exists already, with different contents. Move it away, or name another folder.")
     from kinetruss.results.store import whole_file
 
     for path, data in contents.items():

@@ -26,10 +26,10 @@ Examples:
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("model", metavar="MODEL|OUT", type=FILE)
-@click.option("--member", help="Cut this member free (of an active member: base rod and tube).")
+@click.option("--member", help="Cut this member free (for an active member: base rod and tube).")
 @click.option("--node", help="Cut this node free.")
 @click.option("--system", is_flag=True, help="The equations of Newton and Euler of the whole model, with names.")
-@click.option("--run", "name", metavar="RUN", help="A run of the model (may be left out where there is only one).")
+@click.option("--run", "name", metavar="RUN", help="A run of the model (may be omitted if there is only one).")
 @click.option(
     "--time", metavar="TIME", callback=instant, help="The instant, s, or text such as '250 ms' (default: of the largest force)."
 )
@@ -53,9 +53,9 @@ def explain(
     as_json: bool,
     max_size: int,
 ) -> None:
-    """Show the mechanics of one member or node at one instant: its free body and its equations, in numbers.
+    """Show the free body of one member or node at one instant, and its equations, in numbers.
 
-    The instant is followed exactly, whatever the run's samples. A model without runs is explained as it stands, at rest.
+    The instant is computed exactly, independent of the run's samples. A model without runs is shown in its own pose, at rest.
     """
     if (member is not None) + (node is not None) + system != 1:
         raise click.UsageError("Give one of --member NAME, --node NAME, --system.")
@@ -80,7 +80,7 @@ def explain(
 
 
 def model_and_run(path: Path, name: str | None, max_size: int) -> tuple[Model, str | None]:
-    """The model of a file, or model and run of a run folder."""
+    """The model of a file, or the model and run of a run folder."""
     if path.is_dir():
         from kinetruss import runs
 
@@ -92,7 +92,7 @@ def model_and_run(path: Path, name: str | None, max_size: int) -> tuple[Model, s
 
 
 def _check_name(model: Model, member: str | None, node: str | None) -> None:
-    """A wrong name is told before anything is computed."""
+    """Report a wrong name before anything is computed."""
     from kinetruss.model import nearest
 
     for what, given, known in (("member", member, model.members), ("node", node, model.nodes)):
@@ -105,7 +105,7 @@ def _forces(model: Model, name: str | None, time: float | None, case: str | None
 
     if not model.runs and name is None:
         if time:
-            raise InputError("The model has no run, so it stands still. Leave out --time, or add a run.")
+            raise InputError("The model has no run, so it is at rest. Leave out --time, or add a run.")
         return runs.forces_at_rest(model, load_case=case)
     if time is not None:
         return runs.forces_at(model, name, [time], load_case=case)

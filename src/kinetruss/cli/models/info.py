@@ -48,9 +48,9 @@ def info(
     as_json: bool,
     max_size: int,
 ) -> None:
-    """Tell what a model file or a run folder holds.
+    """Print the contents of a model file or a run folder.
 
-    Of a model: nodes, bars, coordinates, degrees of freedom, rank. Of a run: how it ended, the worst members, the motors,
+    For a model: nodes, bars, coordinates, degrees of freedom, rank. For a run: how it ended, the worst members, the motors,
     and checks (energy balance, singularity, unique forces).
     """
     if not joints and (member, node, axis, time, case) != (None,) * 5:

@@ -1,4 +1,4 @@
-"""What ``kinetruss info`` tells of the joints of a model."""
+"""The lines of ``kinetruss info`` on joints."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["joint_records", "joint_text"]
 
 
 def joint_records(model: Model) -> list[dict[str, Any]]:
-    """Of every joint its kind, bodies, relative freedoms and smallest singular value."""
+    """Kind, bodies, relative degrees of freedom and smallest singular value of every joint."""
     return [
         {
             "name": name,
@@ -25,7 +25,7 @@ def joint_records(model: Model) -> list[dict[str, Any]]:
 
 
 def joint_text(one: dict[str, Any]) -> str:
-    """One line."""
+    """The line of a joint."""
     freedoms = f"{one['freedoms']} freedom{'' if one['freedoms'] == 1 else 's'}"
     first, second = one["bodies"]
     value = one["smallest_singular_value"]

@@ -27,8 +27,8 @@ Examples:
 def size(model: Path, mission: Path, out: Path | None, as_json: bool, max_size: int) -> None:
     """Choose the lightest tubes and the smallest drives with which a MODEL fulfils a MISSION.
 
-    A mission names runs and load cases, member groups, catalogues and safety factors. Exit code 0: done; 1: nothing in the
-    catalogues carries, or the sizing does not settle; 2: wrong usage, or faults of model, mission or catalogues.
+    A mission names runs and load cases, member groups, catalogues and safety factors. Exit code 0: done; 1: no part in
+    the catalogues is strong enough, or the sizing does not converge; 2: wrong usage, or faults of model, mission or catalogues.
     """
     from kinetruss.io import read, read_mission, write
 

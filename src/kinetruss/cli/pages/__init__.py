@@ -1,1 +1,1 @@
-"""Verbs for pages and pictures."""
+"""Commands for pages and pictures."""

@@ -8,7 +8,7 @@ __all__ = ["browsed"]
 
 
 def browsed(path: Path) -> bool:
-    """Open a file; False where no browser can be started."""
+    """Open a file in the browser; returns False if no browser can be started."""
     import webbrowser
 
     return webbrowser.open(path.resolve().as_uri())

@@ -19,7 +19,7 @@ Examples:
 
 
 def instants(ctx: click.Context, option: click.Parameter, texts: tuple[str, ...]) -> list[float]:
-    """The same of several."""
+    """Seconds from several texts."""
     return [found for text in texts if (found := instant(ctx, option, text)) is not None]
 
 
@@ -39,7 +39,7 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
     "-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path), help="A .pdf, .svg or .png file."
 )
 @click.option(
-    "--at", multiple=True, metavar="TIME", callback=instants, help="Instants of a run, beside each other (default: the start)."
+    "--at", multiple=True, metavar="TIME", callback=instants, help="Instants of a run, side by side (default: the start)."
 )
 @click.option("--colour", "--color", "colour", help="force, stress or utilisation (default: the kinds of members).")
 @click.option("--case", help="Load case (default: the first).")
@@ -53,18 +53,18 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
 )
 @click.option("--view", default="iso", show_default=True, help="iso, front, side or top.")
 @click.option("--ghost", is_flag=True, help="The start pose in grey.")
-@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the way of a node (may be given several times).")
+@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the path of a node (may be given several times).")
 @click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
 @click.option("--names/--no-names", default=None, help="Names of nodes (default: up to 24 nodes).")
-@click.option("--title", default="", help="A line above; papers have a caption instead.")
+@click.option("--title", default="", help="A title above; journals use a caption instead.")
 @json_option
 @max_size_option
 def picture(what: Path, file: Path, at: list[float], colour: str | None, case: str | None, width: str | float, view: str,
             ghost: bool, paths: tuple[str, ...], no_loads: bool, names: bool | None, title: str, as_json: bool,
             max_size: int) -> None:  # fmt: skip
-    """Draw the shape of a model file, or of a run folder at some instants, for print: lines and letters, no pixels.
+    """Draw a model file, or a run folder at some instants, for print: vector lines and text, no pixels.
 
-    Driven members are green, supports triangles, loads purple arrows. For lit pictures and films: kinetruss render.
+    Driven members are green, supports triangles, loads purple arrows. For shaded pictures and films: kinetruss render.
     """
     from kinetruss import report
     from kinetruss.cli.pages.view import loaded

@@ -38,7 +38,7 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
     try:
         return tuple(float(one) for one in text.split(","))
     except ValueError:
-        raise click.BadParameter(f"{text!r} is no direction. Write three numbers, e.g. 1,-1,0.5.") from None
+        raise click.BadParameter(f"{text!r} is not a direction. Write three numbers, e.g. 1,-1,0.5.") from None
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
@@ -63,12 +63,12 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 )
 @click.option("--size", default="1280x720", show_default=True, callback=_size, help="Width x height, pixels.")
 @click.option("--at", metavar="TIME", callback=instant, help="Instant of a picture (default: the start).")
-@click.option("--fps", type=float, default=30.0, show_default=True, help="Frames a second of a film.")
+@click.option("--fps", type=float, default=30.0, show_default=True, help="Frames per second of a film.")
 @click.option("--speed", type=float, default=1.0, show_default=True, help="How much faster than in reality.")
 @click.option("--case", help="Load case (default: the first).")
-@click.option("--mode", type=click.IntRange(min=1), help="Of a model: how it vibrates, the mode of this number.")
+@click.option("--mode", type=click.IntRange(min=1), help="For a model: its vibration mode with this number.")
 @click.option("--ghost", is_flag=True, help="The start pose as thin lines.")
-@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the way of a node (may be given several times).")
+@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the path of a node (may be given several times).")
 @click.option("--faces", is_flag=True, help="Triangles of rigid bars as faces.")
 @click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
 @click.option("--no-grid", is_flag=True, help="Without the grid.")
@@ -78,9 +78,9 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 def render(
     what: Path, file: Path, as_json: bool, max_size: int, mode: int | None, no_loads: bool, no_grid: bool, **chosen: Any
 ) -> None:
-    """Write a lit picture or a film of a model file or a run folder. No display is needed.
+    """Write a shaded picture or a film of a model file or a run folder. No display is needed.
 
-    What is shown at an instant is the computed sample nearest to it. A film that is cut off leaves no file.
+    Each frame shows the nearest computed sample. An interrupted film leaves no file.
     """
     if mode is not None and what.is_dir():
         raise click.UsageError("--mode goes with a model file.")

@@ -22,7 +22,7 @@ Examples:
 @click.argument("file", metavar="MODEL", type=FILE)
 @click.option("--folder", type=FILE, help="The only folder that Save writes to (default: that of MODEL).")
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="Port on 127.0.0.1 (default: a free one).")
-@click.option("--no-open", is_flag=True, help="Only serve; print the address.")
+@click.option("--no-open", is_flag=True, help="Only serve the page and print the address.")
 @max_size_option
 def studio(file: Path, folder: Path | None, port: int, no_open: bool, max_size: int) -> None:
     """Move the drives of a model by sliders in the browser and see forces, reactions and motor demand at once.

@@ -35,11 +35,11 @@ PLACE = click.Path(exists=True, path_type=Path)
 @click.option(
     "-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Keep the page as this .html file."
 )
-@click.option("--no-open", is_flag=True, help="Only write the file.")
+@click.option("--no-open", is_flag=True, help="Only write the file, do not open it.")
 @click.option("--beside", metavar="MODEL|OUT", type=PLACE, help="A second model or run, shown beside the first.")
 @click.option("--case", help="Show only this load case (default: all, to choose from).")
 @click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples kept at most.")
-@click.option("--modes", is_flag=True, help="Of a model: show how it vibrates about where it stands.")
+@click.option("--modes", is_flag=True, help="For a model: show its vibration modes about its own pose.")
 @json_option
 @max_size_option
 def view(
@@ -53,12 +53,12 @@ def view(
     as_json: bool,
     max_size: int,
 ) -> None:
-    """Show a model file or a run folder in the browser: one page that needs no network and can be mailed.
+    """Show a model file or a run folder in the browser: one page that works without a network and can be sent by mail.
 
     Press ? in the page for its keys. Without -o the page goes to a temporary file.
     """
     if no_open and file is None:
-        raise click.UsageError("--no-open needs -o FILE: there would be nothing left of the page.")
+        raise click.UsageError("--no-open needs -o FILE: otherwise the page would be lost.")
     if modes and (what.is_dir() or case is not None or beside is not None):
         raise click.UsageError("--modes goes with one model file, alone.")
     from kinetruss import viewer
@@ -85,7 +85,7 @@ def loaded(path: Path, max_size: int) -> Model | RunResult:
 
 
 def vibrating(path: Path, max_size: int) -> tuple[Result, Model]:
-    """Small motions of the model of a file about where it stands."""
+    """Small motions of the model of a file about its own pose."""
     from kinetruss.dynamics import linearise
     from kinetruss.io import read
 
@@ -94,7 +94,7 @@ def vibrating(path: Path, max_size: int) -> tuple[Result, Model]:
 
 
 def _labels(what: Path, beside: Path) -> list[str]:
-    """Names that tell two files or folders apart."""
+    """Names that distinguish two files or folders."""
     paths = [what.resolve(), beside.resolve()]
     short = [path.stem for path in paths]
     return short if short[0] != short[1] else ["/".join(path.parts[-2:]) for path in paths]

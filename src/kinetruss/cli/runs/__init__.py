@@ -1,1 +1,1 @@
-"""Verbs for runs."""
+"""Commands for runs."""

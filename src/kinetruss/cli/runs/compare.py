@@ -21,7 +21,7 @@ Examples:
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @curves_of_runs(
-    quantity="As for plot (may be given several times; default: those that say most).",
+    quantity="As for plot (may be given several times; default: the most important ones).",
     member="Only this member, node or drive (default: the largest of all).",
 )
 @click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write a .csv file.")
@@ -35,9 +35,10 @@ def compare(
     file: Path | None,
     as_json: bool,
 ) -> None:
-    """Put the largest values of several runs side by side: with their time, and against the same poses at rest.
+    """Compare the largest values of several runs, with their times, and with the same poses at rest.
 
-    OUT is a run folder, or a folder that holds runs. The ratio is that of the largest values, in motion over at rest.
+    OUT is a run folder, or a folder that holds runs. The ratio is the largest value in motion divided by the largest one at
+    rest.
     """
     from kinetruss import report
 

@@ -1,4 +1,4 @@
-"""Runs and what of them is meant: arguments that ``plot`` and ``compare`` have in common."""
+"""Runs and their quantities: the common arguments of ``plot`` and ``compare``."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import click
 
 __all__ = ["curves_of_runs"]
 
-STATION = "Where along the member, 0 to 1 from its first end (default: the largest along it)."
+STATION = "Place along the member, 0 to 1 from its first end (default: the largest along it)."
 
 
 def curves_of_runs(*, quantity: str, member: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """OUT..., --quantity, --member, --case and --station, with the verb's own words on the first two."""
+    """OUT..., --quantity, --member, --case and --station, with the command's own help for the first two."""
     given = (
         click.argument("out", type=click.Path(exists=True, path_type=Path), nargs=-1, required=True),
         click.option("--quantity", multiple=True, help=quantity),

@@ -25,7 +25,7 @@ Examples:
 @click.option("--group", multiple=True, metavar="GROUP", help="Only motion, forces, sections, verdict or demand (may repeat).")
 @json_option
 def export(out: Path, file: Path, group: tuple[str, ...], as_json: bool) -> None:
-    """Write a run to FILE: .csv (one row an instant), .parquet (one row a value) or .nc (netCDF, all arrays with units).
+    """Write a run to FILE: .csv (one row per instant), .parquet (one row per value) or .nc (netCDF, all arrays with units).
 
     With --group verdict a .csv holds the utilisation table.
     """

@@ -21,7 +21,7 @@ Examples:
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("model", metavar="MODEL|OUT", type=FILE)
-@click.option("--run", "name", metavar="RUN", help="A run of the model (may be left out where there is only one).")
+@click.option("--run", "name", metavar="RUN", help="A run of the model (may be omitted if there is only one).")
 @click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
 @click.option(
     "--measured",
@@ -41,9 +41,9 @@ Examples:
 def gauges(
     model: Path, name: str | None, case: str | None, measured: Path | None, file: Path | None, as_json: bool, max_size: int
 ) -> None:
-    """Tell what the strain gauges of a model read along a run, and compare with a measured record.
+    """Compute the readings of a model's strain gauges along a run, and compare them with a measured record.
 
-    The run is followed to exactly the measured times.
+    The run is computed exactly at the measured times.
     """
     loaded, chosen = model_and_run(model, name, max_size)
     from kinetruss.io import read_strains

@@ -15,7 +15,7 @@ from kinetruss.errors import InputError
 __all__ = ["plot"]
 
 EPILOG = """\b
-Quantities (several --quantity stand above each other):
+Quantities (several --quantity give panels above each other):
   stress     von_mises, S1, S2; axial, bending_2, bending_3, shear_2, shear_3
              (with _microstrain: as strain); components: all five
   drives     drive_position, drive_velocity, drive_acceleration (x, xd, xdd); motion: all three
@@ -60,9 +60,9 @@ def plot(
     width: str | float | None,
     as_json: bool,
 ) -> None:
-    """Draw quantities of one or more runs over time, the same poses at rest dashed; or all pictures of a run.
+    """Draw quantities of one or more runs over time, with the same poses at rest as dashed lines; or all pictures of a run.
 
-    OUT is a run folder, or a folder that holds runs. Runs are told apart by what differs between them.
+    OUT is a run folder, or a folder that holds runs. Labels show the differences between runs.
     """
     from kinetruss import report
     from kinetruss.results.store import PICTURES

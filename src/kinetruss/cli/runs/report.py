@@ -22,18 +22,22 @@ Examples:
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("run", metavar="RUN", type=FOLDER)
 @click.option(
-    "-o", "--output", "folder", type=click.Path(file_okay=False, path_type=Path), help="Folder for it (default: RUN/report)."
+    "-o",
+    "--output",
+    "folder",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Folder for the report (default: RUN/report).",
 )
-@click.option("--no-open", is_flag=True, help="Only write it.")
-@click.option("--no-pdf", is_flag=True, help="Leave report.pdf out.")
-@click.option("--no-view", is_flag=True, help="Leave the view in three dimensions out; a still picture takes its place.")
+@click.option("--no-open", is_flag=True, help="Only write it, do not open it.")
+@click.option("--no-pdf", is_flag=True, help="Do not write report.pdf.")
+@click.option("--no-view", is_flag=True, help="Show a still picture instead of the three-dimensional view.")
 @click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples in the view at most.")
 @json_option
 def report(run: Path, folder: Path | None, no_open: bool, no_pdf: bool, no_view: bool, frames: int, as_json: bool) -> None:
-    """Write a report of a run folder, to read and to mail: FOLDER/report.html, and with Chromium installed FOLDER/report.pdf.
+    """Write a report of a run folder: FOLDER/report.html and, if Chromium is installed, FOLDER/report.pdf.
 
     What was analysed, mobility, worst members, envelopes, actuator demands, plots, checks, warnings, method and sources, and
-    the model itself. The page needs no network. A run that is not whole says so on top.
+    the model itself. The page works without a network. If the run is not complete, the top of the report says so.
     """
     from datetime import date
 
@@ -55,6 +59,6 @@ def report(run: Path, folder: Path | None, no_open: bool, no_pdf: bool, no_view:
     if written.note:
         click.echo(written.note, err=True)
     if not found.whole:
-        click.echo(f"The run is not whole: {found.good} of {found.samples} samples are good. The report says so.", err=True)
+        click.echo(f"The run is not complete: {found.good} of {found.samples} samples are good. The report says so.", err=True)
     if not no_open and not shown:
         click.echo("No browser could be started. Open the file yourself.", err=True)

@@ -34,8 +34,8 @@ Examples:
     metavar="PATH=V1,V2,...",
     help="Set a value of the model by its dotted path; several values, and several --set, give all combinations.",
 )
-@click.option("--resume", "resumed", type=FOLDER, metavar="OUT", help="Go on with a run that was interrupted.")
-@click.option("--overwrite", is_flag=True, help="Replace the kinetruss run in OUT. Any other folder is never touched.")
+@click.option("--resume", "resumed", type=FOLDER, metavar="OUT", help="Continue an interrupted run.")
+@click.option("--overwrite", is_flag=True, help="Replace the kinetruss run in OUT. No other folder is ever changed.")
 @click.option("--pictures", is_flag=True, help="Also draw the pictures into OUT/pictures (PNG, SVG).")
 @json_option
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
@@ -54,15 +54,15 @@ def run(
 ) -> None:
     """Do the run RUN of a MODEL file: motion (prescribed, or simulated), member forces, stresses, margins, motor demands.
 
-    RUN may be left out where the model has only one. Exit code 0: done; 1: the path ended early (what is good is kept);
+    RUN may be omitted if the model has only one. Exit code 0: done; 1: the path ended early (good samples are kept);
     2: wrong usage or a faulty model.
 
-    PATH is a path in the model (runs.slew.trajectory.duration, nodes.N4.mass, sections.tube.outer; behind a name it goes on
-    in what is named), or library.NAME, a parameter of the library model that the file starts from. Each combination becomes
-    a run folder OUT/NAME=VALUE_NAME=VALUE; a single one becomes OUT itself.
+    PATH is a path in the model (runs.slew.trajectory.duration, nodes.N4.mass, sections.tube.outer; after the name of a
+    record it continues in that record), or library.NAME, a parameter of the library model that the file starts from. Each
+    combination becomes a run folder OUT/NAME=VALUE_NAME=VALUE; a single one becomes OUT itself.
     """
     if resumed is not None and (model, name, out, texts) != (None, None, None, ()):
-        raise click.UsageError("--resume OUT takes neither a model, --set nor -o: all is in the run folder.")
+        raise click.UsageError("--resume OUT takes no model, --set or -o: the run folder has all data.")
     if resumed is None and (model is None or out is None):
         raise click.UsageError("Give a MODEL file and -o OUT, or --resume OUT.")
     if texts:
@@ -100,7 +100,7 @@ def _compute(
         from kinetruss.results.store import check_target, check_unlocked
 
         assert model is not None and out is not None  # noqa: S101 - told to mypy; the verb has checked it
-        check_unlocked(out)  # said before the model is read and the kernels are loaded
+        check_unlocked(out)  # printed before the model is read and the kernels are loaded
         check_target(out, overwrite)
         loaded = read(model, max_size=max_size)
         from kinetruss import runs
@@ -112,13 +112,13 @@ def _compute(
 
 
 class _Nothing(click.ClickException):
-    """Ctrl-C, and nothing to go on with."""
+    """Ctrl-C, and nothing was written that could be continued."""
 
     exit_code = INTERRUPTED
 
 
 def _interrupted(out: Path | None) -> click.ClickException:
-    """What is left after Ctrl-C; the exit code is that of an early end where something is."""
+    """Report what was kept after Ctrl-C; the exit code is that of an early end if samples were kept."""
     from kinetruss.errors import StoreError
     from kinetruss.results.store import open_store
 
@@ -127,11 +127,11 @@ def _interrupted(out: Path | None) -> click.ClickException:
     except StoreError:
         ledger = None
     if ledger is not None and ledger.state == "finished":
-        return click.ClickException(f"Interrupted behind the end of the run; {out} is finished.")
+        return click.ClickException(f"Interrupted after the end of the run; {out} is finished.")
     if ledger is None or not ledger.committed:
         return _Nothing("Interrupted before the first samples were written.")
     kept = f"{ledger.committed} of {ledger.samples} samples are kept"
-    return click.ClickException(f"Interrupted; {kept}. Go on with: kinetruss run --resume {out}")
+    return click.ClickException(f"Interrupted; {kept}. Continue with: kinetruss run --resume {out}")
 
 
 def _variants(

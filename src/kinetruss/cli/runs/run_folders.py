@@ -18,13 +18,15 @@ __all__ = ["found_runs", "opened", "opened_run"]
 
 
 def found_runs(paths: Sequence[Path]) -> list[Path]:
-    """The run folders named, and those in folders named, each once; variants of one folder in the order of their numbers."""
+    """The named run folders, and those inside named folders, each once; variants in one folder in the order of their
+    numbers.
+    """
     from kinetruss.results.store import is_store
 
     found: list[Path] = []
     for path in paths:
         if not path.is_dir():
-            continue  # `OUT/*` names other files too
+            continue  # `OUT/*` matches other files too
         inside = [] if is_store(path) else [below for below in sorted(path.iterdir()) if is_store(below)]
         if not is_store(path) and not inside:
             raise InputError(f"{path} holds no run. Make one: kinetruss run MODEL -o {path}")
@@ -37,7 +39,7 @@ def found_runs(paths: Sequence[Path]) -> list[Path]:
 
 
 def opened(paths: Sequence[Path]) -> list[RunResult]:
-    """The runs, opened; of each that is not whole, a line of stderr says so."""
+    """The opened runs; a line on stderr reports each run that is not complete."""
     return [opened_run(path) for path in found_runs(paths)]
 
 
@@ -47,7 +49,7 @@ def opened_run(path: Path) -> RunResult:
 
     found = runs.load(path)
     if not found.whole:
-        click.echo(f"{path}: the run is not whole: {found.good} of {found.samples} samples are good.", err=True)
+        click.echo(f"{path}: the run is not complete: {found.good} of {found.samples} samples are good.", err=True)
     return found
 
 

@@ -12,7 +12,7 @@ OPENING, CLOSING = "[{(", "]})"
 
 
 def settings(texts: Iterable[str]) -> dict[str, list[str]]:
-    """Path -> values of all ``--set`` options; commas within brackets, braces or quotes separate nothing.
+    """Path -> values of all ``--set`` options; commas within brackets, braces or quotes are part of the value.
 
     >>> settings(["runs.lean.trajectory.duration=3,5 s", "nodes.B.at=[0, 1 m],[0, 2 m]"])
     {'runs.lean.trajectory.duration': ['3', '5 s'], 'nodes.B.at': ['[0, 1 m]', '[0, 2 m]']}
@@ -22,7 +22,7 @@ def settings(texts: Iterable[str]) -> dict[str, list[str]]:
         path, sign, values = text.partition("=")
         path = path.strip()
         if not sign or not path:
-            raise click.UsageError(f"--set {text!r} sets nothing. Write --set PATH=V1,V2, e.g. --set safety.yielding=1.5,2.")
+            raise click.UsageError(f"--set {text!r} has no value. Write --set PATH=V1,V2, e.g. --set safety.yielding=1.5,2.")
         if path in found:
             raise click.UsageError(f"--set {path} is given twice. Give all its values at once: --set {path}=V1,V2.")
         found[path] = _split(values)

@@ -1,4 +1,4 @@
-"""Forward dynamics: a problem, steps to wanted times, the record of what happened."""
+"""Forward dynamics: the problem, its integration to given times, and the record of the result."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From options to what the integrators take: memory, control, kernel of a method."""
+"""Translates options into the inputs of the integrators: memory, control data and the kernel of a method."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ __all__ = ["control", "integrator_of", "orders_of", "restart_memory", "start_mem
 
 Floats = NDArray[np.float64]
 Watched = tuple[int, int, int, float, int, bool]
-"""Kind (LENGTH, COORDINATE, FORCE), flat coordinates or row a, b, value, direction (1, -1, 0), whether it stops the run."""
+"""A watched quantity: kind (LENGTH, COORDINATE, FORCE), flat coordinates or constraint a, b, value, direction (1, -1, 0),
+and whether it stops the run."""
 
 METHODS: dict[type, int] = {
     DOP853: m.EXPLICIT_RK,
@@ -32,9 +33,9 @@ METHODS: dict[type, int] = {
     Taylor: m.TAYLOR,
 }
 PIVOT_LIMIT = 0.3
-"""Scaled pivot, in parts of the largest one met, above which no position counts as near a singular one."""
+"""Scaled pivot, as a fraction of the largest one so far, above which no position is near a singular one."""
 ROUND_OFF = 8 * 2.2e-16
-"""What is left of a constraint, in parts of the coordinates. Next to a singular position of pivot p it counts 1/p^2 times."""
+"""Residual of a constraint as a fraction of the coordinates. Near a singular position of pivot p, 1/p^2 multiplies it."""
 
 
 def start_memory(
@@ -68,14 +69,14 @@ def control(
     isolated: bool = False,
     turns: bool = False,
 ) -> Control:
-    """What an integrator is told.
+    """The control data of an integrator.
 
     Parameters
     ----------
     method : DOP853, EnergyMomentum, GeneralizedAlpha, Radau, Rattle or Taylor.
     span : start and end, s. breaks : times at which a load, a drive or its rates jump, s; a step ends there.
-    isolated : nothing feeds energy: no drive that moves, no load in time, no user force.
-    turns : states are kept between samples where something turns far.
+    isolated : energy is conserved or lost: no moving drive, no time-dependent load, no user force.
+    turns : states between samples are kept if something turns far.
     """
     t0, t_end = span
     inner = sorted({float(t) for t in breaks if t0 < t < t_end})
@@ -102,7 +103,9 @@ def control(
 
 
 def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
-    """What `Control` tells of watched quantities; what is no polynomial in a step, and where they stand in a state, too."""
+    """The entries of `Control` for watched quantities, for those that are not polynomials within a step, and their places in
+    a state.
+    """
     at, sampled = np.full((len(events), 6), -1), np.zeros(len(events), bool)
     for k, (kind, a, b, *_) in enumerate(events):
         flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)], m.FORCE: []}[kind]
@@ -114,7 +117,7 @@ def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
 
 
 def _turning(system: System) -> dict[str, NDArray[Any]]:
-    """What may turn: lines between the ends of members, of edges of membranes and solids; angles about axes."""
+    """All that may turn: members, edges of membranes and solids, and angles about axes."""
     p, q = system.p, system.q
     if system.continua is not None:
         p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])
@@ -143,12 +146,16 @@ def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
 
 
 def _chosen_anew(eq: Any) -> bool:
-    """True where every factorisation chooses which rows are kept: off the loops each choice gives other accelerations."""
+    """True if every factorisation chooses the independent constraints: if loops do not close exactly, each choice gives other
+    accelerations.
+    """
     return bool(eq.solver == DENSE and eq.redundant.any())
 
 
 def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: float, projected: bool) -> dict[str, float]:
-    """Numbers of `Control`. size : of the smallest members, m. reach : largest coordinate, m. projected : stages are."""
+    """The numbers in `Control`. size : length of the shortest members, m. reach : largest coordinate, m. projected : True if
+    stages are projected onto the constraints.
+    """
     found = {
         "t_end": t_end,
         "isolated": float(isolated),
@@ -176,10 +183,10 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
 
 
 def orders_of(method: Taylor) -> int:
-    """Orders of the places in a series. More pay for smaller tolerances; round-off in a singular position allows fewer.
+    """Orders of the power series by its length. Small tolerances need more terms; round-off at a singularity allows fewer.
 
-    Beside a singular position the series of what round-off leaves of the constraints converges only up to it: at c times its
-    distance the order j counts c^j, and the position is passed where that is below the tolerance at c = 1.5.
+    Near a singular position the series of the constraint residual left by round-off converges only up to that position. At c
+    times its distance the term of order j grows by c^j. The position is passed if the term is below the tolerance at c = 1.5.
     """
     if method.order is not None:
         return method.order + 1
@@ -188,7 +195,7 @@ def orders_of(method: Taylor) -> int:
 
 
 def _member_lengths(system: System) -> Floats:
-    """Mean length (m) of the members that meet at the node of every flat coordinate (3 n,); the mean of all where none do."""
+    """Mean length (m) of the members at the node of every flat coordinate (3 n,); the mean of all members if it has none."""
     p, q, n = system.p, system.q, system.x0.shape[0]
     if system.continua is not None:
         p, q = np.concatenate([p, system.continua.p]), np.concatenate([q, system.continua.q])

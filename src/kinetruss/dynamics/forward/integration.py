@@ -1,4 +1,4 @@
-"""Where an integration stands: its problem, the memory of its kernels, and what has happened so far."""
+"""The state of an integration: its problem, the memory of its kernels, and the events so far."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ __all__ = ["Integration", "angles_at_start"]
 class Integration:
     """A `Problem` between its start and `t_end` (s).
 
-    status, message : how it stands; `ended` is True once nothing more comes. angles (3, drives) : values and rates of drive
-    coordinates at the last sample, and its time, so that angles go on by whole turns. worst (3,) : largest change of the
-    energy at a sample (J), its time (s), largest kinetic energy (J). lost (3,) : largest share of a force
-    that is lost near a singular position, its time (s), the pivot there. passed : states between samples.
+    status, message : the state of the run; `ended` is True after the last sample. angles (3, drives) : values and rates of
+    drive coordinates at the last sample, and its time, so that angles count whole turns. worst (3,) : largest change of the
+    energy at a sample (J), its time (s), largest kinetic energy (J). lost (3,) : largest relative error
+    of a force near a singular position, its time (s), the pivot there. passed : states between samples.
     """
 
     memory: Memory
@@ -44,7 +44,7 @@ class Integration:
 
     @property
     def passed(self) -> Passed:
-        """States between samples so far."""
+        """The states between samples so far."""
         if not self._unread:
             return self._passed
         problem, free, rows = self.problem, self.problem.eq.free, np.concatenate(self._unread)
@@ -56,12 +56,12 @@ class Integration:
         return self._passed
 
     def _pass(self, rows: NDArray[np.float64]) -> None:
-        """Keep states between samples: rows of a time, free positions, free velocities, and more."""
+        """Store states between samples: rows of time, free positions, free velocities, and extra states."""
         self._unread.append(rows[:, : 1 + 2 * len(self.problem.eq.free)].copy())
 
     @property
     def _last(self) -> float:
-        """Time (s) of the run so far: a step may end behind the end of the run, or behind an event that stops it."""
+        """Last time (s) of the run so far: a step may end after the end of the run, or after an event that stops it."""
         return min(self.t_end, float(self.memory.stop)) if self.memory.started else self.t_end
 
     def passages(self) -> NDArray[np.float64]:
@@ -80,7 +80,7 @@ class Integration:
 
 
 def angles_at_start(system: System) -> NDArray[np.float64]:
-    """`Integration.angles` before the first sample: its rates and time are not known."""
+    """`Integration.angles` before the first sample; rates and time are not known there."""
     angles = np.full((3, len(system.drives)), np.nan)
     angles[0] = system.drive_start
     return angles

@@ -1,4 +1,4 @@
-"""A simulation that one kernel integrates from sample to sample."""
+"""A simulation without motors, integrated by one kernel from sample to sample."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class KernelStepper(Stepper):
         self._start = self.memory.y[0].copy()
 
     def rewind(self) -> None:
-        """Stand at the start (again)."""
+        """Return to the start."""
         restart_memory(self.memory, 0.0, self._start)
         self._clear()
 
@@ -52,7 +52,7 @@ class KernelStepper(Stepper):
 
 
 def _control(problem: Problem, t_end: float) -> Control:
-    """What the integrator is given, from 0 to t_end (s)."""
+    """The control data of the integrator, from 0 to t_end (s)."""
     eq, system, method = problem.eq, problem.system, problem.method
     return control(
         eq,

@@ -1,4 +1,4 @@
-"""The same simulation many times: set up once, run without making records."""
+"""One simulation run many times: set up once, run without records."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ class Histories(NamedTuple):
     """Good samples of a run as plain arrays.
 
     t (s,) s; position, velocity, acceleration (s, n_nodes, 3) m, m/s, m/s^2 (z is 0 in the plane); row_force (s, rows) N:
-    tension of each rigid and driven member, in the order of the model's members, then angle drives. status, message : how it
-    ended. steps, rejected, evaluations : counts.
+    tension of each rigid and driven member, in the order of the model's members, then of angle drives. status, message : how
+    the run ended. steps, rejected, evaluations : counts.
     """
 
     t: NDArray[np.float64]
@@ -45,7 +45,9 @@ class Histories(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Prepared:
-    """A simulation that is set up; `run` starts it anew each time. longest : s, for which the drives' motions are known."""
+    """A simulation that is set up; each `run` starts from the beginning. longest : largest end time, s, for which the drives'
+    motions are prepared.
+    """
 
     problem: Problem
     longest: float
@@ -53,7 +55,7 @@ class Prepared:
     _spaced: dict[tuple[float, int], NDArray[np.float64]] = field(default_factory=dict, repr=False)
 
     def run(self, t_end: float, *, samples: int = 2, times: ArrayLike | None = None) -> Histories:
-        """From the start to t_end (s), with equally spaced samples or those at `times`; no exception where it ends early.
+        """Run from the start to t_end (s), with equally spaced samples or samples at `times`. An early end raises no exception.
 
         Raises
         ------
@@ -78,14 +80,14 @@ class Prepared:
         )
 
     def _times(self, t_end: float, samples: int) -> NDArray[np.float64]:
-        """Equally spaced times; those of the last run are kept."""
+        """Equally spaced times; those of the last run are reused."""
         if (t_end, samples) not in self._spaced:
             self._spaced.clear()
             self._spaced[t_end, samples] = wanted_times(t_end, samples, None)
         return self._spaced[t_end, samples]
 
     def _work(self, t_end: float) -> Stepper:
-        """The integration at its start; that of the last run is wound back."""
+        """The integration at its start; the one of the last run is reset and reused."""
         if isinstance(work := self._works.get(t_end), KernelStepper):
             work.rewind()
             return work
@@ -94,7 +96,7 @@ class Prepared:
 
 
 def prepare(model: Model, t_end: float, **options: Any) -> Prepared:
-    """Set up a simulation of at most t_end (s), to be run many times without the cost of records.
+    """Set up a simulation of at most t_end (s) that can be run many times without the cost of records.
 
     Options and errors as those of `simulate`: method, tasks, trajectory, load_case, velocities, positions, user_force, events.
 

@@ -1,4 +1,4 @@
-"""What is simulated: equations, a consistent start, a method."""
+"""The problem of a simulation: equations, a consistent start, a method."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ __all__ = ["Problem"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Problem:
-    """Equations of a model, what pushes, a consistent start and how to step.
+    """Equations of a model, applied forces, a consistent start and a method.
 
-    x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit and
-    words of states beside positions and velocities. not_unique : members whose force is not unique. motors : that are fed.
-    singular : what is known of a start next to a singular position. controls : what integrators are given, by the end of the
-    run (s).
+    x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit
+    and description of states other than positions and velocities. not_unique : members whose force is not unique. motors :
+    those with an input. singular : data of a start near a singular position. controls : control data of integrators, by the
+    end of the run (s).
     """
 
     system: System
@@ -52,7 +52,7 @@ class Problem:
     controls: dict[float, Control] = field(default_factory=dict)
 
     def fresh(self) -> Problem:
-        """The same with buffers of its own, without a user force: a run writes to them."""
+        """A copy with its own buffers, to which a run writes, and without a user force."""
         return replace(
             self,
             eq=self.eq.copy(),
@@ -65,11 +65,11 @@ class Problem:
 
     @property
     def isolated(self) -> bool:
-        """True where nothing feeds energy: no drive or support that moves, no given force, no user force."""
+        """True if nothing supplies energy: no moving drive or support, no given force, no user force."""
         fed = len(self.eq.force_kind) or len(self.eq.follower_mode) or len(self.eq.motion_kind)
         return not (self.user.given or fed)
 
     @property
     def solver(self) -> str:
-        """Name of the solver chosen."""
+        """Name of the chosen solver."""
         return {DENSE: "dense", SPARSE: "sparse", SWEEP: "sweep"}[self.eq.solver]

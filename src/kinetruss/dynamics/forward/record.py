@@ -1,4 +1,4 @@
-"""Makes the records of a simulation from the arrays that the integration filled."""
+"""Creates the records of a simulation from the arrays of the integration."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Trace:
 
 
 def simulation_of(work: Integration, trace: Trace) -> Simulation:
-    """The record of consecutive samples of a simulation; its status and message are those reached so far."""
+    """The record of consecutive samples of a simulation, with its status and message so far."""
     problem, system, status = work.problem, work.problem.system, work.status
     data = _histories(work, trace)
     kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
@@ -82,9 +82,9 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
 
 
 def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
-    """Drive histories whose angles go on where those of the samples before ended, counted along the states between samples.
+    """Drive histories. Their angles continue those of earlier samples; whole turns are counted from the states between samples.
 
-    Those that motors drive are part of the state.
+    The angles of drives with motors are part of the state.
     """
     system, motors, since = work.problem.system, work.problem.motors, work.angles[2]
     begin = float(since[np.isfinite(since)].max(initial=-np.inf))
@@ -135,7 +135,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
 
 
 def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
-    """The loads with the user's forces as one more at each node they act on."""
+    """The loads, with the user's force as one more load at each node on which it acts."""
     if not problem.user.given:
         return loads
     push = np.array([problem.user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
@@ -150,7 +150,7 @@ def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
 
 
 def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
-    """Energies, momenta, extra states and how the integration went."""
+    """Energies, momenta, extra states and diagnostics of the integration."""
     books = np.empty((len(trace.t), 8))
     balance(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
     kinetic, potential, momentum, spin = books[:, 0], books[:, 1], books[:, 2:5], books[:, 5:]

@@ -1,4 +1,4 @@
-"""Sets up a simulation: equations, a consistent start, a method; everything that speaks against starting is found here."""
+"""Sets up a simulation: equations, a consistent start, a method. All errors of its inputs are found here."""
 
 from __future__ import annotations
 
@@ -53,16 +53,16 @@ if TYPE_CHECKING:
 __all__ = ["Asked", "problem_of", "seconds"]
 
 LARGEST = 2000
-"""Rows up to which all states of self-stress are looked at."""
+"""Number of constraints up to which all states of self-stress are computed."""
 UNFED = (Free, GivenForce, Hold, *TRAJECTORY_TASKS)
-"""Tasks without a motor."""
+"""Tasks that need no motor."""
 TOLERANCE = 1e-13
-"""Of the start, as a share of a length and of the largest speed."""
+"""Tolerance of the start, as a fraction of a length and of the largest speed."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Asked:
-    """What a user asks of a simulation; see `dynamics.simulate`."""
+    """The options of a simulation; see `dynamics.simulate`."""
 
     method: Any = None
     tasks: Mapping[str, Any] | None = None
@@ -80,7 +80,9 @@ class Asked:
 
     @property
     def repeatable(self) -> bool:
-        """True where it is made of records alone, which never change, and no motor is fed."""
+        """True if the options are records only, which never change, and no motor has an input: then the set-up can be
+        reused.
+        """
         own = (self.velocities, self.positions, self.user_force)
         plain = isinstance(self.events, dict | None) and isinstance(self.load_case, str | None)
         fed = not isinstance(self.tasks, dict | None) or any(not isinstance(one, UNFED) for one in (self.tasks or {}).values())
@@ -103,7 +105,7 @@ def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
 
     Raises
     ------
-    InputError : what the user gave cannot be used.
+    InputError : an option cannot be used.
     """
     return _kept(compile(model), seconds(t_end), asked).fresh() if asked.repeatable else _set_up(model, t_end, asked)
 
@@ -114,7 +116,7 @@ def _kept(system: System, t_end: float, asked: Asked) -> Problem:
 
 
 def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
-    """`problem_of`, anew."""
+    """`problem_of` without reuse of an earlier set-up."""
     run = _checked(model, t_end, asked)
     chosen, method = asked.method is None, DOP853() if asked.method is None else asked.method
     system, load_case = compile(model), asked.load_case
@@ -124,14 +126,14 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
     eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
     before = x.copy(), v.copy()
-    v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # supports have the rates of their motion alone
+    v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # velocities of supports come from their own motion only
     _project(system, eq, ws, x, v)
     completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, asked.velocities))
     if completed is not None:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
     user = user_force_of(system, asked.user_force, x, v)
-    # held rows would take the rates of motors
+    # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)
     motors = motors_of(system, eq, ws, user, run.tasks, x, free, t_end)
@@ -142,7 +144,7 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     notes += _unsure_note(unsure)
     notes += [] if motors is not None else _still_note(model, system, eq)
     if method.solver == "sparse" and eq.solver == DENSE:
-        notes += ["The dense solver is taken: only there the rows that are kept are chosen anew along the motion."]
+        notes += ["The dense solver is used: only it chooses the independent constraints anew during the motion."]
     found = Problem(
         system=system,
         eq=eq,
@@ -170,16 +172,16 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
 
 
 def _checked(model: Model, t_end: float, asked: Asked) -> Run:
-    """The same as a run of the model, checked as one: names that are not there, tasks that do not fit their drive."""
+    """The options as a run of the model, with the checks of a run: unknown names, tasks that do not fit their drive."""
     for name, given in (("tasks", asked.tasks), ("events", asked.events)):
         if given is not None and not isinstance(given, Mapping):
             raise InputError(f"{name} is {shown(given)}. Give name -> record, e.g. {{'M7': kt.Free()}}.")
     for name, task in (asked.tasks or {}).items():
         if callable(task):
             raise InputError(
-                f"tasks[{name!r}] is a function. Give what the drive does: Free(), Hold(), GivenForce(...), an input of its "
-                "motor (StepInput, TableInput, PositionLoop, ...), or a trajectory (Quintic, Spline, ...). A force of your own "
-                "as a function of t, x and v goes to user_force."
+                f"tasks[{name!r}] is a function. Give a record: Free(), Hold(), GivenForce(...), an input of its "
+                "motor (StepInput, TableInput, PositionLoop, ...), or a trajectory (Quintic, Spline, ...). Pass your own force "
+                "as a function of t, x and v by user_force."
             )
     run = Run(
         analysis="dynamics.simulate",
@@ -205,7 +207,7 @@ def seconds(t_end: Any) -> float:
 
     Raises
     ------
-    InputError : no number, or none after the start at 0.
+    InputError : not a number, or not after the start at 0.
     """
     if isinstance(t_end, bool) or not isinstance(t_end, (int, float, np.integer, np.floating)):
         raise InputError(f"t_end is {t_end!r}. Give a number (s).")
@@ -215,7 +217,7 @@ def seconds(t_end: Any) -> float:
 
 
 def _massive(system: System) -> NDArray[np.bool_]:
-    """Nodes that have a share in the mass."""
+    """Nodes with mass."""
     massive = system.node_mass > 0
     heavy = (system.rods[:, 0] > 0) | (system.rods[:, 3] > 0)
     if system.is_body.any():
@@ -228,7 +230,7 @@ def _massive(system: System) -> NDArray[np.bool_]:
 
 
 def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
-    """Bring the start onto what holds; InputError where no configuration near it can be closed."""
+    """Project the start onto the constraints; InputError if no configuration near it satisfies them."""
     good, _, _ = project(eq, ws, 0.0, x, v, TOLERANCE)
     if good and np.isfinite(x).all() and np.isfinite(v).all():
         return
@@ -236,13 +238,14 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
     off = np.where(eq.kind == LENGTH, np.abs(np.linalg.norm(d, axis=1) - eq.value), -1.0)
     worst = system.row_name(eq.row[int(np.argmax(off))])
     raise InputError(
-        f"The start cannot be closed: no configuration near it has the lengths that bars and drives keep; {worst} is off most. "
+        "The start cannot be closed: no configuration near it has the lengths of bars and drives; "
+        f"the largest error is at {worst}. "
         "Change its length, or move its nodes."
     )
 
 
 def _still_note(model: Model, system: System, eq: Any) -> list[str]:
-    """That nothing can move, where all drives are held and no freedom is left."""
+    """A note if nothing can move, because all drives are held and no degree of freedom is left."""
     if not len(system.drives) or len(eq.motion_kind) or len(eq.free) > int((~eq.redundant).sum()):
         return []
     names = ", ".join(list(model.all_drives)[:3]) + (" ..." if len(model.all_drives) > 3 else "")
@@ -257,7 +260,7 @@ def _unsure_note(unsure: tuple[str, ...]) -> list[str]:
 
 
 def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
-    """Mechanisms that a self-stress ends at once, as those of a flat arrangement across its plane."""
+    """A note on infinitesimal mechanisms that a self-stress makes stiff, e.g. those of a flat structure normal to its plane."""
     if not eq.redundant.any() or len(eq.free) > LARGEST_DENSE:
         return []
     there = mobility_at(reduced, x.reshape(-1, 3))
@@ -265,12 +268,12 @@ def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
     if not ways:
         return []
     shown = "; ".join(ways[:3]) + (f" and {len(ways) - 3} more" if len(ways) > 3 else "")
-    text = f"Stiff to second order only, loose under the least load, so that the motion is not sure: {shown}."
-    return [f"{text} Hold a node off the plane by bars, or add a support."]
+    text = f"Stiff to second order only, so that small loads cause large motions and the result is uncertain: {shown}."
+    return [f"{text} Connect a node outside the plane by bars, or add a support."]
 
 
 def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:
-    """Members in a state of self-stress at the start; of a large structure those that are redundant."""
+    """Members in a state of self-stress at the start; for a large structure, the redundant ones."""
     if not eq.redundant.any():
         return ()
     rows = eq.row[eq.redundant]

@@ -1,4 +1,4 @@
-"""Forward dynamics: let go, and get the motion and all forces."""
+"""Forward dynamics: the motion under given forces, and all forces along it."""
 
 from __future__ import annotations
 
@@ -43,38 +43,39 @@ def simulate(
     Parameters
     ----------
     t_end : s; the start is at 0. samples : equally spaced instants from 0 to t_end; `times` : the instants instead, s,
-        increasing. They choose what is told, not how it is stepped.
+        increasing. They choose the reported samples, not the steps of the method.
     method : `Taylor`, `DOP853` or, for stiff runs, `Radau` (steps chosen by the error), `EnergyMomentum`, `GeneralizedAlpha`,
-        `Rattle`; None: `Taylor` where the motion has a power series, else `DOP853`.
+        `Rattle`; None: `Taylor` if the motion has a power series, else `DOP853`.
     tasks : drive -> what it does: `Free`, `Hold`, `GivenForce`, an input of its motor, or a trajectory of that drive alone. A
-        drive without a task follows `trajectory` (a record, or the name of one) where that moves it, else it is held.
+        drive without a task follows `trajectory` (a record, or the name of one) if that moves it, else it is held.
     load_case : name of a load case; None takes all loads with factor 1.
     velocities : node -> vector, or (n_nodes, dim), m/s; by default those of the model. positions : (n_nodes, dim), m; by
-        default the model's own. Nodes that are not named rest where they can, else they follow those named. Both are projected
-    onto what bars, drives and supports allow; what was changed is told.
+        default the model's own. Nodes that are not named are at rest if the constraints allow it, else they move with those
+        named. Both are projected onto the constraints of bars, drives and supports; changes are reported.
     user_force : f(t, x, v) -> node -> force (N), or (n_nodes, dim), with x, v (n_nodes, dim) in m, m/s; or a compiled function
         f(t, x, v, out) over flat vectors (3 n_nodes,) that adds to out.
     events : name -> `Event`.
     progress : called with (samples done, samples asked for) a few times a second.
-    raise_on_failure : False gives what is good with a status instead of an exception.
+    raise_on_failure : False returns the good samples with a status instead of an exception.
 
     Returns
     -------
     Simulation. ``motion`` and ``forces`` are those of `kinematics.follow` and `dynamics.inverse`; ``data`` has energy,
     kinetic_energy, potential_energy (J), momentum (kg m/s), angular_momentum about the origin (kg m^2/s), step_size (s),
-    smallest_pivot, constraint_error, steps, rejected, evaluations over time; ``events`` and ``passages`` what happened.
+    smallest_pivot, constraint_error, steps, rejected, evaluations over time; ``events`` and ``passages`` list the events and
+    the singular positions passed.
 
     Raises
     ------
-    InputError : what cannot be used: times, tasks, names, a start that cannot be closed, nodes without mass that nothing
-        holds. Nothing was computed.
-    AnalysisError : it ended early; `result` is the Simulation up to there, its status says why.
+    InputError : unusable times, tasks or names, a start that cannot be closed, nodes without mass that no constraint
+    determines. Nothing was computed.
+    AnalysisError : the run ended early; `result` is the Simulation up to there, its status gives the reason.
     Interrupted : Ctrl-C; a KeyboardInterrupt with `result`.
 
     Notes
     -----
-    M(x) a + J^T N = f(t, x, v), J a = gamma, in Cartesian coordinates of the nodes; positions and velocities are kept on the
-    constraints. Members, supports and drives carry what `dynamics.inverse` would find along the same motion.
+    M(x) a + J^T N = f(t, x, v), J a = gamma, in Cartesian coordinates of the nodes; positions and velocities are projected onto
+    the constraints. The forces of members, supports and drives are those of `dynamics.inverse` along the same motion.
     """
     t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else float(t_end)
@@ -99,14 +100,14 @@ def simulate(
 
 
 def wanted_times(t_end: float | None, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
-    """The instants to tell of, s.
+    """The instants of the samples, s.
 
     Raises
     ------
     InputError : an end that is not after the start at 0, instants outside, too few samples.
     """
     if t_end is None and times is None:
-        raise InputError("Say how long to simulate: t_end (s), or times.")
+        raise InputError("Give the end of the simulation, t_end (s), or times.")
     if t_end is not None:
         t_end = seconds(t_end)
     t = instants(float(t_end or 0.0), samples, times, model)

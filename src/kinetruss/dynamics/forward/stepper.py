@@ -1,4 +1,4 @@
-"""A simulation on its way: it advances to wanted times, can be put away as plain arrays and taken up again."""
+"""A running simulation: it advances to given times, can be stored as plain arrays and continued later."""
 
 from __future__ import annotations
 
@@ -30,17 +30,17 @@ if TYPE_CHECKING:
 __all__ = ["Stepper"]
 
 FIRST_BUDGET = 256
-"""Steps of the first call of the kernel; the next ones take as many as fill `LOOK`."""
+"""Steps in the first call of the kernel; later calls take as many steps as fit in `LOOK` seconds."""
 MOST_BUDGET = 1 << 30
-"""Steps of any call at most: calls that end early, to step over singular positions, say nothing of how many fill `LOOK`."""
+"""Largest number of steps in a call. Calls that end early at singular positions do not show how many steps fit in `LOOK`."""
 APART = ("events", "passages", "between")
-"""Parts of the memory that are as long as what has happened."""
+"""Arrays of the memory whose length grows during the run."""
 LOOK = 0.25
-"""Seconds after which a kernel comes back, so that Ctrl-C and progress are seen to."""
+"""Seconds after which a kernel returns, to handle Ctrl-C and progress."""
 
 
 class Stepper(Integration, ABC):
-    """An integration that advances to wanted times."""
+    """An integration that advances to given times."""
 
     @cached_property
     def _rows(self) -> int:
@@ -48,12 +48,12 @@ class Stepper(Integration, ABC):
 
     @cached_property
     def _all_rows(self) -> bool:
-        """True where the equations have all rows of the system, in its order."""
+        """True if the equations have all constraints of the system, in its order."""
         return np.array_equal(self.problem.eq.row, np.arange(len(self.problem.system.row_member)))
 
     @abstractmethod
     def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
-        """Take at most `budget` steps and fill samples from place `done` on: how it ended, and how many are filled."""
+        """Take at most `budget` steps and fill samples from index `done` on. Returns the end code and the number of samples."""
 
     def advance(
         self,
@@ -62,10 +62,10 @@ class Stepper(Integration, ABC):
         patience: float | None = None,
         progress: Callable[[int], None] | None = None,
     ) -> Trace:
-        """Go on to the next wanted times (s), increasing; the trace has as many samples as are good.
+        """Advance to the next given times (s), increasing; the trace holds the good samples.
 
-        patience : seconds after which it comes back with fewer samples, but at least one; they count from the first look on,
-        because before it kernels may be compiled. progress : called with the number of samples done, a few times a second.
+        patience : seconds after which the call returns with fewer samples, but at least one; they count after the first call of
+        the kernel, which may compile it. progress : called with the number of samples done, a few times a second.
         Ctrl-C ends it with the status INTERRUPTED.
         """
         samples, done, budget, code = self._room(times), 0, FIRST_BUDGET, m.PAUSED
@@ -95,7 +95,7 @@ class Stepper(Integration, ABC):
         return self._trace(samples, done)
 
     def _to_next_look(self, budget: int) -> int:
-        """The budget, cut so that a call ends where stiffness is looked for: always at the same step."""
+        """The budget, limited so that a call ends at the steps at which stiffness is checked: always the same steps."""
         steps = int(self.memory.steps)
         return min([budget, *(look - steps for look in LOOKS if look > steps)])
 
@@ -105,7 +105,7 @@ class Stepper(Integration, ABC):
         return Samples(times.astype(float), *allocate(*shapes))
 
     def _conclude(self, code: int, whole: bool) -> None:
-        """Status and message of how the last call ended."""
+        """Set status and message from the end code of the last call."""
         if self.status is not Status.INTERRUPTED:
             self.status = ending(code, self.problem.user.error)
             self.ended = whole or not self.status.ok or self.status is Status.EVENT
@@ -119,12 +119,12 @@ class Stepper(Integration, ABC):
         return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics)
 
     def _finite(self, samples: Samples, done: int) -> int:
-        """The samples before the first with a number that is not finite; a run with such a one does not count as complete."""
-        # a sum of numbers is no number only where one of them is none, or all too large
+        """The samples before the first one with a number that is not finite; a run with such a sample is not complete."""
+        # a sum is not finite only if one of its terms is not finite, or the sum overflows
         if math.isfinite(sum(float(values[:done].sum()) for values in samples[1:5])):
             return done
         whole = np.ones(done, np.bool_)
-        # what a motor does not have is no number among the extra states
+        # extra states that a motor does not have are NaN
         for values in samples[1:5]:
             whole &= np.isfinite(values[:done]).all(axis=1)
         if whole.all():
@@ -134,7 +134,7 @@ class Stepper(Integration, ABC):
         return int(np.argmin(whole))
 
     def _drain(self) -> None:
-        """Take the states between samples out of the memory, and enlarge what is full of events and passages."""
+        """Move the states between samples out of the memory, and enlarge its full arrays of events and passages."""
         memory = self.memory
         if kept := memory.states_between:
             self._pass(memory.between[:kept])
@@ -144,7 +144,7 @@ class Stepper(Integration, ABC):
                 self.memory = self.memory.with_(**{name: np.concatenate([rows, np.zeros_like(rows)])})
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """Where it stands, as plain arrays."""
+        """The state of the integration as plain arrays."""
         kept = {name: values for name, values in self.memory.arrays().items() if name not in APART}
         passed = {f"passed_{name}": values for name, values in vars(self.passed).items()}
         memory = self.memory
@@ -155,7 +155,7 @@ class Stepper(Integration, ABC):
         return kept | happened | passed | {"angles": self.angles.copy(), "worst": self.worst.copy(), "lost": self.lost.copy()}
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
-        """Stand where another one stood; what follows is the same to the last bit.
+        """Continue from the state of another integration; all later results are the same to the last bit.
 
         Raises
         ------

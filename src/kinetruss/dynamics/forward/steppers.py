@@ -1,4 +1,4 @@
-"""Which stepper a simulation takes."""
+"""Chooses the stepper of a simulation."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ __all__ = ["stepper_for"]
 
 
 def stepper_for(problem: Problem, t_end: float) -> Stepper:
-    """The integration of a problem until t_end (s): with motors step by step from change to change, else in one kernel."""
+    """The integration of a problem until t_end (s): with motors step by step between input changes, else in one kernel."""
     if problem.motors is None:
         return KernelStepper(problem, t_end)
-    # its integrators are scipy's, which other simulations do not load
+    # it imports SciPy's integrators, which other simulations do not need
     from kinetruss.dynamics.motors.stepper import MotorStepper
 
     return MotorStepper(problem, t_end)

@@ -1,4 +1,4 @@
-"""Events in the terms of the integrators, and the times at which something jumps."""
+"""Events as the integrators need them, and the times of jumps."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ __all__ = ["described", "jumps", "watched"]
 
 WAYS = {"rising": 1, "falling": -1, "both": 0}
 SAME = 1e-9
-"""Pieces of a motion that differ by less than this share of its size do not jump."""
+"""Relative tolerance below which two adjacent segments of a motion count as continuous."""
 
 
 def watched(system: System, eq: Equations, events: Mapping[str, Any]) -> list[tuple[int, int, int, float, int, bool]]:
-    """Kind, coordinates or row, value, direction and stop of every event.
+    """Kind, coordinates or constraint, value, direction and stop flag of every event.
 
-    The force of an elastic bar is a function of its length: it is watched as one.
+    The force of an elastic bar is a function of its length, so its length is watched instead.
 
     Raises
     ------
-    InputError : the force of a damped, slack or free bar, or of a drive that is let go, which no row of the equations is.
+    InputError : the force of a damped, slack or free bar, or of a free drive: no multiplier of the equations gives it.
     """
     return [(*_quantity(system, eq, name, event), WAYS[event.direction], bool(event.stop)) for name, event in events.items()]
 
@@ -58,19 +58,20 @@ def _length_at(system: System, i: int, name: str, event: Any) -> float:
     if law == CABLE and not system.damping[i] and N >= 0:
         return float(l0 + N / k)
     if law == GREEN and not system.damping[i]:
-        # N = k (l^2 - l0^2) l/(2 l0^2): one root beyond the length of greatest compression
+        # N = k (l^2 - l0^2) l/(2 l0^2) has one root above the length of greatest compression
         roots = np.roots([1.0, 0.0, -(l0**2), -2.0 * N * l0**2 / k])
         real = roots[np.abs(roots.imag) < 1e-9 * l0].real
         if real.max() > l0 / np.sqrt(3.0):
             return float(real.max())
     raise InputError(
-        f"events.{name}: the force of {event.force!r} is not watched: only that of rigid and driven members, of undamped "
-        "elastic bars and, from 0 N on, of cables is. Watch a length or a coordinate."
+        f"events.{name}: the force of {event.force!r} cannot be watched. "
+        "Forces of rigid and driven members, of undamped elastic bars and, from 0 N on, of cables can be. "
+        "Watch a length or a coordinate instead."
     )
 
 
 def described(name: str, event: Any) -> str:
-    """An event in words."""
+    """An event as text."""
     what = next(field for field in ("length", "coordinate", "force") if getattr(event, field) is not None)
     way = {"rising": "rises through", "falling": "falls through", "both": "crosses"}[event.direction]
     unit = "N" if what == "force" else "m"
@@ -78,7 +79,7 @@ def described(name: str, event: Any) -> str:
 
 
 def jumps(eq: Equations, all_pieces: bool = False) -> list[float]:
-    """Times (s) at which a load's slope or the value, rate or acceleration of a drive or support jumps, or its piece ends."""
+    """Times (s) at which the slope of a load, or the value, rate or acceleration of a drive or support, may jump."""
     found = {float(t) for t in (*eq.force_time, *eq.follower_time)}
     for d in range(len(eq.motion_kind)):
         if eq.motion_kind[d] != POLYNOMIAL:

@@ -1,7 +1,7 @@
-"""Forces of structures that the bars and drives do not hold: given motions of mechanisms that are partly free.
+"""Forces of mechanisms with free degrees of freedom along a given motion.
 
-There are more equations than bars, so J^T N = f - M a is solved in the least-squares sense by singular values, weighted
-like the redundant share; what is left over is the force that would be needed in the free directions.
+There are more equations than bars, so J^T N = f - M a is solved by least squares (singular value decomposition) with the
+weights of the least-norm distribution. The residual is the force that would be needed in the free directions.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ __all__ = ["applied", "free_forces", "take_sum_forces"]
 def free_forces(
     system: System, loads: Any, values: NDArray[np.float64], states: States, N: NDArray[np.float64], ends: EndForces
 ) -> NDArray[np.bool_]:
-    """Fill N and ends like the kernel of the same arguments; returns the mask of rows that are not unique."""
+    """Fill N and ends like the kernel with the same arguments; returns the mask of constraints with a force not unique."""
     x, (joint, rest) = states.x, ends
     applied(system, loads, states, ends)
     arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
@@ -44,7 +44,7 @@ def free_forces(
 
 
 def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
-    """Take J^T N of the rows that are sums from rest (times, 3 n); x (times, 3 n), N (times, rows)."""
+    """Subtract J^T N of the constraints on sums from `rest` (times, 3 n); x (times, 3 n), N (times, rows)."""
     for r in system.sums:
         m = system.row_measure[r]
         g = measure_gradients(system, m, x.reshape(len(x), prod(x.shape[1:]) // 3, 3))
@@ -52,6 +52,6 @@ def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float6
 
 
 def applied(system: System, loads: Any, states: States, ends: EndForces) -> None:
-    """Fill `rest` of the ends with f - M a, N, and `joint` with what inertia, weight and elastic bars ask of members."""
+    """Fill `rest` of the ends with f - M a, N, and `joint` with inertia, weight and elastic forces of members."""
     loads = with_continua_forces(system, loads, states.x)
     gather(structure_of(system), nodal_loads(loads), states, ends)

@@ -24,7 +24,7 @@ __all__ = ["at_rest", "inverse", "solve"]
 
 
 def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
-    """Inverse dynamics: what every member, support and drive carries along a motion.
+    """Inverse dynamics: the forces of all members, supports and drives along a motion.
 
     Parameters
     ----------
@@ -37,14 +37,14 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     Forces. ``member_force`` (time, member): mean axial force over the length, N, tension positive; for an active member
     the force between base and tube, which is the actuator's. ``end_force`` (time, member, end): axial tension at A and B.
     ``joint_force`` (time, member, end, axis): force on the member from its joint. ``reaction`` (time, support, axis): force
-    on the structure. ``drive_force`` (time, drive): N, for angles N m; positive where it does positive work when the
-    coordinate grows; ``coupling_force`` (time, coupling) likewise, where there are couplings. ``interface_force``,
-    ``interface_moment``: between base and tube, on the base, in member axes, at the tube's free end. ``energy``, ``power``,
-    ``energy_rate``, ``energy_balance``: J and W. Where anything acts on a member beside its weight, inertia and joints (the
-    couple of a drive or coupling, a pin on it, a load, a body): ``action_force`` (time, action, end, axis) N, the forces at its
-    ends that are worth the same; ``action_couple`` (time, action, rotation) N m at ``action_place`` (time, action), a fraction
-    from A, NaN where spread along the member; coordinates ``action_member`` and ``action_source``. ``joint_force``,
-    ``end_force`` and ``member_force`` are what is left to the member's joints.
+    on the structure. ``drive_force`` (time, drive): N, for angles N m; positive if it does positive work when the coordinate
+    grows; ``coupling_force`` (time, coupling) likewise, if there are couplings. ``interface_force``, ``interface_moment``:
+    between base and tube, on the base, in member axes, at the tube's free end. ``energy``, ``power``, ``energy_rate``,
+    ``energy_balance``: J and W. If anything other than weight, inertia and joints acts on a member (the couple of a drive or
+    coupling, a pin on it, a load, a body): ``action_force`` (time, action, end, axis) N, the equivalent forces at its ends;
+    ``action_couple`` (time, action, rotation) N m at ``action_place`` (time, action), a fraction from A, NaN if distributed
+    along the member; coordinates ``action_member`` and ``action_source``. ``joint_force``, ``end_force`` and ``member_force``
+    are without these actions.
 
     Raises
     ------
@@ -52,9 +52,9 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
 
     Notes
     -----
-    J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. Redundant structures share
-    their force so that sum N^2 l/(E A) is least where every bar of the state of self-stress has E and A, else sum N^2;
-    ``data.attrs["not_unique"]`` names the members, and ``message`` says so.
+    J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. In redundant structures the
+    forces minimise sum N^2 l/(E A) if every bar of the state of self-stress has E and A, else sum N^2;
+    ``data.attrs["not_unique"]`` names the members, and ``message`` reports them.
     """
     system = compile(model)
     check_motion(system, motion, members=True)
@@ -69,7 +69,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
 
 
 def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
-    """Forces of the poses of a motion at rest, under given loads, as a record of their own."""
+    """Forces of the poses of a motion at rest, under given loads, as a separate record."""
     check_motion(system, motion, members=True)
     x = flat(system, motion, "position")
     loads = loads.at(x)
@@ -78,7 +78,7 @@ def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
 
 
 def _at_rest(states: States) -> States:
-    """The same places at rest; velocities and accelerations are one row for all."""
+    """The same positions at rest; velocities and accelerations are one row of zeros for all samples."""
     still = np.zeros((1, states.x.shape[1]))
     return States(states.x, still, still)
 
@@ -94,8 +94,8 @@ def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
 
 
 def solve(system: System, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
-    """Row forces N (times, rows), joint forces (times, members, 2, 3), what is left at nodes (times, 3 n), N, and rows whose
-    force is not unique, at drive values (times, drives); with the states.
+    """Constraint forces N (times, rows), joint forces (times, members, 2, 3), residuals at nodes (times, 3 n), N, and the
+    constraints whose force is not unique, at drive values (times, drives); with the states.
     """
     x, arrangement = states.x, arrange(system)
     values = np.ascontiguousarray(values)
@@ -128,9 +128,9 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
 def _pieces(
     system: System, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
 ) -> list[tuple[slice, Arrangement]]:
-    """Spans of samples with the arrangement that stays regular in them; one span but for redundant structures.
+    """Ranges of samples, each with the arrangement that is regular in it; one range unless the structure is redundant.
 
-    A new set of independent rows is chosen where the smallest singular value of the last falls to a tenth.
+    A new set of independent constraints is chosen when the smallest singular value of the present one falls to a tenth.
     """
     count = len(x)
     if not len(arrangement.redundant):
@@ -148,7 +148,7 @@ def _pieces(
 
 @kept(16)
 def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArray[np.int64], float]:
-    """Arrangement at one sample, its independent rows and their smallest singular value: the same of every load case."""
+    """Arrangement at one sample, its independent constraints and their smallest singular value; equal for all load cases."""
     place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
     found = rearrange(system, place, drives)
     found = found if found.plan is not None else arrange(system)
@@ -158,12 +158,12 @@ def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArr
 
 
 def _least(J: NDArray[np.float64]) -> float:
-    """Smallest singular value; where nothing can move, or nothing holds, there is none to fall."""
+    """Smallest singular value; infinite if nothing can move or there are no constraints."""
     return float(np.linalg.svd(J, compute_uv=False)[-1]) if J.size else np.inf
 
 
 def _cut(states: States, part: slice) -> States:
-    """A span of histories; at rest velocities and accelerations are one row for all."""
+    """A range of histories; at rest velocities and accelerations are one row for all samples."""
     still = len(states.v) == 1
     return States(states.x[part], states.v if still else states.v[part], states.a if still else states.a[part])
 

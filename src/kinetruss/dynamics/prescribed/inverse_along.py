@@ -28,21 +28,21 @@ def inverse_along(
     times: ArrayLike | None = None,
     least: float = LEAST,
 ) -> Forces:
-    """Inverse kinematics and inverse dynamics of a robot along a path: what its drives must do, and what everything carries.
+    """Inverse kinematics and inverse dynamics of a robot along a path: motions and forces of its drives, and all other forces.
 
     Parameters
     ----------
-    targets, platform, samples, times, least : the wanted node coordinates or platform pose, as in `kinematics.inverse`.
+    targets, platform, samples, times, least : the prescribed node coordinates or platform pose, as in `kinematics.inverse`.
     load_case, static : as in `inverse`.
 
     Returns
     -------
-    Forces, as of `inverse`; ``motion`` is the motion, its ``drive_position`` and rates what the drives must do, and
-    ``drive_force`` what they push or turn with, N or N m.
+    Forces, as of `inverse`; ``motion`` has the required ``drive_position`` and its rates; ``drive_force`` are the
+    required forces and torques, N or N m.
 
     Raises
     ------
-    InputError : as in both. AnalysisError : the path cannot be followed; `result` is the Motion up to the last good state.
+    InputError : as for both. AnalysisError : the path cannot be followed; `result` is the Motion up to the last good state.
 
     Examples
     --------

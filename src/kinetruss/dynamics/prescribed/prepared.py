@@ -1,4 +1,4 @@
-"""Many motions of one model, and the forces along them, as plain arrays without records."""
+"""Many motions of one model and their forces, as plain arrays without records."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ class Places(NamedTuple):
     """Good samples of a motion as plain arrays.
 
     t (s,) s; position, velocity, acceleration (s, n_nodes, 3) m, m/s, m/s^2 (z is 0 in the plane); drive_position,
-    drive_velocity, drive_acceleration (s, drives) m or rad, per s, per s^2; singularity (s,), the gauge of
-    `kinematics.follow`. status, message : how it ended.
+    drive_velocity, drive_acceleration (s, drives) m or rad, per s, per s^2; singularity (s,), the measure of
+    `kinematics.follow`. status, message : how the motion ended.
     """
 
     t: NDArray[np.float64]
@@ -60,7 +60,7 @@ class Places(NamedTuple):
 
 
 class PreparedModel:
-    """A model whose motions and forces are asked for many times; see `prepare`."""
+    """A model prepared for many motions and their forces; see `prepare`."""
 
     def __init__(self, model: Model, load_case: str | None) -> None:
         self.model, self.load_case = model, load_case
@@ -76,7 +76,7 @@ class PreparedModel:
         start: ArrayLike | None = None,
         least: float = LEAST,
     ) -> Places:
-        """The arrays of `kinematics.follow`; a motion that ends early is told by its status, and no exception.
+        """The arrays of `kinematics.follow`; the status reports a motion that ends early, without an exception.
 
         Raises
         ------
@@ -110,7 +110,7 @@ class PreparedModel:
         ------
         InputError : as `kinematics.inverse`.
         """
-        moved_by(targets)  # refuses what is no trajectory
+        moved_by(targets)  # raises an error if it is not a trajectory
         t = instants(targets.duration, samples, times, self.model)
         course, found = course_to(self._system, targets, t, platform, least)
         message = _said(self._system, course, found.message, table_notes(self.model, targets))
@@ -132,7 +132,7 @@ class PreparedModel:
 
         Raises
         ------
-        InputError : other shapes, numbers that are not finite; samples between which something turns by more than 0.8 rad.
+        InputError : wrong shapes, numbers that are not finite, or samples between which something turns by more than 0.8 rad.
         """
         system, t = self._system, instants(0.0, 2, t)
         laws = [
@@ -143,15 +143,16 @@ class PreparedModel:
         found = sweep_path(system, path, start=start, least=least)
         if (more := len(halved(system, found.x, found.v, t, sampled))) > len(t):
             raise InputError(
-                f"Something turns far between two of the {len(t)} samples. Give {more} or more of the same motion."
+                f"Something turns by more than 0.8 rad between two of the {len(t)} samples. "
+                f"Give {more} or more samples of the same motion."
             )
         course = Course(t=t[: len(found.x)], x=found.x, v=found.v, a=found.a, drive=path.drive, gauge=found.gauge)
         return _places(system, course, found.status, _said(system, course, found.message))
 
     def forces(self, places: Places, *, static: bool = False) -> Carried:
-        """What members, supports and drives carry along a motion of this model: the arrays of `dynamics.inverse`.
+        """The forces of members, supports and drives along a motion of this model: the arrays of `dynamics.inverse`.
 
-        static : the forces of the same poses at rest instead. The places are taken as they are: nothing is checked.
+        static : the forces of the same poses at rest instead. The motion is not checked.
         """
         system, count = self._system, len(places.t)
         x, v, a = (y.reshape(count, -1) for y in places[1:4])
@@ -165,9 +166,9 @@ class PreparedModel:
 
 
 def prepare(model: Model, load_case: str | None = None) -> PreparedModel:
-    """A model made ready for many motions and their forces: plain arrays, equal to those of the plain calls to the last bit.
+    """Prepare a model for many motions and their forces. Results are plain arrays, equal to those of single calls.
 
-    What `dynamics.prepare` is for simulations. load_case : name of a load case; None takes all loads with factor 1.
+    `dynamics.prepare` does the same for simulations. load_case : name of a load case; None takes all loads with factor 1.
 
     Raises
     ------
@@ -197,7 +198,7 @@ def _places(system: System, course: Course, status: Status, message: str) -> Pla
 
 
 def _said(system: System, course: Course, message: str, note: str = "") -> str:
-    """The message of a course with what is said of rods that are longer than their member, and of tables."""
+    """The message of a motion, with notes on rods longer than their member and on tables."""
     rods = ""
     if system.two_rods.any():
         rods = rods_that_stick_out(system, course.t, _lengths(system, course.x, course.v, course.a)[0])
@@ -216,7 +217,7 @@ def _lengths(
 def _table(system: System, count: int, given: ArrayLike, name: str) -> NDArray[np.float64]:
     found, wanted = np.ascontiguousarray(given, dtype=float), (count, len(system.drives))
     if found.shape != wanted:
-        raise InputError(f"{name} has shape {found.shape}. Give {wanted}: samples, drives {', '.join(system.drives[:6])}.")
+        raise InputError(f"{name} has shape {found.shape}. Give {wanted}, with drives {', '.join(system.drives[:6])}.")
     if not np.isfinite(found).all():
-        raise InputError(f"{name} has numbers that are not finite. Give finite ones.")
+        raise InputError(f"{name} has numbers that are not finite. Give finite numbers.")
     return found

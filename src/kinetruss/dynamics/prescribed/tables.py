@@ -1,4 +1,4 @@
-"""Makes the arrays of a Forces record from arrays."""
+"""Computes the arrays of a Forces record from the solved forces."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ __all__ = ["Carried", "Read", "carried", "force_arrays"]
 
 
 class Read(NamedTuple):
-    """What forces need of a motion beside its nodes: lengths and their rates (times, members), drives (times, drives)."""
+    """Data of a motion other than its nodes: lengths and their rates (times, members), drives (times, drives)."""
 
     length: NDArray[np.float64]
     length_rate: NDArray[np.float64]
@@ -43,7 +43,7 @@ class Read(NamedTuple):
 
     @classmethod
     def of(cls, motion: Motion) -> Read:
-        """That of a Motion."""
+        """The data of a Motion."""
         return cls(*(motion.arrays[name].values for name in cls._fields))
 
 
@@ -51,8 +51,8 @@ class Carried(NamedTuple):
     """Forces along a motion, N or N m, as in a `Forces` record, with three components everywhere.
 
     member_force (times, members); end_force (times, members, 2); joint_force (times, members, 2, 3); reaction (times,
-    supports, 3); drive_force (times, drives); coupling_force (times, couplings). not_unique (members,): redundant, so that the
-    force is one of many.
+    supports, 3); drive_force (times, drives); coupling_force (times, couplings). not_unique (members,): True if redundant, so
+    that the force is one of many.
     """
 
     member_force: NDArray[np.float64]
@@ -67,8 +67,8 @@ class Carried(NamedTuple):
 def carried(
     system: System, read: Read, loads: Any, solved: dict[str, Any], at_rest: bool
 ) -> tuple[Carried, BarActions, Acting]:
-    """What members, supports and drives carry, and what acts on bars. `solved` holds flat x, v, a (times, 3 n), N, joint, rest,
-    and the actions are taken off its joint forces.
+    """Forces of members, supports and drives, and the actions on bars. `solved` holds flat x, v, a (times, 3 n), N, joint,
+    rest; the actions are subtracted from its joint forces.
     """
     joint, rest = solved["joint"], solved["rest"]
     count = len(rest)
@@ -112,7 +112,7 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
 
 @kept()
 def _held(system: System) -> NDArray[np.int64]:
-    """Flat coordinates that supports hold; what a drive pushes with is its drive_force."""
+    """Flat coordinates that supports fix; the force of a drive is its drive_force instead."""
     mask = system.prescribed.copy()
     mask[system.coordinate_drive[:, 0]] = False
     return np.flatnonzero(mask)
@@ -120,7 +120,7 @@ def _held(system: System) -> NDArray[np.int64]:
 
 @kept()
 def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-    """Their nodes, and which of their coordinates (supports, 3) they hold."""
+    """Nodes of supports, and the coordinates (supports, 3) that they fix."""
     index = np.array([system.node_index(name) for name in system.supports], np.int64)
     mask = np.zeros(system.x0.shape, np.bool_)
     mask.reshape(-1)[_held(system)] = True
@@ -129,7 +129,7 @@ def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
 
 @kept()
 def _row_of(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The row of the length of each member (the last one where there is none), and the members without."""
+    """Index of the length constraint of each member (the last index if it has none), and the mask of members without one."""
     axial = np.flatnonzero(system.row_kind == LENGTH)
     row = np.full(len(system.members), -1)
     row[system.row_member[axial]] = axial
@@ -138,7 +138,7 @@ def _row_of(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 @kept()
 def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
-    """Rows of drives: row, drive, what its value is scaled by, and the member whose length is its arm (-1 none)."""
+    """Constraints of drives: constraint, drive, scale of its value, and the member whose length is its arm (-1: none)."""
     found = []
     for r in np.flatnonzero(system.row_drive >= 0):
         m, arm = int(system.row_measure[r]), int(system.row_member[r]) if system.row_kind[r] == ANGLE else -1
@@ -148,7 +148,7 @@ def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
 
 
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
-    """Leave to the joints (times, members, 2, 3) what they pass beside the actions on the members."""
+    """Subtract the actions on members from the joint forces (times, members, 2, 3)."""
     for k, action in enumerate(found.actions):
         if not action.counted:
             joint[:, action.member] -= acting.worth[:, k]
@@ -186,7 +186,7 @@ def _member_forces(system: System, read: Read, N: NDArray[np.float64], at_rest: 
 
 
 def _drive_forces(system: System, read: Read, N: NDArray[np.float64], rest: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(times, drives) from row forces and minus what prescribed coordinates push with."""
+    """Drive forces (times, drives): constraint forces, and minus the residual at prescribed coordinates."""
     found = np.zeros((len(N), len(system.drives)))
     for flat, d in system.coordinate_drive:
         found[:, d] = -rest[:, flat]
@@ -196,7 +196,7 @@ def _drive_forces(system: System, read: Read, N: NDArray[np.float64], rest: NDAr
 
 
 def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(times, couplings): what each does to its sum of coordinates, per m or rad of the sum: minus its multiplier."""
+    """Coupling forces (times, couplings) on each sum of coordinates, per m or rad of the sum: minus its multiplier."""
     names = list(system.model.couplings)
     found = np.zeros((len(N), len(names)))
     for r in system.sums:
@@ -218,7 +218,7 @@ def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarAc
     interface(actives, states, solved["joint"], loads.gravity, axes, force, moment)
     column = {int(i): k for k, i in enumerate(active)}
     for k, action in enumerate(found.actions):
-        if action.member in column and action.place == 1.0:  # a couple on the tube reaches the base at the nut
+        if action.member in column and action.place == 1.0:  # a couple on the tube acts on the base at their interface
             at = column[action.member]
             moment[:, at] += np.einsum("tkc,tc->tk", axes[:, at], acting.couple[:, k])
     per = ("time", "active")
@@ -237,7 +237,7 @@ def _power(
     solved: dict[str, Any],
     drive_force: NDArray[np.float64],
 ) -> dict[str, Column]:
-    """Energy, its rate and what comes in."""
+    """Energy, its rate, and the power supplied."""
     x, v, a, held = solved["x"], solved["v"], solved["a"], _held(system)
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)

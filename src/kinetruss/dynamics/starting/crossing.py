@@ -1,4 +1,4 @@
-"""Steps taken from outside the kernels: across singular positions where explicit steps cannot tell the branch."""
+"""Steps across singular positions, computed outside the kernels, if explicit steps cannot determine the branch."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from kinetruss.kernels.steps.dop853 import interpolate
 if TYPE_CHECKING:
     from kinetruss.dynamics.forward.problem import Problem
 
-__all__ = ["put_behind", "sizes", "cross_singular", "segment_from"]
+__all__ = ["advance_by", "sizes", "cross_singular", "segment_from"]
 
 SEGMENT = 0.3
-"""Length of a segment, in parts of the time in which a member moves by its length."""
+"""Duration of a segment as a fraction of the time in which a member moves by its length."""
 LOOKS = 65
-"""Places of a segment at which its singular positions are looked for."""
+"""Number of instants of a segment at which singular positions are searched."""
 NEXT = 0.3
-"""Step behind a segment, in parts of it."""
+"""First step after a segment, as a fraction of the segment."""
 
 
 def sizes(problem: Problem) -> tuple[float, float]:
-    """Length of the shortest member, m, and a tolerance of projections that round-off allows."""
+    """Length of the shortest member, m, and the smallest tolerance of projections that round-off allows."""
     places = problem.system.x0
     size = float(np.linalg.norm(places[problem.system.q] - places[problem.system.p], axis=1).min())
     return size, max(1e-15, 2.2e-16 * (1.0 + float(np.abs(places).max()) / size))
 
 
 def cross_singular(problem: Problem, control: Any, memory: Memory) -> None:
-    """Put the memory behind a segment from where it stands; where there is none, the next step has to do without."""
+    """Advance the memory by one segment from its present state. If there is none, the next step is taken without it."""
     memory.alone = 1
     if len(problem.z0):
         return
@@ -44,23 +44,23 @@ def cross_singular(problem: Problem, control: Any, memory: Memory) -> None:
     found = segment_from(problem, control, here, int(memory.interval), float(np.abs(a).max()))
     if found is not None:
         memory.alone = 0
-        put_behind(problem, memory, found)
+        advance_by(problem, memory, found)
 
 
 def segment_from(problem: Problem, control: Any, start: State, interval: int, gain: float) -> Segment | None:
-    """A segment from a state in an interval without jumps; gain : acceleration about there, m/s^2."""
+    """A segment from a state, in an interval without jumps; gain : size of the accelerations near the state, m/s^2."""
     size, tolerance = sizes(problem)
     pace = max(float(np.abs(start.v).max()) / size, float(np.sqrt(gain / size)))
     if not pace > 0:
         return None
     fixed = problem.isolated and not problem.user.given
-    # the motion may be foreseen farther than it is asked for, but not through a jump
+    # the segment may end after the last sample, but not after a jump
     left = np.inf if fixed else 0.9 * (float(control.breaks[0, interval + 1]) - start.t)
     return segment(problem, start, min(SEGMENT / pace, left), both=fixed, size=size, tolerance=tolerance)
 
 
-def put_behind(problem: Problem, memory: Memory, found: Segment) -> None:
-    """The memory behind a segment, as behind a step; what comes behind every step is still to be done."""
+def advance_by(problem: Problem, memory: Memory, found: Segment) -> None:
+    """Advance the memory to the end of a segment as after a step; the work after every step is still to be done."""
     free = problem.eq.free
     memory.y[0] = np.concatenate([found.x[free], found.v[free]])
     memory.y[1] = np.concatenate([found.v[free], found.a[free]])
@@ -75,7 +75,7 @@ def put_behind(problem: Problem, memory: Memory, found: Segment) -> None:
 
 
 def _record(problem: Problem, memory: Memory, found: Segment) -> None:
-    """Enter the passages of a segment: where its scaled pivot is least, if that counts as singular."""
+    """Store the singular passages of a segment: minima of its scaled pivot below the limit of singularity."""
     from scipy.optimize import minimize_scalar
 
     times, most = np.linspace(found.begin, found.end, LOOKS), float(memory.pivot_most)
@@ -98,7 +98,7 @@ def _record(problem: Problem, memory: Memory, found: Segment) -> None:
 
 
 def _pivot(problem: Problem, found: Segment, t: float) -> float:
-    """Scaled pivot at t (s) of a segment."""
+    """Scaled pivot of the equations at t (s) of a segment."""
     y, free = np.zeros(found.dense.shape[1]), problem.eq.free
     interpolate(found.dense, min(max((t - found.begin) / (found.end - found.begin), 0.0), 1.0), y)
     x, v, a, N = problem.x0.copy(), problem.v0.copy(), np.zeros(problem.x0.size), np.zeros(len(problem.eq.row))

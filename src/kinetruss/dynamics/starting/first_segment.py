@@ -1,10 +1,11 @@
-"""A segment of a motion that begins in, or right beside, a singular position: one polynomial over it.
+"""A segment of a motion that begins in or near a singular position, as one polynomial.
 
-There rows of the Jacobian depend on each other, accelerations are differences of small numbers, and explicit steps, whose
-stages are off the constraints at first, lose the branch. Along the motion itself everything is smooth. So a(t) is a polynomial
-that obeys the equations of motion at instants which all keep their distance from the start, on both sides of it where the
-equations do not depend on time, behind it where they do (collocation: Hairer, Norsett & Wanner 1993, section II.7). It is
-found by iteration: positions and velocities at the instants are integrals of a(t), brought onto the constraints.
+In a singular position rows of the Jacobian are dependent, and accelerations are differences of small numbers. Explicit
+steps lose the branch, because their stages do not satisfy the constraints before the projection. The motion itself is
+smooth. So a(t) is a polynomial that satisfies the equations of motion at collocation points (Hairer, Norsett & Wanner
+1993, section II.7). All points keep a distance from the start. They lie on both sides of it if the equations do not
+depend on time, else after it. A fixed-point iteration finds the polynomial: positions and velocities at the points are
+integrals of a(t), projected onto the constraints.
 """
 
 from __future__ import annotations
@@ -26,27 +27,37 @@ if TYPE_CHECKING:
 __all__ = ["Segment", "State", "segment"]
 
 GAP = 0.4
-"""Part of the segment next to the start without instants."""
-BOTH_SIDES, ONE_SIDE = 6, 8
-"""Instants on each of two sides, or on one."""
+"""Fraction of the segment, next to the start, without collocation points."""
+BOTH_SIDES = 6
+"""Number of collocation points on each side of the start, if they lie on both sides."""
+ONE_SIDE = 8
+"""Number of collocation points if all lie after the start."""
 ITERATIONS = 40
+"""Largest number of fixed-point iterations."""
 CONVERGED = 1e-13
-"""Most fixed-point iterations, and the change of accelerations that ends them, in parts of the largest acceleration."""
-SHORTER, TRIES = 0.7, 10
-"""Segments tried, each this part of the one before: one too long is no polynomial, or has an instant in a bad place."""
+"""Change of accelerations, as a fraction of the largest one, at which the iteration has converged."""
+SHORTER = 0.7
+"""Factor from one trial length to the next. A long segment is no polynomial, or has a point near another singularity."""
+TRIES = 10
+"""Largest number of trial lengths."""
 TAIL = 0.1
-"""Share of the last coefficients of the accelerations that velocities feel."""
-GOOD, USABLE, WORTH = 3e-10, 1e-6, 0.1
-"""Distance of the instants from the constraints before the projection, in parts of the shortest member or of the largest speed:
-a segment below GOOD ends the search; the first one below USABLE is kept, and a shorter one instead of it if its distance is
-less than WORTH of that."""
+"""Effect of the last two coefficients of the accelerations on velocities, as a factor."""
+GOOD = 3e-10
+"""Error of a segment that ends the search. The error is the correction by the projection, relative to the shortest member
+or the largest speed."""
+USABLE = 1e-6
+"""Largest error of a segment that is accepted."""
+WORTH = 0.1
+"""A shorter segment replaces an accepted one if its error is smaller by this factor."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """Instants s (k,) in parts of the segment. From values there: integrals from 0 to s, once and twice (k, k); the value at
-    0, `begin` (k,); the `last` two coefficients (2, k); integrals to the instants `read` (8,), read_once and read_twice (8, k).
-    back (8, 8) : from states at `read` the interpolant of a step (see kernels.steps.dop853.interpolate).
+    """Collocation points s (k,) as fractions of the segment, and matrices that act on values there.
+
+    once, twice (k, k) : single and double integrals from 0 to s. begin (k,) : the value at 0. last (2, k) : the last two
+    Chebyshev coefficients. read (8,) : instants of the interpolant; read_once, read_twice (8, k) : integrals from 0 to them.
+    back (8, 8) : from states at `read` to the interpolant of a step (see kernels.steps.dop853.interpolate).
     """
 
     s: NDArray[np.float64]
@@ -61,7 +72,7 @@ class _Plan:
 
 
 class State(NamedTuple):
-    """Where a segment begins: t, s; x, v (3 n,) m, m/s; a first guess of a (3 n,), m/s^2."""
+    """The start of a segment: t, s; x, v (3 n,), m, m/s; a first guess of a (3 n,), m/s^2."""
 
     t: float
     x: NDArray[np.float64]
@@ -73,7 +84,7 @@ class State(NamedTuple):
 class Segment:
     """From `begin` to `end` (s). a0 (3 n,), N0 (rows,) : at the start. x, v, a (3 n,), N (rows,) : at the end.
 
-    dense (8, 2 nf) : the interpolant between. pivot : at the end, scaled. evaluations : taken.
+    dense (8, 2 nf) : the interpolant. pivot : scaled pivot at the end. evaluations : number of evaluations.
     """
 
     begin: float
@@ -96,7 +107,7 @@ def _plan(both: bool) -> _Plan:
     right = GAP + (1 - GAP) * (places - places[0]) / (places[-1] - places[0])
     s = np.concatenate([-right[::-1], right]) if both else right
     k = len(s)
-    # the polynomials' own variable goes from -1 to 1 over all instants, and is `low` at the start
+    # the Chebyshev variable goes from -1 to 1 over all points and is `low` at the start of the segment
     low, scale = (0.0, 1.0) if both else (-1.0, 2.0)
 
     def local(t: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -130,10 +141,10 @@ def _plan(both: bool) -> _Plan:
 
 
 def segment(problem: Problem, start: State, span: float, *, both: bool, size: float, tolerance: float) -> Segment | None:
-    """The segment from a state, over `span` (s) or less; None where none obeys the constraints.
+    """The segment from a state, over `span` (s) or less; None if no segment satisfies the constraints.
 
-    both : the equations do not depend on time, so that instants before the start serve too. size : of the smallest member, m.
-    tolerance : of the projections.
+    both : the equations do not depend on time, so that points before the start are allowed. size : length of the shortest
+    member, m. tolerance : of the projections.
     """
     best, least, count = None, USABLE, 0
     for _ in range(TRIES):
@@ -150,15 +161,17 @@ def segment(problem: Problem, start: State, span: float, *, both: bool, size: fl
 def _segment(
     problem: Problem, start: State, span: float, plan: _Plan, size: float, tolerance: float
 ) -> tuple[Segment | None, float, int]:
-    """The polynomial over `span` (s), how far it is off the constraints, and the evaluations it took."""
+    """The polynomial over `span` (s), its error, and the number of evaluations."""
     x0, v0, rows, k = start.x, start.v, len(problem.eq.row), len(plan.s)
     a, N, pivots = np.tile(start.a, (k, 1)), np.zeros((k, rows)), np.zeros(k)
     last, off = np.inf, np.inf
     for turn in range(ITERATIONS):
+        # x(s) = x0 + h s v0 + h^2 (double integral of a), v(s) = v0 + h (integral of a), with h = span
         x = x0 + span * plan.s[:, None] * v0 + span**2 * (plan.twice @ a)
         v = v0 + span * (plan.once @ a)
         speed, new, off = float(np.abs(v).max()), np.zeros_like(a), 0.0
         for i, s in enumerate(plan.s):
+            # project onto the constraints, then M a + J^T N = f, J a = gamma gives the next a and N at this point
             t = start.t + max(span * s, 0.0)
             good, moved, turned = project(problem.eq, problem.ws, t, x[i], v[i], tolerance)
             if not good or not np.isfinite(x[i]).all():
@@ -174,7 +187,7 @@ def _segment(
         last = change
     else:
         return None, np.inf, k * ITERATIONS
-    # what is no polynomial shows in the last coefficients
+    # if a(t) is not resolved by the polynomial, its last coefficients are large
     off = max(off, TAIL * span * float(np.abs(plan.last @ a).max()) / max(speed, 1e-300))
     free = problem.eq.free
     states = np.concatenate(

@@ -1,4 +1,4 @@
-"""Which motions have the power series that `Taylor` steps by."""
+"""Determines which motions have the power series that `Taylor` needs."""
 
 from __future__ import annotations
 
@@ -18,35 +18,35 @@ if TYPE_CHECKING:
 __all__ = ["by_default", "refuse_series", "without_series"]
 
 MANY = 50
-"""Pieces of motions in time, each of which ends a step by series, beyond which DOP853 is taken."""
+"""Number of segments of a motion above which DOP853 is the default, since every segment ends a step by series."""
 
 
 def without_series(problem: Problem) -> str | None:
-    """What of a simulation has no series here, in words; None where all of it has."""
+    """Text: what has no power series in a simulation; None if everything has one."""
     eq, system = problem.eq, problem.system
     changing = [system.members[i] for i in np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))[: eq.varying_A.size]]
     cables = [system.members[i] for i in eq.law_member[eq.law_kind == CABLE]]
     found = (
         (changing, "rods of {!r} change their inertia with its length"),
-        (cables, "the cable {!r} pulls or does not"),
+        (cables, "the cable {!r} may be taut or slack"),
         (eq.sum_row, "hinges, angles in space or couplings stand between bodies"),
         (np.flatnonzero(eq.force_kind == SUM_FORCE), "a torque is given between bodies"),
         (eq.follower_mode, "a load turns with its body"),
         (eq.edge_A, "membranes or solids resist"),
         (eq.pin, "there is friction about pins"),
         ([problem.user] if problem.user.given else [], "a user force is given"),
-        ([problem.motors] if problem.motors is not None else [], "motors are fed"),
+        ([problem.motors] if problem.motors is not None else [], "motors have inputs"),
     )
     return next((words.format(what[0]) for what, words in found if len(what)), None)
 
 
 def by_default(problem: Problem) -> DOP853 | Taylor:
-    """The method where none is asked for: power series where the motion has one, and not in many pieces."""
+    """The default method: power series if the motion has one and does not have many segments."""
     few = len(jumps(problem.eq, all_pieces=True)) <= MANY
     return Taylor() if few and without_series(problem) is None else DOP853()
 
 
 def refuse_series(problem: Problem) -> None:
-    """Raise InputError where `Taylor` cannot step."""
+    """Raise InputError if `Taylor` cannot be used."""
     if (why := without_series(problem)) is not None:
-        raise InputError(f"method: Taylor has no power series of this motion: {why}. Take DOP853().")
+        raise InputError(f"method: Taylor has no power series of this motion: {why}. Use DOP853().")

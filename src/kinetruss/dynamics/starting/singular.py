@@ -1,4 +1,4 @@
-"""What is known of a start next to a singular position, and from which pivot on a position counts as one."""
+"""Data of a start near a singular position, and the limits of pivots at which a position is singular."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ if TYPE_CHECKING:
 __all__ = ["EXACTLY", "SINGULAR", "Singular"]
 
 SINGULAR = 1e-3
-"""A position is singular where its scaled pivot is below this part of the largest one met."""
+"""A position is singular if its scaled pivot is below this fraction of the largest one so far."""
 EXACTLY = 1e-7
-"""Part of the largest scaled pivot met, below which round-off tells no more how near a position is to a singular one."""
+"""Fraction of the largest scaled pivot below which the distance to a singular position is lost in round-off."""
 
 
 class Singular(NamedTuple):
-    """A start next to a singular position.
+    """A start near a singular position.
 
-    pivot, most : scaled pivots there and beside it. gain : largest acceleration beside it, m/s^2; a (3 n,) : what the equations
-    give at the start. size : of the shortest member, m.
+    pivot, most : scaled pivot at the start, and the largest one near it. gain : size of the accelerations near it, m/s^2.
+    a (3 n,) : accelerations that the equations give at the start. size : length of the shortest member, m.
     """
 
     pivot: float
@@ -31,5 +31,5 @@ class Singular(NamedTuple):
 
     @property
     def near(self) -> bool:
-        """True where the equations do not give a good acceleration at the start."""
+        """True if the equations do not give accurate accelerations at the start."""
         return self.pivot < SINGULAR * self.most

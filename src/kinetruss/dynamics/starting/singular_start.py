@@ -1,4 +1,4 @@
-"""Starts in a singular position, or right beside one: what leads away from it, and what is to be said of it."""
+"""Starts in or near a singular position: the first segment of the motion, and the note on it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.assembly.equations import held_by_none
-from kinetruss.dynamics.starting.crossing import put_behind, segment_from, sizes
+from kinetruss.dynamics.starting.crossing import advance_by, segment_from, sizes
 from kinetruss.dynamics.starting.first_segment import State
 from kinetruss.dynamics.starting.singular import EXACTLY, Singular
 from kinetruss.kernels.integrate.state import Memory, Samples
@@ -24,23 +24,26 @@ if TYPE_CHECKING:
 __all__ = ["First", "singular_note", "singular_start", "start_beside"]
 
 LOW = 0.1
-"""Scaled pivot at the start below which it is compared with those beside the start."""
+"""Scaled pivot at the start below which it is compared with pivots of nearby positions."""
 BESIDE = 0.1
-"""How far beside the start is, in parts of the shortest member."""
+"""Distance of the nearby positions as a fraction of the shortest member."""
 PLACES = 3
-LARGEST, SHOWN = 400, 3
-"""Free coordinates up to which, and number in which freedoms that meet are named."""
+"""Number of nearby positions."""
+LARGEST = 400
+"""Number of free coordinates up to which the degrees of freedom at the start are named."""
+SHOWN = 3
+"""Largest number of degrees of freedom that are named."""
 
 
 class First(NamedTuple):
-    """What the equations do not give at the start: accelerations a (3 n,), m/s^2, and row forces N (rows,), N."""
+    """Values at the start that the equations do not give: accelerations a (3 n,), m/s^2, constraint forces N (rows,), N."""
 
     a: NDArray[np.float64]
     N: NDArray[np.float64]
 
 
 def singular_start(problem: Problem) -> Singular | None:
-    """What is known of a start that may be next to a singular position; None of any other."""
+    """Data of a start that may be near a singular position; None for any other start."""
     a, N = np.zeros(problem.x0.size), np.zeros(len(problem.eq.row))
     x, v = problem.x0.copy(), problem.v0.copy()
     pivot = evaluate(problem.eq, problem.ws, problem.user.call, 0.0, x, v, a, N)
@@ -52,31 +55,34 @@ def singular_start(problem: Problem) -> Singular | None:
 
 
 def singular_note(problem: Problem) -> tuple[str, ...]:
-    """What is to be said of a start that is singular, and at rest; nothing where a velocity chooses the way."""
+    """The note on a singular start at rest; empty if a velocity determines the motion."""
     found = problem.singular
     if found is None or found.pivot > EXACTLY * found.most or np.abs(problem.v0).max() > 0:
         return ()
-    where = f"The start is a singular position, at rest{_freedoms(problem)}: nothing says which of the ways on it takes."
-    mend = f"To choose, start {1e-2 * found.size:.2g} m off it, or with velocities."
-    return (f"{where} Followed is the one nearest to what the forces ask for. {mend}",)
+    where = (
+        f"The start is a singular position, at rest{_freedoms(problem)}: "
+        "nothing determines which of the possible motions it takes."
+    )
+    fix = f"To choose a motion, start {1e-2 * found.size:.2g} m away from it, or with velocities."
+    return (f"{where} The motion computed is the one nearest to the accelerations of the forces. {fix}",)
 
 
 def _freedoms(problem: Problem) -> str:
-    """In words, the freedoms that meet there."""
+    """The degrees of freedom at the start as text."""
     system = released(problem.system, held_by_none(problem.system, dict(problem.tasks)))
     if len(system.free) > LARGEST:
         return ""
     there = mobility_at(system, problem.x0.reshape(-1, 3))
     texts = [moves_text(mode, there.node_names) for mode in there.mechanisms[:SHOWN]]
     more = f", and {there.undriven - SHOWN} more" if there.undriven > SHOWN else ""
-    return f", where {there.undriven} freedoms meet ({'; '.join(texts)}{more})"
+    return f", with {there.undriven} degrees of freedom ({'; '.join(texts)}{more})"
 
 
 def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory, samples: Samples) -> First | None:
-    """Put the memory of an integration behind the first segment of a motion that starts next to a singular position.
+    """Advance the memory of an integration by the first segment of a motion that starts near a singular position.
 
-    Steps of fixed size begin at the start nevertheless, with the acceleration that the motion has there. None where the start
-    is regular, or where no motion leads away from it.
+    Methods with fixed steps still begin at the start, with the accelerations of the motion there. Returns None if the start
+    is regular, or if no segment is found.
     """
     start = problem.singular
     if start is None:
@@ -94,14 +100,14 @@ def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory,
         nf = len(problem.eq.free)
         memory.y[1, nf : 2 * nf], memory.multiplier[:] = found.a0[problem.eq.free], found.N0
     else:
-        put_behind(problem, memory, found)
+        advance_by(problem, memory, found)
     return First(found.a0, found.N0)
 
 
 def _beside(problem: Problem, size: float, tolerance: float) -> tuple[float, float]:
-    """Largest scaled pivot beside the start; the least of the largest accelerations there, m/s^2; 0 where none closes."""
+    """Largest scaled pivot near the start, and the smallest of the largest accelerations there, m/s^2; 0 if none can close."""
     free, rng, most, gain = problem.eq.free, np.random.default_rng(0), 0.0, np.inf
-    # any way, and that which weights in a row ask for
+    # a direction without symmetry, and the one of weights in a row
     ways = [*rng.standard_normal((PLACES, len(free))), *(np.equal(free % 3, axis) * 1.0 for axis in range(problem.system.dim))]
     for way in ways:
         x, v = problem.x0.copy(), problem.v0.copy()

@@ -1,4 +1,4 @@
-"""A consistent start: positions and velocities as given, projected onto what bars, drives and supports allow."""
+"""A consistent start: given positions and velocities, projected onto the constraints of bars, drives and supports."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 __all__ = ["completed_velocities", "given_positions", "given_velocities", "named_coordinates", "start_notes"]
 
 LARGEST = 2000
-"""Free coordinates up to which velocities that were not given are looked for."""
+"""Number of free coordinates up to which velocities that were not given are computed."""
 
-TOLD = 1e-9
-"""A change of the start below this share of its size is round-off and not told."""
+REPORTED = 1e-9
+"""A relative change of the start below this value is round-off and not reported."""
 
 
 def given_positions(system: System, positions: ArrayLike | None) -> NDArray[np.float64]:
@@ -29,7 +29,7 @@ def given_positions(system: System, positions: ArrayLike | None) -> NDArray[np.f
 
     Raises
     ------
-    InputError : another shape, numbers that are not finite.
+    InputError : a wrong shape, numbers that are not finite.
     """
     return positions_of(system, positions, "start position").reshape(-1).copy()
 
@@ -39,7 +39,7 @@ def given_velocities(system: System, velocities: Mapping[str, Sequence[float]] |
 
     Raises
     ------
-    InputError : a node that is not there, another shape, numbers that are not finite.
+    InputError : an unknown node, a wrong shape, numbers that are not finite.
     """
     if velocities is None:
         return system.velocity0.reshape(-1).copy()
@@ -56,7 +56,7 @@ def given_velocities(system: System, velocities: Mapping[str, Sequence[float]] |
 
 
 def named_coordinates(system: System, velocities: Mapping[str, Sequence[float]] | ArrayLike | None) -> NDArray[np.bool_]:
-    """Flat coordinates (3 n,) whose velocity is given by name; all where velocities are an array."""
+    """Mask of flat coordinates (3 n,) whose velocity is given by name; all if velocities are an array."""
     named = system.model.velocities if velocities is None else velocities
     if not isinstance(named, Mapping):
         return np.ones(3 * len(system.nodes), bool)
@@ -66,22 +66,22 @@ def named_coordinates(system: System, velocities: Mapping[str, Sequence[float]] 
 def completed_velocities(
     reduced: System, x: NDArray[np.float64], v: NDArray[np.float64], allowed: NDArray[np.float64], named: NDArray[np.bool_]
 ) -> NDArray[np.float64] | None:
-    """Velocities (3 n,) that keep those of named coordinates, where bars and drives allow them and move other nodes for it.
+    """Velocities (3 n,) that keep those of named coordinates and satisfy the constraints by moving other nodes.
 
-    reduced : the system with the rows that hold. v : as given, 0 where not. allowed : any velocities that the rows allow, at
-    positions x (3 n,). Of all that the other coordinates may have, the least is taken. None where nothing is left to
-    complete, or what is given contradicts itself.
+    reduced : the system with the active constraints. v : given velocities, else 0. allowed : any velocities that satisfy the
+    constraints at positions x (3 n,). The other coordinates get the velocities of least norm. Returns None if nothing is left
+    to complete, or the given velocities contradict each other.
     """
     free = reduced.free
     open_ = ~named[free]
     speed = float(np.abs(v).max(initial=0.0))
-    fits = bool(np.abs(allowed - v)[free].max(initial=0.0) <= TOLD * speed)
+    fits = bool(np.abs(allowed - v)[free].max(initial=0.0) <= REPORTED * speed)
     if fits or not open_.any() or open_.all() or len(free) > LARGEST:
         return None
     J = jacobian(reduced, x.reshape(-1, 3))
     wanted = J @ allowed[free] - J[:, ~open_] @ v[free][~open_]
     rest = np.linalg.lstsq(J[:, open_], wanted, rcond=RANK_TOLERANCE)[0]
-    if np.abs(J[:, open_] @ rest - wanted).max(initial=0.0) > TOLD * speed:
+    if np.abs(J[:, open_] @ rest - wanted).max(initial=0.0) > REPORTED * speed:
         return None
     found = allowed.copy()
     found[free[open_]], found[free[~open_]] = rest, v[free[~open_]]
@@ -91,7 +91,7 @@ def completed_velocities(
 def start_notes(
     system: System, before: tuple[Any, Any], after: tuple[Any, Any], size: float
 ) -> tuple[list[str], dict[str, Any]]:
-    """What the projection changed: sentences, and attributes for the results.
+    """The changes made by the projection: sentences, and attributes for the results.
 
     before, after : positions and velocities (3 n,); size : a length of the structure, m.
     """
@@ -99,17 +99,17 @@ def start_notes(
     speed = np.linalg.norm(before[1].reshape(-1, 3), axis=1)
     attrs = {"start_moved": float(moved.max()), "start_velocity_changed": float(turned.max())}
     notes = []
-    if moved.max() > TOLD * size:
+    if moved.max() > REPORTED * size:
         i = int(np.argmax(moved))
         notes.append(
-            f"The start positions did not fit the lengths of the bars; they were moved by the least that does, most node "
-            f"{system.nodes[i]} by {moved[i]:.3g} m."
+            f"The start positions did not fit the lengths of the bars; they were moved by the smallest "
+            f"change that fits, most at node {system.nodes[i]} by {moved[i]:.3g} m."
         )
-    if speed.max() > 0 and turned.max() > TOLD * speed.max():
+    if speed.max() > 0 and turned.max() > REPORTED * speed.max():
         i = int(np.argmax(turned))
         vector = ", ".join(f"{c:.6g}" for c in after[1].reshape(-1, 3)[i, : system.dim])
         notes.append(
-            "The start velocities contradicted the bars, drives or supports; they were changed to the nearest that do not, "
+            "The start velocities contradicted the bars, drives or supports; they were changed to the nearest consistent ones, "
             f"most at node {system.nodes[i]}: by {turned[i]:.3g} m/s, to ({vector}) m/s."
         )
     return notes, attrs

@@ -1,4 +1,4 @@
-"""Text formats: YAML and JSON with the place of every value."""
+"""Text formats: YAML and JSON with the position of every value."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plain data as YAML or JSON text: tables in lines, small entries in brackets."""
+"""Plain data as YAML or JSON text: tables over several lines, small entries in brackets."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ WIDTH = 120
 _PLAIN = re.compile(
     r"[A-Za-z_][A-Za-z0-9_.\-]*|[A-Za-z_][A-Za-z0-9_.\-/() ]*[A-Za-z0-9_.\-/()]|-?[0-9][0-9.e+\-]* [a-z]+(/s)?", re.ASCII
 )
-_WORDS = ("y", "n", "yes", "no", "on", "off", "true", "false", "null")  # what other YAML readers take for something else
+_WORDS = ("y", "n", "yes", "no", "on", "off", "true", "false", "null")  # texts that other YAML readers do not read as text
 _UNPRINTED = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
 
 Scalar = Callable[[Any], str]
@@ -31,7 +31,7 @@ def to_json(data: dict[str, Any]) -> str:
 
 
 def _block(key: str, value: Any, indent: int) -> Iterator[str]:
-    """Lines of one entry: in one line where it fits, the tables of a model always name by name."""
+    """Lines of one entry: one line if it fits; the tables of a model always one line per name."""
     head = f"{' ' * indent}{_yaml_scalar(key)}:"
     line = f"{head} {_flow(value, _yaml_scalar)}"
     if value and isinstance(value, dict) and (len(line) > WIDTH or (indent == 0 and not _small(value))):

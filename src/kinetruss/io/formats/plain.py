@@ -12,14 +12,14 @@ __all__ = ["plain_model"]
 
 _UNITS = {"length": "m", "angle": "rad"}
 _SHORT = {Node: "at", Bar: "ends"}
-"""Records that are written as the list of one field when they have no other."""
+"""Records that are written as the list of one field if they have no other field."""
 
 LISTED = 20
-"""Elements of a mesh that are listed; more are one text, which is read a hundred times faster."""
+"""Largest number of mesh elements written as a list; more are written as one text, which is read a hundred times faster."""
 
 
 def plain_model(model: Model) -> dict[str, Any]:
-    """The model without its defaults. Numbers are SI; those whose quantity is known carry it as text, ``0.5 rad``."""
+    """The model without its defaults. Numbers are in SI; those with a known quantity include the unit as text, ``0.5 rad``."""
     return {"kinetruss": model.kinetruss, **_record(model)}
 
 
@@ -38,7 +38,7 @@ def _record(record: Record) -> Any:
 
 
 def _has_kind(record: Record) -> bool:
-    """The kind tells records apart; the kind of a bar is a field like others."""
+    """True if ``kind`` distinguishes records; the kind of a bar is an ordinary field."""
     return "kind" in type(record).model_fields and not isinstance(record, Bar)
 
 

@@ -1,4 +1,4 @@
-"""The text of a file, or one fault that says why there is none."""
+"""The text of a file, or one fault with the reason why it cannot be read."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from kinetruss.io.formats.tree import refuse
 __all__ = ["MAX_SIZE", "read_text"]
 
 MAX_SIZE = 64_000_000
-"""Bytes; a larger file is refused before it is read, unless the caller allows more."""
+"""Largest size of a file, bytes, unless the caller allows more. A larger file is not read."""
 
 
 def read_text(path: Path, max_size: int) -> str:
@@ -18,7 +18,7 @@ def read_text(path: Path, max_size: int) -> str:
 
     Raises
     ------
-    ModelError : it is not there, is a folder, cannot be read, is larger than `max_size` bytes, or is not UTF-8.
+    ModelError : the file does not exist, is a folder, cannot be read, is larger than `max_size` bytes, or is not UTF-8.
     """
     if path.is_dir():
         raise refuse("is a folder.", "Name a model file in it, e.g. model.yaml.")
@@ -26,12 +26,12 @@ def read_text(path: Path, max_size: int) -> str:
         size = path.stat().st_size
         if size <= max_size:
             with path.open("rb") as file:
-                data = file.read(max_size + 1)  # one more: what is no plain file may have no size
+                data = file.read(max_size + 1)  # one byte more: a device or pipe may not report its size
             size = len(data)
     except FileNotFoundError:
         raise refuse("there is no such file.", _offer(path)) from None
     except OSError as error:
-        raise refuse(f"cannot be read: {error.strerror}.", "Mend its permissions.") from None
+        raise refuse(f"cannot be read: {error.strerror}.", "Change its permissions.") from None
     if size > max_size:
         mend = "Raise it with --max-size (max_size=...) if the file is meant."
         raise refuse(f"has {size:,} bytes, more than the limit of {max_size:,} bytes.", mend, (1, 1))
@@ -46,7 +46,7 @@ def _decoded(data: bytes) -> str:
         place = data.count(b"\n", 0, error.start) + 1, len(data[line_start : error.start].decode("utf-8-sig")) + 1
         byte = f"byte {error.start} (0x{data[error.start]:02x})"
         looks = " It looks like UTF-16." if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ""
-        raise refuse(f"is not UTF-8 text: {byte} is no part of it.{looks}", "Save the file as UTF-8.", place) from None
+        raise refuse(f"is not UTF-8 text: {byte} is not allowed in it.{looks}", "Save the file as UTF-8.", place) from None
 
 
 def _offer(path: Path) -> str:

@@ -1,4 +1,4 @@
-"""A parsed file: plain values that remember their line and column."""
+"""A parsed file: plain values with their line and column."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ Place = tuple[int, int]
 class Tree:
     """A scalar, list or table of a file.
 
-    value : text, number, true/false or None of a scalar; None of others.
-    items : entries of a list. table : entries by key; keys : where each key stands.
-    size : scalars in it, aliases followed.
+    value : text, number, true/false or None for a scalar; None for others.
+    items : entries of a list. table : entries by key; keys : position of each key.
+    size : number of scalars in it, aliases followed.
     """
 
     place: Place
@@ -34,13 +34,13 @@ class Tree:
     size: int = 1
 
     def fill(self, keys: list[Tree], values: list[Tree]) -> Iterator[Fault]:
-        """Put keys and values into the table; yields the faults of keys. Of a double key the first value stays."""
+        """Put keys and values into the table; yields the faults of keys. For a double key the first value is kept."""
         self.table, self.keys = {}, {}
         for key, value in zip(keys, values, strict=True):
             name = key.value
             if not isinstance(name, str):
                 mend = 'Write a name before the colon, in quotes where needed: "null".'
-                yield Fault((), "a key is no name.", mend, *key.place)
+                yield Fault((), "a key is not a name.", mend, *key.place)
             elif name in self.table:
                 first = self.keys[name][0]
                 message = f"{name!r} is given twice; first at line {first}."
@@ -50,20 +50,20 @@ class Tree:
 
 
 def refuse(message: str, mend: str, place: Place | None = None, path: tuple[str, ...] = ()) -> ModelError:
-    """The error of a file that cannot be parsed at all."""
+    """The error for a file that cannot be parsed at all."""
     line, column = place or (None, None)
     return ModelError([Fault(path, message, mend, line, column)])
 
 
 def too_large(count: int, place: Place) -> None:
-    """Refuse more values than a model has, before they fill the memory."""
+    """Raise an error if there are more values than a model can have, before they fill the memory."""
     if count > LARGEST:
         mend = "Write it without aliases, or in smaller parts; tables belong in a CSV file."
         raise refuse(f"holds more than {LARGEST:,} values (aliases followed).", mend, place)
 
 
 def rooted(found: list[tuple[Tree, Fault]], root: Tree | None) -> list[Fault]:
-    """Faults of tables with the paths of the tables in front of theirs."""
+    """Faults inside tables, with the paths of the tables added in front."""
     if not found or root is None:
         return [fault for _, fault in found]
     paths: dict[int, tuple[str | int, ...]] = {}
@@ -78,7 +78,7 @@ def rooted(found: list[tuple[Tree, Fault]], root: Tree | None) -> list[Fault]:
 
 
 def plain(tree: Tree) -> Any:
-    """Dicts, lists and scalars without their places."""
+    """Dicts, lists and scalars without their positions."""
     if tree.table is not None:
         return {key: plain(child) for key, child in tree.table.items()}
     if tree.items is not None:
@@ -89,7 +89,7 @@ def plain(tree: Tree) -> Any:
 def locate(fault: Fault, tree: Tree) -> Fault:
     """The fault with the line and column of the deepest part of its path that the file has.
 
-    Parts that the file leaves out (`at` of a node written as a list) are passed over. A name in a list stands for itself
+    Parts that the file omits (`at` of a node written as a list) are skipped. A name in a list is its own key
     (``fixed: [A, B]``).
     """
     if fault.line is not None or fault.file is not None:
@@ -110,5 +110,5 @@ def locate(fault: Fault, tree: Tree) -> Fault:
 
 
 def _unknown(fault: Fault, index: int) -> bool:
-    """The fault is about the key itself, not about its value."""
+    """True if the fault is in the key itself, not in its value."""
     return index == len(fault.path) - 1 and "not known here" in fault.message

@@ -1,7 +1,7 @@
-"""YAML and JSON to a `Tree`, by one parser: JSON is YAML in which plain scalars are numbers, true, false or null.
+"""Parses YAML and JSON to a `Tree`. JSON is read as YAML in which plain scalars are numbers, true, false or null.
 
-In YAML every scalar is text: nothing is guessed, so ``no`` and ``12:30`` stay what they are. Only an empty value, ``~`` and
-``null`` without quotes count as not given.
+In YAML every scalar is text: no type is guessed, so ``no`` and ``12:30`` stay text. Only an empty value, ``~`` and
+``null`` without quotes mean 'not given'.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _WORDS = {"true": True, "false": False, "null": None}
 _DIGITS = 300  # a longer whole number is read as a float: it is too large for any quantity
 _PAIR = re.compile(r"(?<!\\)((?:\\\\)*)\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})")
 
-# problem as the parser names it -> mend
+# problem as the parser names it -> fix
 _MENDS = {
     "mapping values are not allowed": "A line holds one 'key: value'; put quotes round a text with ': ' in it.",
     "cannot start any token": "Indent with spaces, not tabs; put quotes round a text that starts with @, ` or %.",
@@ -50,7 +50,7 @@ def parse(path: Path, text: str) -> tuple[Tree | None, list[Fault]]:
 
 
 def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
-    """The tree of a text (None where it is empty), and the faults that let the rest stand, such as double keys.
+    """The tree of a text (None if it is empty), and the faults that do not stop parsing, such as double keys.
 
     Raises
     ------
@@ -60,12 +60,12 @@ def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
 
 
 def parse_json(text: str) -> tuple[Tree | None, list[Fault]]:
-    """The same of JSON; comments and a comma after the last entry are let pass."""
+    """The same for JSON; comments and a comma after the last entry are allowed."""
     return _parsed(_PAIR.sub(_joined, text), _Builder(_json), "JSON")
 
 
 def _joined(found: re.Match[str]) -> str:
-    """Two halves of a letter beyond the first 65,536, as JSON writes them, as YAML does."""
+    """A surrogate pair of JSON (a character above U+FFFF) in the notation of YAML."""
     high, low = int(found[2], 16), int(found[3], 16)
     return f"{found[1]}\\U{0x10000 + ((high - 0xD800) << 10) + low - 0xDC00:08X}"
 
@@ -79,7 +79,7 @@ def _parsed(text: str, builder: _Builder, form: str) -> tuple[Tree | None, list[
     except yaml.reader.ReaderError as error:
         place = _place_of(text, error.position)
         raise refuse(
-            "is no text: a control character stands here.", "Remove it; save the file as plain UTF-8.", place
+            "is not text: there is a control character here.", "Remove it; save the file as plain UTF-8.", place
         ) from None
     return builder.root, rooted(builder.faults, builder.root)
 
@@ -98,19 +98,19 @@ def _json(event: Any) -> Any:
         return int(text) if not found[1] and not found[2] and len(text) < _DIGITS else float(text)
     if not event.style and text in _WORDS:
         return _WORDS[text]
-    problem = f"{text[:40]!r} is no value" if text else "a value is missing"
+    problem = f"{text[:40]!r} is not a value" if text else "a value is missing"
     mend = 'Write a number, text in double quotes, true, false, null, [..] or {"name": value}.'
     raise refuse(f"is not JSON: {problem}.", mend, _place(event))
 
 
 def _refused(error: Any, length: int, form: str) -> Exception:
-    """The place is where the parser gave up; at the end of the file it is where the thing begins that never ends."""
+    """The error at the position where parsing stopped; at the end of the file, where the unclosed element begins."""
     begun = error.context_mark
     mark = error.problem_mark or begun
     if begun is not None and mark.index >= length:
         mark = begun
     since = f" ({error.context} from line {begun.line + 1} on)" if begun and error.context else ""
-    mend = next((mend for words, mend in _MENDS.items() if words in error.problem), "Mend the line, or the one above it.")
+    mend = next((mend for words, mend in _MENDS.items() if words in error.problem), "Correct the line, or the one above it.")
     return refuse(f"is not {form}: {error.problem}{since}.", mend, (mark.line + 1, mark.column + 1))
 
 
@@ -120,13 +120,13 @@ def _place_of(text: str, position: int) -> Place:
 
 
 class _Builder:
-    """Builds trees from events, with an explicit stack: a deeply nested file cannot exhaust the machine's own."""
+    """Builds trees from events, with an explicit stack, so that a deeply nested file cannot overflow the call stack."""
 
     def __init__(self, scalar: Callable[[Any], Any]) -> None:
         self._read = scalar
         self.root: Tree | None = None
         self.faults: list[tuple[Tree, Fault]] = []
-        # open lists and tables with their entries (of tables: keys and values in turn) and anchors
+        # open lists and tables with their entries (for tables: keys and values alternately) and anchors
         self._stack: list[tuple[Tree, list[Tree], str | None]] = []
         self._anchors: dict[str, Tree | None] = {}
         self._count = 0
@@ -156,7 +156,7 @@ class _Builder:
             )
         tree = Tree(_place(event), items=[] if isinstance(event, yaml.SequenceStartEvent) else None)
         if event.anchor:
-            self._anchors[event.anchor] = None  # not to be repeated inside itself
+            self._anchors[event.anchor] = None  # an anchor must not be repeated inside itself
         self._stack.append((tree, [], event.anchor))
 
     def _close(self) -> None:

@@ -1,4 +1,4 @@
-"""Models, missions and catalogues from files and into files."""
+"""Reads and writes files of models, missions and catalogues."""
 
 from __future__ import annotations
 

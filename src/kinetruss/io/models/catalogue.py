@@ -23,22 +23,23 @@ _EXAMPLES = {"m": "25 mm", "m/rad": "3 mm/rev", "rad": "15 deg", "rad/s": "3000 
 def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
     """Read a catalogue of tubes, lead screws, gears or motors from a YAML or JSON file.
 
-    A number that stands for a quantity needs its unit here: catalogues print millimetres and inches, and 25 would be read
-    as metres.
+    A quantity needs its unit here: printed catalogues use millimetres and inches, and a bare 25 would be read as metres.
 
     Returns
     -------
-    Catalogue, its material as a record.
+    Catalogue, with its material as a record.
 
     Raises
     ------
-    ModelError : all faults of the file at once, each with line and column and its mend.
+    ModelError : all faults of the file at once, each with line and column and its fix.
     """
     path = Path(path)
     try:
         tree, faults = parse(path, read_text(path, max_size))
         if tree is None or tree.table is None:
-            raise refuse("is no table of names.", "Start with title and source, then tubes, screws, gears or motors.", (1, 1))
+            raise refuse(
+                "is not a table of names.", "Start with title and source, then tubes, screws, gears or motors.", (1, 1)
+            )
         data = plain(tree)
         found = [*faults, *_unitless(data)]
         try:
@@ -55,7 +56,7 @@ def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
 
 
 def _unitless(data: Mapping[str, Any]) -> Iterator[Fault]:
-    """Bare numbers where a unit belongs; zero is zero in any unit."""
+    """Faults of numbers without a unit; zero needs none."""
     for table, record in _TABLES.items():
         entries = data.get(table)
         for name, entry in entries.items() if isinstance(entries, Mapping) else ():
@@ -68,7 +69,7 @@ def _unitless(data: Mapping[str, Any]) -> Iterator[Fault]:
 
 
 def _unit(record: Any, field: str) -> str:
-    """SI unit of a field, empty where it has none."""
+    """SI unit of a field; empty if it has none."""
     if field not in record.model_fields:
         return ""
     info = record.model_fields[field]

@@ -14,13 +14,13 @@ __all__ = ["check"]
 
 
 def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
-    """All faults of the data of a model at once; `kinematics.check` looks at the structure as well.
+    """All faults in the data of a model at once; `kinematics.check` also checks the structure.
 
     Parameters
     ----------
-    model : a model, or the path of a model file; faults of a file carry line and column, and the motions its runs follow
-        are read as well.
-    max_size : bytes; a larger file is refused before it is read.
+    model : a model, or the path of a model file; faults of a file have line and column, and the motion files of its runs
+    are read as well.
+    max_size : bytes; a larger file is not read.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Other files that a model file names: tables of trajectories, forces and supports, and motions."""
+"""Files named in a model file: tables of trajectories, forces and supports, and motions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Reader = Callable[[Path, Mapping[str, Any], int], dict[str, Any]]
 
 
 class Reading:
-    """The data of a model file while the files it names are read: what was lost on the way, and why."""
+    """The data of a model file while its other files are read; collects removed entries and their faults."""
 
     def __init__(self, data: dict[str, Any], folder: Path, max_size: int) -> None:
         self.data = data
@@ -31,13 +31,13 @@ class Reading:
         self.lost: list[Place] = []
 
     def entries(self, table: str) -> list[tuple[str, Any]]:
-        """Entries of one table that are tables themselves."""
+        """The entries of one table that are themselves tables."""
         found = self.data.get(table)
         entries = found.items() if isinstance(found, Mapping) else ()
         return [(key, value) for key, value in entries if isinstance(value, Mapping)]
 
     def put(self, table: str, name: str, entry: Any) -> None:
-        """Replace an entry; None takes it out."""
+        """Replace an entry; None removes it."""
         rest = dict(self.data[table])
         if entry is None:
             del rest[name]
@@ -48,7 +48,7 @@ class Reading:
 
 
 def with_files(reading: Reading) -> None:
-    """Put tables where ``file:`` stands; entries with a faulty table are taken out and reported."""
+    """Replace ``file:`` by the table; entries with a faulty table are removed and reported."""
     for name, entry in reading.entries("trajectories"):
         _put(reading, ("trajectories", name), entry, _spline)
     for name, entry in reading.entries("loads"):
@@ -70,11 +70,11 @@ def _put(reading: Reading, path: tuple[str, str], entry: Mapping[str, Any], read
 
 
 def _from_file(reading: Reading, path: Place, entry: Mapping[str, Any], read: Reader) -> dict[str, Any] | None:
-    """The entry with what its file holds, or None after reporting the faults of the file."""
+    """The entry with the contents of its file, or None after reporting the faults of the file."""
     file = entry["file"]
     rest = {key: value for key, value in entry.items() if key != "file"}
     if not isinstance(file, str):
-        reading.faults.append(Fault((*path, "file"), "names no file.", "Write for example file: table.csv."))
+        reading.faults.append(Fault((*path, "file"), "does not name a file.", "Write for example file: table.csv."))
         return None
     try:
         return rest | read(reading.folder / file, rest, reading.max_size)
@@ -84,7 +84,7 @@ def _from_file(reading: Reading, path: Place, entry: Mapping[str, Any], read: Re
 
 
 def _named(fault: Fault, path: Place, file: str) -> Fault:
-    """A fault of a table under the path of the entry; a table that is not there is a fault of the entry."""
+    """A fault of a table under the path of the entry; a missing table is a fault of the entry."""
     if fault.line is None:
         return Fault((*path, "file"), f"{file} cannot be used: {fault.message}", fault.mend)
     return replace(fault, path=(*path, *fault.path))
@@ -101,14 +101,14 @@ def _spline(path: Path, entry: Mapping[str, Any], max_size: int) -> dict[str, An
 def _gaps(table: Table, largest: Any) -> list[Fault]:
     """Pauses longer than `largest` times the median step."""
     if not table.columns:
-        return [table.fault("has no column but t.", "Give one column for each coordinate that moves.")]
+        return [table.fault("has no column but t.", "Give one column for each moving coordinate.")]
     try:
         largest = parse(largest, "number")
     except UnitError:
         return []  # reported with the other fields
     steps = [b - a for a, b in pairwise(table.times.tolist())]
     usual = median(steps)
-    mend = "Fill it, or raise largest_gap if it is meant."
+    mend = "Fill it, or raise largest_gap if the gap is intended."
     return [
         table.fault(f"gap of {step:g} s before this row; the median step is {usual:g} s.", mend, line)
         for step, line in zip(steps, table.lines[1:], strict=True)
@@ -138,7 +138,7 @@ def _vectors(path: Path, quantity: str, field: str, max_size: int) -> dict[str, 
 
 
 def _motion(reading: Reading, name: str, entry: Mapping[str, Any]) -> None:
-    """A relative path is meant from the model file; in the model it is relative to the working folder."""
+    """A relative path in the file is relative to the model file; in the model it is relative to the working folder."""
     given = Path(entry["motion"])
     path = given if given.is_absolute() else Path(os.path.normpath(reading.folder / given))
     if not given.is_absolute() and path.is_absolute() and path.is_relative_to(Path.cwd()):

@@ -1,4 +1,4 @@
-"""What a model file takes from the library: a whole model with parameters."""
+"""Library models in model files: a whole model with parameters."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["on_library_model", "with_parameters"]
 
 
 def on_library_model(data: dict[str, Any]) -> dict[str, Any]:
-    """The data of a file laid over the library model it names under ``library``.
+    """The data of the library model named under ``library``, changed by the data of the file.
 
     Raises
     ------
@@ -26,7 +26,7 @@ def on_library_model(data: dict[str, Any]) -> dict[str, Any]:
         wanted = {"name": wanted}
     if not isinstance(wanted, Mapping) or not isinstance(wanted.get("name"), str):
         mend = "Write for example library: {name: vgt.double_octahedral, bays: 3}."
-        raise ModelError([Fault(("library",), "names no library model.", mend)])
+        raise ModelError([Fault(("library",), "does not name a library model.", mend)])
     library = importlib.import_module("kinetruss.library")
     try:
         model = library.build(wanted["name"], {key: value for key, value in wanted.items() if key != "name"})
@@ -36,11 +36,11 @@ def on_library_model(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def with_parameters(data: dict[str, Any], parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a file with other parameters of its library model; a dotted name leads into a parameter given as a table.
+    """The data of a file with other parameters of its library model; a dotted name is a path into a parameter given as a table.
 
     Raises
     ------
-    ModelError : the file names no library model, or the parameter before a dot is no table in it.
+    ModelError : the file names no library model, or the parameter before a dot is not a table in it.
     """
     wanted = data.get("library")
     if wanted is None:
@@ -53,7 +53,7 @@ def with_parameters(data: dict[str, Any], parameters: Mapping[str, Any]) -> dict
         for k, table in enumerate(tables):
             if not isinstance(here.get(table), Mapping):
                 path = ("library", *tables[: k + 1])
-                raise ModelError([Fault(path, "is no table in the file.", f"Set it as a whole: {'.'.join(path)}={{...}}.")])
+                raise ModelError([Fault(path, "is not a table in the file.", f"Set it as a whole: {'.'.join(path)}={{...}}.")])
             here[table] = dict(here[table])
             here = here[table]
         here[last] = value
@@ -61,6 +61,6 @@ def with_parameters(data: dict[str, Any], parameters: Mapping[str, Any]) -> dict
 
 
 def _in_library(fault: Fault, name: str) -> Fault:
-    """The path of a parameter's fault, below ``library``; the record of the parameters carries the function's name."""
+    """The path of a parameter's fault, below ``library``; the record of the parameters has the function's name."""
     path = fault.path[1:] if fault.path[:1] == (name.rpartition(".")[2],) else fault.path
     return replace(fault, path=("library", *path))

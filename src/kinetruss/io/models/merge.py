@@ -1,4 +1,4 @@
-"""The keys of a model file laid over a library model, by name."""
+"""Merges the keys of a model file into a library model, by name."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ AXES = "xyz"
 
 
 def fields(record: Record) -> dict[str, Any]:
-    """The given fields of a record by name, its kind included; values as they are."""
+    """The given fields of a record by name, including its kind; values are not converted."""
     given = {name: getattr(record, name) for name in type(record).model_fields if name in record.model_fields_set}
     return {"kind": record.kind, **given} if "kind" in type(record).model_fields else given  # type: ignore[attr-defined]
 
 
 def merged(model: Model, over: Mapping[str, Any]) -> dict[str, Any]:
-    """Data of `model` with `over` laid on it.
+    """Data of `model`, changed by `over`.
 
-    Tables merge name by name and records field by field, to any depth; a value of ~ takes an entry out. Anything else
-    replaces what was there, and so does a record of another kind. A list under ``fixed`` adds its nodes.
+    Tables merge name by name and records field by field, to any depth; the value ~ removes an entry. Any other value
+    replaces the old one, and so does a record of another kind. A list under ``fixed`` adds its nodes.
     """
     over = dict(over)
     fixed = over.get("fixed")

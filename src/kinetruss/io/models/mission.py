@@ -14,7 +14,7 @@ from kinetruss.model import Mission, Model, mission_faults
 __all__ = ["read_mission"]
 
 CATALOGUES = (".yaml", ".yml", ".json", ".toml")
-"""Suffixes by which a catalogue is told from a name; the last is refused with its mend."""
+"""Suffixes that distinguish a catalogue file from a name; the last one is refused with a fix."""
 
 
 def read_mission(path: str | Path, model: Model | None = None, *, max_size: int = MAX_SIZE) -> Mission:
@@ -22,11 +22,11 @@ def read_mission(path: str | Path, model: Model | None = None, *, max_size: int 
 
     Parameters
     ----------
-    model : if given, names of runs, load cases and members are held against it too.
+    model : if given, names of runs, load cases and members are checked against it.
 
     Raises
     ------
-    ModelError : all faults of the file at once, each with line and column and its mend.
+    ModelError : all faults of the file at once, each with line and column and its fix.
     """
     path = Path(path)
     try:
@@ -49,7 +49,7 @@ def _parsed(path: Path, max_size: int) -> Tree:
     if tree is None:
         raise refuse("is empty.", start, (1, 1))
     if tree.table is None:
-        raise refuse("is no table of names.", start, tree.place)
+        raise refuse("is not a table of names.", start, tree.place)
     if model_keys := [key for key in ("kinetruss", "library", "nodes") if key in tree.table]:
         place = (tree.keys or {}).get(model_keys[0])
         raise refuse("is a model, not a mission.", f"Name the model first, then the mission. {start}", place, (model_keys[0],))
@@ -59,7 +59,7 @@ def _parsed(path: Path, max_size: int) -> Tree:
 
 
 def _rebased(data: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Paths of catalogue files as they are from the working folder; names of catalogues that are shipped stay."""
+    """Paths of catalogue files relative to the working folder; names of built-in catalogues do not change."""
     found = dict(data)
     if isinstance(found.get("catalogues"), dict):
         found["catalogues"] = {key: _file(value, folder) for key, value in found["catalogues"].items()}

@@ -22,16 +22,16 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
     """Read a model from a YAML or JSON file.
 
     Every scalar of a YAML file is text, so ``no`` and ``12:30`` are names like any other; quantities are read with their
-    units. ``library: {name: vgt.double_octahedral, bays: 3}`` starts from a library model, over which the other keys are
-    laid name by name. Sections, materials, screws, gears and motors that are named but not given come from the library.
-    ``file: table.csv`` in a trajectory (kind spline), a load or a support motion is read in their place; paths are relative to
-    the model file.
+    units. ``library: {name: vgt.double_octahedral, bays: 3}`` starts from a library model, which the other keys change name by
+    name. Sections, materials, screws, gears and motors that are named but not defined come from the library. ``file:
+    table.csv`` in a trajectory (kind spline), a load or a support motion is replaced by the table; paths are relative to the
+    model file.
 
     Parameters
     ----------
     path : file; ``.json`` is read as JSON, anything else as YAML.
-    max_size : bytes; a larger file is refused before it is read.
-    library : parameters of the library model that take the place of the file's, e.g. ``{"payload_mass": "40 kg"}``.
+    max_size : bytes; a larger file is not read.
+    library : parameters of the library model that replace those of the file, e.g. ``{"payload_mass": "40 kg"}``.
 
     Returns
     -------
@@ -39,7 +39,7 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
 
     Raises
     ------
-    ModelError : all faults of the file at once, each with line and column and its mend.
+    ModelError : all faults of the file at once, each with line and column and its fix.
     """
     path = Path(path)
     try:
@@ -54,7 +54,7 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
 
 
 def placed(path: str | Path, faults: list[Fault], *, max_size: int = MAX_SIZE) -> list[Fault]:
-    """Faults of the model of a file, with the line and column of what they are about, in the order of the file."""
+    """Faults of the model in a file, with line and column, in the order of the file."""
     if not faults:
         return faults
     tree, _ = _parsed(Path(path), max_size)
@@ -67,14 +67,14 @@ def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:
     if tree is None:
         raise refuse("is empty.", start, (1, 1))
     if tree.table is None:
-        raise refuse("is no table of names.", start, tree.place)
+        raise refuse("is not a table of names.", start, tree.place)
     return tree, faults
 
 
 def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: int) -> Model:
-    """The model of the data, or all their faults after those found already."""
+    """The model of the data, or all its faults after those found already."""
     if data.get("kinetruss", FORMAT) not in (FORMAT, str(FORMAT)):
-        # another format: nothing else in the file can be judged
+        # another format: nothing else in the file can be checked
         mend = f"This release reads kinetruss: {FORMAT}."
         raise refuse(f"format version {shown(data['kinetruss'])} is not known here.", mend, path=("kinetruss",))
     lost = Lost()
@@ -84,7 +84,7 @@ def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: in
         except ModelError as error:
             faults = faults + error.faults
             data = {key: value for key, value in data.items() if key != "library"}
-            lost.add(())  # whatever a name may refer to
+            lost.add(())  # all names that may be referred to
     reading = Reading(data, folder, max_size)
     with_files(reading)
     faults = faults + reading.faults
@@ -103,7 +103,7 @@ def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: in
 
 
 def _located(fault: Fault, tree: Tree) -> Fault:
-    """What came from the library is told at the place that names it."""
+    """A fault in library data, located at the entry that names the library."""
     if fault.path and tree.table is not None and str(fault.path[0]) not in tree.table and "library" in tree.table:
         line, column = tree.keys["library"]  # type: ignore[index]
         return fault if fault.line is not None else replace(fault, line=line, column=column)
@@ -111,5 +111,5 @@ def _located(fault: Fault, tree: Tree) -> Fault:
 
 
 def _sorted(faults: list[Fault]) -> list[Fault]:
-    """In the order of the file; faults of other files last."""
+    """Faults in the order of the file; faults of other files last."""
     return sorted(faults, key=lambda fault: (fault.file or "", fault.line or 0, fault.column or 0))

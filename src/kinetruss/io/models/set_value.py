@@ -1,4 +1,4 @@
-"""A model with values changed, named by their paths."""
+"""A model with changed values, named by their paths."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _TABLES = {
     "amplifier": "amplifiers",
     "trajectory": "trajectories",
 }
-"""Fields that may hold a name -> the table it stands in."""
+"""Fields that may hold a name -> the table of that name."""
 
 
 def set_value(model: Model, path: str, value: Any) -> Model:
@@ -33,14 +33,14 @@ def set_value(model: Model, path: str, value: Any) -> Model:
 
     Parameters
     ----------
-    model : the model; it stays as it is.
-    path : e.g. ``runs.extend.trajectory.duration`` or ``nodes.N4.at.0``. Names may hold dots; the longest that fits is meant.
-        Where a path goes on behind a name of another table (here a trajectory), the record of that name is changed.
-    value : what a model file may hold there; text with units, and lists in brackets, are read as in a file. ``~`` unsets.
+    model : the model; it is not changed.
+    path : e.g. ``runs.extend.trajectory.duration`` or ``nodes.N4.at.0``. Names may contain dots; the longest match
+    is used. If a path continues after the name of a record in another table (here a trajectory), that record is changed.
+    value : as in a model file; text with units, and lists in brackets, are read as in a file. ``~`` removes the value.
 
     Raises
     ------
-    ModelError : a path that is not there, offering the nearest names; faults of the changed model.
+    ModelError : an unknown path (the message offers the nearest names); faults of the changed model.
 
     Examples
     --------
@@ -53,7 +53,7 @@ def set_value(model: Model, path: str, value: Any) -> Model:
 
 
 def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
-    """A new model with several values changed at once, so that only the model as a whole need be sound.
+    """A new model with several values changed at once; only the final model is checked.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
 
     Raises
     ------
-    ModelError : as for `set_value`; two paths of which one lies within the other.
+    ModelError : as for `set_value`; two paths of which one is inside the other.
     """
     changes: dict[str | int, Any] = {}
     for path, value in settings.items():
@@ -71,7 +71,7 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
 
 @dataclass(frozen=True, slots=True)
 class _New:
-    """A value to be put in the place it stands for."""
+    """A new value for a place in the data."""
 
     value: Any
 
@@ -87,7 +87,7 @@ def _noted(changes: dict[str | int, Any], keys: Keys, new: _New, path: str) -> N
 
 
 def given(value: Any) -> Any:
-    """A value as a file would give it."""
+    """A value as read from a file."""
     if not isinstance(value, str):
         return value
     if value.strip() in ("~", "null"):
@@ -99,7 +99,7 @@ def given(value: Any) -> Any:
 
 
 def resolved(model: Model, path: str) -> Keys:
-    """The keys of a path, names with dots put together, names of other tables followed."""
+    """The keys of a path, with names that contain dots joined, and names of other tables resolved."""
     here: Any = model
     keys: list[str | int] = []
     rest = path.split(".")
@@ -114,7 +114,7 @@ def resolved(model: Model, path: str) -> Keys:
 
 
 def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str | int, list[str]]:
-    """The longest name at the front of the rest of a path that is known here, and what is left."""
+    """The longest known name at the start of the rest of a path, and the remaining parts."""
     if isinstance(here, Sequence) and not isinstance(here, str):
         if rest[0].isdecimal() and int(rest[0]) < len(here):
             return int(rest[0]), rest[1:]
@@ -135,7 +135,7 @@ def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str 
 
 
 def _changed(here: Any, changes: Any) -> Any:
-    """The data of a record, table or list with the changes laid on it."""
+    """The data of a record, table or list with the changes."""
     if isinstance(changes, _New):
         return changes.value
     if isinstance(here, Record):

@@ -20,12 +20,12 @@ _TEXT = {".yaml": to_yaml, ".yml": to_yaml, ".json": to_json}
 def write(model: Model, path: str | Path) -> Path:
     """Write a model as YAML or JSON; `read` gives the same model back, every number to the last bit.
 
-    The file appears whole or not at all: a draft beside it takes its place at the end.
+    The file appears completely or not at all: a temporary file in the same folder replaces it at the end.
 
     Parameters
     ----------
-    model : the model; what has its default is left out, tables that came from CSV files are written out.
-    path : file to write; its suffix ``.yaml``, ``.yml`` or ``.json`` chooses the form. It is replaced where it exists.
+    model : the model; default values are omitted, tables from CSV files are written out.
+    path : file to write; its suffix ``.yaml``, ``.yml`` or ``.json`` chooses the form. An existing file is replaced.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def write(model: Model, path: str | Path) -> Path:
 
 
 def _relative(data: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Relative motion files are relative to the working folder in a model, to the model file in a file."""
+    """Relative paths of motion files: relative to the working folder in a model, to the model file in a file."""
     for run in data.get("runs", {}).values():
         if "motion" in run and not Path(run["motion"]).is_absolute():
             run["motion"] = os.path.relpath(run["motion"], folder)

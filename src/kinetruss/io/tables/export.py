@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["export"]
 
 BATCH = 1000
-"""Samples read at once."""
+"""Number of samples read at a time."""
 
 
 def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> Path:
@@ -27,8 +27,8 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
 
     Parameters
     ----------
-    out : run folder. file : ``.csv``: one row an instant, one column a value, ``group.quantity[names] (unit)``, or with
-        ``groups=("verdict",)`` one row an entry; ``.parquet``: one row a value; ``.nc``: netCDF, all arrays with units.
+    out : run folder. file : ``.csv``: one row per instant, one column per value, ``group.quantity[names] (unit)``, or
+    with ``groups=("verdict",)`` one row per entry; ``.parquet``: one row per value; ``.nc``: netCDF, all arrays with units.
     groups : only datasets whose path begins with one of these, e.g. ``motion``, ``forces``, ``forces/hanging/total``.
 
     Returns
@@ -65,7 +65,7 @@ def _within(name: str, wanted: str) -> bool:
 
 
 def _needed(package: str) -> Any:
-    """A package of the extra, or a sentence that says how to get it."""
+    """Import a package of the extra ``export``; InputError with the install command if it is missing."""
     import importlib
 
     try:
@@ -81,17 +81,17 @@ def _netcdf(store: Store, groups: list[str], path: Path) -> None:
         data = store.read(group).load()
         data.attrs |= _state(store)
         for variable in data.variables.values():
-            if variable.dtype.kind == "b":  # netCDF has no truth values
+            if variable.dtype.kind == "b":  # netCDF has no Boolean type
                 variable.values = variable.values.astype("i1")
         try:
             data.to_netcdf(path, mode=mode, group=group, engine="netcdf4")
-        except RuntimeError as error:  # what the netCDF library says of a full disk
+        except RuntimeError as error:  # error of the netCDF library if the disk is full
             raise OSError(str(error)) from error
         mode = "a"
 
 
 def _state(store: Store) -> dict[str, Any]:
-    """What a reader of the file alone must know of a run that is not whole."""
+    """Attributes for readers of the file: the status of a run that is not complete."""
     ledger = store.ledger
     state = "finished" if ledger.state == "finished" else "unfinished"
     return {"state": state, "samples_good": ledger.committed, "samples_asked": ledger.samples}
@@ -103,7 +103,7 @@ def _csv(store: Store, groups: list[str], path: Path) -> None:
         return
     histories = {name: data for name in groups if "time" in (data := store.read(name)).dims}
     if not histories:
-        raise InputError("Nothing along time was chosen; a CSV has one row an instant. For the table: groups=('verdict',).")
+        raise InputError("Nothing along time was chosen; a CSV has one row per instant. For the table: groups=('verdict',).")
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)
         columns = [(name, str(key)) for name, data in histories.items() for key in data.data_vars if _timed(data[key])]
@@ -128,7 +128,7 @@ def _heads(group: str, data: xr.DataArray) -> Iterator[str]:
 
 
 def _entries(data: xr.Dataset, path: Path) -> None:
-    """A table over (part, rule), one row an entry."""
+    """A table over (part, rule), one row per entry."""
     keys = [str(name) for name, one in data.data_vars.items() if one.dims == ("part", "rule")]
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)

@@ -1,4 +1,4 @@
-"""Node histories: a motion from elsewhere, as a table in time."""
+"""Node histories: a motion from another source, as a table over time."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["NodeHistory", "history_faults", "read_history"]
 
 AGREE = 1e-4
-"""A fixed node agrees with the model where its place in a table is off by less than this share of the model's size."""
+"""Tolerance of fixed nodes: distance of table and model as a fraction of the model's size."""
 
 
 MAX_HISTORY = 2_000_000_000
@@ -29,10 +29,10 @@ _KINDS = {"": ("position", "length"), "v": ("velocity", "speed"), "a": ("acceler
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class NodeHistory:
-    """Positions (and perhaps velocities, accelerations) of nodes in time, SI.
+    """Positions of nodes over time, and optionally velocities and accelerations, SI.
 
     times (n_times,) s; nodes: names; position (n_times, n_nodes, dim) m; velocity m/s and acceleration m/s^2 of the same
-    shape, or None where the file has none; source: the file.
+    shape, or None if the file has none; source: the file.
     """
 
     times: NDArray[np.float64]
@@ -51,13 +51,13 @@ def read_history(
     Parameters
     ----------
     path : the file; a header may carry a unit, ``N4.x [mm]``, and is SI without one.
-    dim : number of axes; found from the columns where None. nodes : names that may stand; any where None.
+    dim : number of axes; if None, found from the columns. nodes : allowed names; if None, any.
     max_size : bytes; a larger file is refused before it is read.
 
     Raises
     ------
-    ModelError : all faults of the table, each with file, line and column: unknown nodes, columns missing, cells that are no
-        number, time that goes back.
+    ModelError : all faults of the table, each with file, line and column: unknown nodes, columns missing, cells that are not a
+    number, time that decreases.
     """
     known = None if nodes is None else frozenset(nodes)
     table = read_table(Path(path), lambda name: _quantity(name, known), max_size=max_size)
@@ -81,7 +81,7 @@ def read_history(
 
 
 def history_faults(model: Model, history: NodeHistory) -> list[Fault]:
-    """What a table lacks, or has otherwise, to be a motion of a model: moving nodes, rates, the places of fixed nodes."""
+    """Faults of a table as the motion of a model: missing moving nodes or rates, other positions of fixed nodes."""
     found = []
     for kind, columns in (("velocity", "velocities (NODE.vx ..)"), ("acceleration", "accelerations (NODE.ax ..)")):
         if getattr(history, kind) is None:
@@ -90,7 +90,7 @@ def history_faults(model: Model, history: NodeHistory) -> list[Fault]:
     moving = [n for n in model.nodes if set(model.fixed.get(n, "")) != set(whole) or n in model.support_motion]
     if missing := [name for name in moving if name not in history.nodes]:
         shown = ", ".join(missing[:12]) + (f" and {len(missing) - 12} more" if len(missing) > 12 else "")
-        found.append(_about(history, f"has no columns for {shown}.", "Add them; only fixed nodes may be left out."))
+        found.append(_about(history, f"has no columns for {shown}.", "Add them; only fixed nodes may be omitted."))
     places = np.array([node.at for node in model.nodes.values()], float)
     allowed = AGREE * float(np.ptp(places, axis=0).max())
     for k, name in enumerate(history.nodes):
@@ -100,7 +100,7 @@ def history_faults(model: Model, history: NodeHistory) -> list[Fault]:
             if off.max(initial=0.0) > allowed:
                 at = int(off.argmax())
                 here = f"{name}.{axis} is {column[at]:.9g} m at t = {history.times[at]:g} s"
-                mend = "Give the places of this model, let the node go (fixed), or give its support_motion."
+                mend = "Give the positions of this model, remove the node from fixed, or give its support_motion."
                 found.append(_about(history, f"{here}; the model holds it at {place:.9g} m.", mend))
     return found
 
@@ -110,7 +110,7 @@ def _about(history: NodeHistory, message: str, mend: str) -> Fault:
 
 
 def _parts(column: str) -> tuple[str, str, str]:
-    """Node, prefix (empty, v or a) and axis of a column; empty strings where it is none."""
+    """Node, prefix (empty, v or a) and axis of a column; empty strings if the column is not of a node."""
     node, _, last = column.rpartition(".")
     prefix, axis = last[:-1], last[-1:]
     return (node, prefix, axis) if node and prefix in _KINDS and axis in tuple("xyz") else ("", "", "")
@@ -124,7 +124,9 @@ def _quantity(column: str, known: frozenset[str] | None) -> str | None:
 
 
 def _missing(table: Table, names: tuple[str, ...], axes: str) -> list[Fault]:
-    """Every node needs all axes of position, and of velocity and acceleration where any node has them."""
+    """Faults of missing columns: every node needs all axes of position, and of velocity and acceleration if any node has
+    them.
+    """
     if not names:
         return [table.fault("has no column but t.", "Give NODE.x, NODE.y and, in space, NODE.z of every moving node.")]
     found = []
@@ -132,7 +134,7 @@ def _missing(table: Table, names: tuple[str, ...], axes: str) -> list[Fault]:
         for node in names:
             lacking = [f"{node}.{prefix}{axis}" for axis in axes if f"{node}.{prefix}{axis}" not in table.columns]
             if lacking:
-                found.append(table.fault(f"{', '.join(lacking)} missing.", "Add the column, or leave out all of its kind."))
+                found.append(table.fault(f"{', '.join(lacking)} missing.", "Add the column, or remove all of its kind."))
     return found
 
 

@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 __all__ = ["StrainHistory", "read_strains", "strain_columns"]
 
 LARGEST = 0.1
-"""A larger strain in a measured table is a number whose unit is missing."""
+"""Largest strain in a measured table; for a larger one the unit must be missing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class StrainHistory:
-    """A measured record: times (n_times,) s, columns by name (n_times,) in 1e-6, the file and the line of each row."""
+    """A measured record: times (n_times,) s, columns by name (n_times,) in 1e-6, the file, and the line of each row."""
 
     times: NDArray[np.float64]
     columns: dict[str, NDArray[np.float64]]
@@ -44,13 +44,13 @@ def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) ->
 
     Parameters
     ----------
-    path : CSV: ``t``, then a column a gauge or part of a group, e.g. ``G1 [microstrain]``, ``M6.axial [microstrain]``; a column
-        without unit is strain in m/m. max_size : bytes; a larger file is refused before it is read.
+    path : CSV: ``t``, then a column per gauge or part of a group, e.g. ``G1 [microstrain]``, ``M6.axial [microstrain]``; a
+    column without unit is strain in m/m. max_size : bytes; a larger file is not read.
 
     Raises
     ------
-    ModelError : all faults of the table, each with file, line and column: unknown columns, cells that are no number, time
-        that goes back, numbers too large to be strain.
+    ModelError : all faults of the table, each with file, line and column: unknown columns, cells that are not a number,
+    time that decreases, numbers too large to be strain.
     """
     known = strain_columns(model)
     try:
@@ -58,7 +58,7 @@ def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) ->
     except ModelError as error:
         raise ModelError([replace(fault, path=("measured",)) for fault in error.faults]) from None
     faults = [
-        table.fault(f"column {name!r} is no gauge and no group of the model.", nearest(name, known), column=one.at)
+        table.fault(f"column {name!r} is not a gauge or group of the model.", nearest(name, known), column=one.at)
         for name, one in table.columns.items()
         if name not in known
     ]

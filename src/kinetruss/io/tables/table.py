@@ -1,4 +1,4 @@
-"""Tables in CSV files: a header, then one row an instant.
+"""Tables in CSV files: a header, then one row per instant.
 
 The first column is ``t`` (or ``time``), s. A header may carry a unit, ``M7 [mm]``; without one the column is SI. Columns are
 separated by commas, numbers have decimal points; empty lines and lines that start with ``#`` are skipped.
@@ -30,17 +30,17 @@ _HEADER = re.compile(r"(.*?)\s*(?:\[(.*)\])?")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Column:
-    """A column in SI: `values` (n_rows,), the quantity its unit tells (``length``, ``angle``; None without a unit)."""
+    """A column in SI: `values` (n_rows,), the quantity of its unit (``length``, ``angle``; None without a unit)."""
 
     values: NDArray[np.float64]
     quantity: str | None
     at: int
-    """Column of its header in the file, from 1."""
+    """Position of its header in the line, from 1."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Table:
-    """A table in SI: `times` (n_rows,) s, columns by name, the line of each row and of the header in the file."""
+    """A table in SI: `times` (n_rows,) s, columns by name, and the line of each row and of the header."""
 
     path: str
     times: NDArray[np.float64]
@@ -49,7 +49,7 @@ class Table:
     header: int
 
     def fault(self, message: str, mend: str, line: int | None = None, column: int = 1) -> Fault:
-        """A fault of this table, at its header unless a line is named."""
+        """A fault of this table, at its header unless a line is given."""
         return Fault((), message, mend, self.header if line is None else line, column, file=self.path)
 
 
@@ -59,13 +59,13 @@ def read_table(path: Path, quantity_of: Callable[[str], str | None], *, max_size
     Parameters
     ----------
     path : CSV file, UTF-8.
-    quantity_of : quantity of a column by its name; None for a column that is not known.
-    max_size : bytes. least_rows : rows that must be there.
+    quantity_of : quantity of a column by its name; None for an unknown column.
+    max_size : bytes. least_rows : smallest number of rows.
 
     Raises
     ------
-    ModelError : all faults of the table, each with file, line and column: columns missing or not known, cells that are no
-        number, time that goes back or stands still.
+    ModelError : all faults of the table, each with file, line and column: missing or unknown columns, cells that are not a
+    number, times that do not increase.
     """
     reader = _Reader(str(path), quantity_of)
     try:
@@ -83,7 +83,7 @@ def _in_file(fault: Fault, path: str) -> Fault:
 
 
 class _Reader:
-    """Takes the lines of a table one by one and keeps their faults."""
+    """Reads the lines of a table one by one and collects their faults."""
 
     def __init__(self, path: str, quantity_of: Callable[[str], str | None]) -> None:
         self._path = path
@@ -98,16 +98,16 @@ class _Reader:
         self._lines: list[int] = []
 
     def take(self, number: int, line: str) -> None:
-        """The next line that holds something."""
+        """Read the next line that is not empty."""
         if not self._names:
             self._head(number, line)
         elif not self._lost and len(self._faults) < MOST_FAULTS:
             self._row(number, line)
 
     def table(self, least_rows: int) -> Table:
-        """What was read; ModelError with all faults."""
+        """The table; ModelError with all faults."""
         if not self._names:
-            self._fault("is empty.", "Give a header (t, names) and one row an instant.", 1, 1)
+            self._fault("is empty.", "Give a header (t, names) and one row per instant.", 1, 1)
         elif not self._faults and len(self._rows) < least_rows:
             last = self._lines[-1] if self._lines else self._header
             self._fault(f"has {len(self._rows)} rows.", f"Give at least {least_rows}.", last, 1)
@@ -143,7 +143,7 @@ class _Reader:
             mend = "Give a header such as: t, M7 [mm]." if NUMBER.fullmatch(name) else "Call it t."
             self._fault(f"the first column is called {shown(name)}; expected t.", mend, line, at)
         elif quantity is None:
-            self._fault(f"column {shown(name)} is not known here.", "Remove it, or mend its name.", line, at)
+            self._fault(f"column {shown(name)} is not known here.", "Remove it, or correct its name.", line, at)
         elif name in self._names:
             self._fault(f"column {shown(name)} is given twice.", "Rename one, or remove it.", line, at)
         scale = 1.0
@@ -152,7 +152,7 @@ class _Reader:
                 scale = parse(f"1 {unit}", quantity)
             except UnitError:
                 mend = f"Write for example [{unit_of(quantity)}], or no unit for SI."
-                self._fault(f"column {shown(name)} has the unit [{unit}], which is none of a {quantity}.", mend, line, at)
+                self._fault(f"column {shown(name)} has the unit [{unit}], which is not a unit of {quantity}.", mend, line, at)
         self._names.append(name)
         self._scales.append(scale if unit is not None else 1.0)
         self._at.append(at)
@@ -160,18 +160,18 @@ class _Reader:
     def _row(self, number: int, line: str) -> None:
         cells = _cells(line)
         if len(cells) != len(self._names):
-            mend = "Give one cell a column. (A decimal comma splits a number in two.)"
+            mend = "Give one cell per column. (A decimal comma splits a number in two.)"
             self._fault(f"has {len(cells)} cells; the header has {len(self._names)}.", mend, number, 1)
             return
         row = []
         for (at, text), name in zip(cells, self._names, strict=True):
             value = float(text) if NUMBER.fullmatch(text) else np.nan
             if not np.isfinite(value):
-                what = f"{shown(text)} is no number" if text else "the cell is empty"
+                what = f"{shown(text)} is not a number" if text else "the cell is empty"
                 self._fault(f"{what}, in column {shown(name)}.", "Give a number; fill gaps.", number, at)
             row.append(value)
         if self._rows and row[0] <= self._rows[-1][0]:
-            message = f"time goes back or stands still: {row[0]:g} after {self._rows[-1][0]:g} in line {self._lines[-1]}."
+            message = f"time does not increase: {row[0]:g} after {self._rows[-1][0]:g} in line {self._lines[-1]}."
             self._fault(message, "Sort the table by time, and keep one row for each instant.", number, cells[0][0])
         self._rows.append(row)
         self._lines.append(number)

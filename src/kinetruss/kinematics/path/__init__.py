@@ -1,4 +1,4 @@
-"""Positions along a path: one configuration, a trajectory, what lies between its samples."""
+"""Positions along a path: one configuration, a whole trajectory, and states between its samples."""
 
 from __future__ import annotations
 

@@ -43,8 +43,8 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
 
     Notes
     -----
-    Step-limited continuation: all values go from what they are to what is wanted in steps that Newton's method can
-    follow (Allgower & Georg, 1990, chapter 2), so the configuration found is the one connected to the start.
+    Step-limited continuation (Allgower & Georg, 1990, chapter 2): all values change from their start to their target in
+    steps small enough for Newton's method to converge. The configuration found is therefore connected to the start.
 
     >>> import kinetruss as kt
     >>> two = kt.Model(nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1)}, fixed=["A", "B"],
@@ -63,7 +63,7 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
     if reached < 1:
         raise AnalysisError(
             f"The lengths cannot be closed: {reached:.1%} of the way from the model's own lengths was reached. "
-            "Give lengths nearer to it, or start from another configuration.",
+            "Give lengths nearer to the model's own, or start from another configuration.",
             x[:, : system.dim],
         )
     refuse_unmet(system, x, wanted)
@@ -75,7 +75,7 @@ def given_lengths(lengths: Any) -> dict[str, float]:
 
     Raises
     ------
-    InputError : no mapping; a value that is no finite number.
+    InputError : not a mapping, or a value that is not a finite number.
     """
     if lengths is not None and not isinstance(lengths, Mapping):
         raise InputError(f"lengths is {shown(lengths)}. Give name -> value, e.g. {{'M7': 1.2}}.")
@@ -84,7 +84,7 @@ def given_lengths(lengths: Any) -> dict[str, float]:
 
 @kept()
 def own_start(system: System) -> NDArray[np.float64]:
-    """The configuration of the model itself, (n, 3) m, closed where its lengths ask for it."""
+    """The model's own configuration, (n, 3) m; assembled first if its lengths differ from its node positions."""
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = system.drive_start[system.row_drive[driven]]
@@ -94,14 +94,14 @@ def own_start(system: System) -> NDArray[np.float64]:
     if reached < 1:
         raise InputError(
             "The lengths given in the model cannot be closed from its node positions. "
-            "Draw the nodes nearer to a closed configuration, or mend the lengths."
+            "Draw the nodes nearer to a closed configuration, or correct the lengths."
         )
     refuse_unmet(system, x, wanted)
     return x
 
 
 def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> None:
-    """`InputError` where a redundant row is not at its value: what is prescribed contradicts itself."""
+    """Raise `InputError` if a redundant constraint is not satisfied: then the prescribed values contradict each other."""
     extra = arrange(system).redundant
     if not len(extra):
         return
@@ -109,17 +109,17 @@ def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.floa
     if miss.max() > AGREE * shortest(system):
         r = int(miss.argmax())
         raise InputError(
-            f"The lengths contradict each other: {system.row_name(r)!r} is held by the rest and is off by {miss[r]:.3g} m. "
-            "Prescribe one of them less."
+            f"The lengths contradict each other: {system.row_name(r)!r} is fixed by the others and is off by {miss[r]:.3g} m. "
+            "Do not prescribe all of them."
         )
 
 
 def assembled(
-    system: System, wanted: NDArray[np.float64], pushed: NDArray[np.float64] | None = None
+    system: System, wanted: NDArray[np.float64], moved: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float64], float]:
-    """Positions (n, 3) with rows at `wanted`, and the fraction of the way reached (1: all of it).
+    """Returns positions (n, 3) with all constraints at `wanted`, and the fraction of the change reached (1: all of it).
 
-    pushed : (coordinate drives,) where they go, m; by default they stand still. Supports stand still.
+    moved : (coordinate drives,) their target, m; by default they stand still. Supports stand still.
     """
     arrangement = arrange(system)
     if arrangement.plan is None:
@@ -128,9 +128,9 @@ def assembled(
     now = row_values(system, system.x0)
     held = x[0, arrangement.plan.moving]
     there = held.copy()
-    if pushed is not None:
-        there[: len(pushed)] = pushed
-    # every row is a drive here, so that rigid lengths that differ from the sketch are walked to as well
+    if moved is not None:
+        there[: len(moved)] = moved
+    # continuation treats every constraint as a drive, so that rigid lengths that differ from the drawing change in steps too
     every = np.arange(len(now))
     plan = arrangement.plan.with_(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
@@ -147,9 +147,10 @@ def _together(
     moving: tuple[NDArray[np.float64], NDArray[np.float64]],
     kept: tuple[Any, ...],
 ) -> tuple[NDArray[np.float64], float]:
-    """`assembled` of a redundant structure: all rows go together; where they cannot, those kept go and the rest must agree.
+    """`assembled` of a redundant structure: all constraints change together. If that fails, the independent ones change and the
+    redundant ones must agree.
 
-    Rows that contradict each other to first order are left off their values for the caller to tell.
+    Constraints that contradict each other to first order keep a residual, which the caller reports.
     """
     free = replace(system, row_drive=np.arange(len(now), dtype=system.row_drive.dtype), drive_start=now)
     still = np.zeros_like
@@ -167,7 +168,7 @@ def _together(
 
 
 def row_gaps(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64]) -> NDArray[np.float64]:
-    """By how much every row is above `wanted` (rows,) at positions x (n, 3), m."""
+    """Residuals of all constraints (rows,), m: value at positions x (n, 3) minus `wanted` (rows,)."""
     free = replace(system, row_drive=np.arange(len(wanted), dtype=system.row_drive.dtype))
     found: NDArray[np.float64] = misses(free, np.arange(len(wanted)), wanted[None], x.reshape(1, -1))[0]
     return found

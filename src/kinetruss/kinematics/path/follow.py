@@ -50,7 +50,7 @@ def follow(
     samples : equally spaced instants from 0 to the trajectory's duration, both included.
     times : the instants instead, s, increasing.
     start : (n_nodes, dim) a configuration at the first instant, m; by default reached from the model's own.
-    least : stop where the singularity gauge falls below this value.
+    least : the motion stops if the singularity measure falls below this value.
     raise_on_failure : False gives the good samples with a status instead of an exception.
 
     Returns
@@ -61,15 +61,16 @@ def follow(
 
     Raises
     ------
-    InputError : faults of the trajectory, fewer drives than freedoms, drives that fight. Nothing was computed.
+    InputError : faults of the trajectory, fewer drives than freedoms, drives that contradict each other. Nothing was computed.
     AnalysisError : lengths that cannot close or a singular position; `result` is the Motion up to the last good state.
 
     Notes
     -----
-    One forward sweep over the blocks of the block triangular form a sample: Newton's method on positions, then velocities
-    and accelerations with the same factors. No differences in time: the sample spacing does not change the result. Where
-    anything turns far between two samples, instants in between are followed too, so that whole turns and the branch do not
-    depend on the samples; the motion keeps these states (``between_time``, ``between_position``, ``between_velocity``).
+    Each sample takes one forward sweep over the blocks of the block triangular form: Newton's method for positions, then
+    velocities and accelerations with the same factors. There are no differences in time, so the sample spacing does not
+    change the result. If anything turns far between two samples, instants in between are computed too, so that whole turns
+    and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
+    ``between_velocity``).
     """
     system = compile(model)
     if isinstance(trajectory, str):
@@ -85,14 +86,14 @@ def follow(
 
 
 def with_note(motion: Motion, note: str) -> Motion:
-    """The motion with a note behind its message."""
+    """The motion with a note added to its message."""
     return motion.with_(message=f"{motion.message} {note}".strip()) if note else motion
 
 
 def off_pose(system: System, t: NDArray[np.float64], x: NDArray[np.float64], sampled: Sampled) -> tuple[int, str] | None:
-    """The first sample at which a bay no longer is in the pose asked for, as where its supports move apart, and what to say.
+    """The first sample at which a bay is not in its prescribed pose (its supports may move apart), and the message.
 
-    t (s,) s; x (s, 3 n) m. None where there is none.
+    t (s,) s; x (s, 3 n) m. Returns None if there is no such sample.
     """
     if not sampled.poses:
         return None
@@ -104,15 +105,15 @@ def off_pose(system: System, t: NDArray[np.float64], x: NDArray[np.float64], sam
     k, name = min(off)
     got, asked = pose_values(system, name, x[k : k + 1])[0], poses[name][k]
     here, wanted = (", ".join(f"{part} {value:.9g}" for part, value in zip(POSE, q, strict=True)) for q in (got, asked))
-    text = f"At t = {t[k]:g} s the bay of pose {name!r} stands at {here}; asked for was {wanted}."
-    mend = "The sides of the bay change: hold its base and top in shape, or move its lengths instead of its pose."
+    text = f"At t = {t[k]:g} s the bay of pose {name!r} stands at {here}; prescribed is {wanted}."
+    mend = "The sides of the bay change: keep its base and top rigid, or prescribe its lengths instead of its pose."
     return k, f"{text} {mend}"
 
 
 def _followed(
     model: Model, system: System, trajectory: Any, t: NDArray[np.float64], start: ArrayLike | None, least: float
 ) -> tuple[Motion, str]:
-    """The motion at the instants t, and what is wrong at the first pose out of reach."""
+    """The motion at the instants t, and the error at the first pose out of reach."""
     course, found, sampled, beyond = course_along(model, system, trajectory, t, start, least)
     motion = motion_of(system, course, sampled.space, found.status, found.message)
     if off := off_pose(system, course.t, course.x, sampled):
@@ -124,8 +125,8 @@ def _followed(
 def course_along(
     model: Model, system: System, trajectory: Any, t: NDArray[np.float64], start: ArrayLike | None, least: float
 ) -> tuple[Course, Swept, Sampled, str]:
-    """The histories at the instants t (s,) s, with instants in between where they are far apart; how it ended; what was
-    asked for; and what is wrong at the first pose out of reach.
+    """The histories at the instants t (s,) s, with more instants between those far apart; how the motion ended; the prescribed
+    values; and the error at the first pose out of reach.
     """
     dense = between(trajectory, t)
     for _ in range(REFINED):
@@ -142,7 +143,7 @@ def course_along(
 def course_at(
     dense: NDArray[np.float64], t: NDArray[np.float64], found: Swept, drive: tuple[NDArray[np.float64], ...]
 ) -> Course:
-    """What was found at the instants `dense`, as samples at those of t (s,) and states between them."""
+    """The result at the instants `dense`, split into samples at t (s,) and states between them."""
     count = len(found.x)
     if dense is t:
         return Course(t=t[:count], x=found.x, v=found.v, a=found.a, drive=drive, gauge=found.gauge)
@@ -160,7 +161,7 @@ def course_at(
 
 
 def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[Sampled, str]:
-    """The samples up to the first pose out of reach, and what is wrong there."""
+    """The samples before the first pose out of reach, and the error there."""
     try:
         return sample(model, trajectory, t), ""
     except AnalysisError as error:
@@ -170,7 +171,7 @@ def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[S
 
 
 def instants(duration: float, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
-    """The time axis: `times` checked, or equally spaced over the duration; no more than a motion of `model` can hold."""
+    """The time axis: `times` checked, or equally spaced over the duration; at most as many as a motion of `model` can hold."""
     if times is None:
         samples = whole(samples, "samples", least=2)
         a_sample = 1 if model is None else 9 * len(model.nodes) + 4 * len(model.members)
@@ -197,7 +198,7 @@ def path_of(system: System, t: NDArray[np.float64], sampled: Sampled) -> Path:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Swept:
-    """Flat histories (times, 3 n) and the gauge (times,) of the good samples, m and s, and how it ended."""
+    """Flat histories (times, 3 n), m and s, and the singularity measure (times,) of the good samples; how the motion ended."""
 
     x: NDArray[np.float64]
     v: NDArray[np.float64]
@@ -208,14 +209,14 @@ class Swept:
 
 
 def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | None = None, least: float = LEAST) -> Motion:
-    """`follow` of a compiled system along prescribed histories; failures are in the status."""
+    """`follow` for a compiled system along prescribed histories; failures are reported by the status."""
     s = sweep_path(system, path, start=start, least=least)
     course = Course(t=path.t[: len(s.x)], x=s.x, v=s.v, a=s.a, drive=path.drive, gauge=s.gauge)
     return motion_of(system, course, space, s.status, s.message)
 
 
 def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, least: float = LEAST) -> Swept:
-    """The histories that `follow_path` makes a Motion of."""
+    """The histories from which `follow_path` makes a Motion."""
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
@@ -249,8 +250,8 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
         return Status.COMPLETED, ""
     if good == 0 and (reason == kernel.WEAK or np.allclose(path.drive[0][0], system.drive_start, rtol=0, atol=1e-12)):
         return Status.SINGULAR, (
-            f"The path starts (t = {path.t[0]:g} s) in a singular position, in which the drives do not say which way the "
-            "structure goes on. Start it beside that position, or drive another member there."
+            f"The path starts (t = {path.t[0]:g} s) in a singular position, in which the drives do not determine how the "
+            "structure moves on. Start it near that position, or drive another member there."
         )
     if good == 0:
         return Status.NOT_CONVERGED, (
@@ -258,16 +259,16 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
             "model's own lengths was reached. Start the path at the model's lengths, or draw the model nearer to it."
         )
     here, last = path.t[min(good, len(path.t) - 1)], path.t[good - 1]
-    # where continuation got stuck, row `good` holds the state it reached on the way to that sample
+    # if continuation failed, row `good` holds the last state it reached on the way to that sample
     end = good if reason == kernel.STUCK else good - 1
     weakest = mobility_at(system, x[end].reshape(-1, 3)).smallest_singular_value
     first = mobility_at(system, x[0].reshape(-1, 3)).smallest_singular_value
     text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
     good_to = f"The motion is good up to t = {last:g} s."
     if reason in (kernel.STUCK, PARTED) and weakest > max(0.05 * first, 1e-3):
-        return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Mend the path there."
+        return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Correct the path there."
     if reason in (kernel.STUCK, PARTED) and good < len(path.t) and (far := out_of_reach(system, path, good, x[end])):
-        return Status.OUT_OF_REACH, f"Out of reach {text}: {far}. {good_to} Keep the path inside the reach of the structure."
+        return Status.OUT_OF_REACH, f"Out of reach {text}: {far}. {good_to} Keep the path within the reach of the structure."
     return Status.SINGULAR, (
-        f"The path runs into a singular position {text}. {good_to} Lead it around, or drive another member there."
+        f"The path runs into a singular position {text}. {good_to} Change the path to avoid it, or drive another member there."
     )

@@ -1,4 +1,4 @@
-"""Instants between the samples of a motion that is followed: where drives or members turn far from one to the next."""
+"""Instants between the samples of a motion, added if drives or members turn far from one sample to the next."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
 __all__ = ["REFINED", "between", "halved"]
 
 FAR = 0.8
-"""Turn (rad) from one instant to the next beyond which there are instants in between."""
+"""Largest turn (rad) from one instant to the next; if something turns more, instants are added in between."""
 A_PERIOD = 8
-"""Instants a period, so that nothing goes to and fro unseen."""
+"""Instants per period of a periodic motion, so that a full swing between two instants is not missed."""
 REFINED = 12
-"""Times that instants are put in between."""
+"""Number of refinements at most."""
 MOST = 200_000
-"""Instants in all."""
+"""Number of instants at most."""
 
 
 def between(trajectory: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Instants t (s,), with those among them at which a periodic or tabulated trajectory could turn back unseen."""
+    """Instants t (s,), with added ones at which a periodic or tabulated trajectory could reverse between samples."""
     if len(t) < 2:
         return t
     if isinstance(trajectory, Sine | Cyclic):
@@ -45,11 +45,11 @@ def between(trajectory: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
 def halved(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64], t: NDArray[np.float64], sampled: Sampled | None = None
 ) -> NDArray[np.float64]:
-    """Instants t (s,), with more among them where a member turns far, as good samples x, v (k, 3 n) tell, or a drive.
+    """Instants t (s,), with more added if a member or a drive turns far, judged by the good samples x, v (k, 3 n).
 
     Raises
     ------
-    InputError : they would be too many.
+    InputError : there would be too many instants.
     """
     if len(t) < 2:
         return t
@@ -74,26 +74,26 @@ def halved(
 
 
 def _largest(y: NDArray[np.float64], columns: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Largest magnitude (times,) in some columns of y (times, k)."""
+    """Largest magnitude (times,) over some columns of y (times, k)."""
     size = np.abs(y[:, columns])
     return size[:, 0] if len(columns) == 1 else size.max(axis=1)
 
 
 @kept()
 def _turning(system: System) -> NDArray[np.int64]:
-    """Drives that turn something."""
+    """The drives of angles."""
     drives: NDArray[np.int64] = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)].astype(np.int64)
     return drives
 
 
 def _filled(t: NDArray[np.float64], parts: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Instants t (s,) with every interval in so many equal parts."""
+    """Instants t (s,) with interval i divided into ``parts[i]`` equal parts."""
     count = np.maximum(parts, 1.0)
     if not count.sum() <= MOST:
         k = int(np.argmax(count))
         raise InputError(
-            f"Between the samples at t = {t[k]:g} s and {t[k + 1]:g} s something turns so often that {count.sum():.3g} "
-            f"instants would be needed in all, more than {MOST:,}. Follow a shorter or slower motion."
+            f"Between the samples at t = {t[k]:g} s and {t[k + 1]:g} s something turns so fast that {count.sum():.3g} "
+            f"instants would be needed in total, more than {MOST:,}. Follow a shorter or slower motion."
         )
     whole = count.astype(np.int64)
     if whole.max(initial=1) == 1:

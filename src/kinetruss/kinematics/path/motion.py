@@ -1,4 +1,4 @@
-"""Makes the Motion record from arrays."""
+"""Creates the Motion record from arrays."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def _axes(system: System) -> Axes:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Course:
-    """t (times,) s; x, v, a (times, 3 n); drive : values, rates and second rates (times or more, drives); gauge (times,), None
-    where nobody has looked; passed : the states between samples.
+    """Histories of a motion: t (times,) s; x, v, a (times, 3 n); drive : values, rates and second rates (times or more,
+    drives); gauge (times,) : singularity measure, None if not computed; passed : the states between samples.
     """
 
     t: NDArray[np.float64]
@@ -87,7 +87,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
 
 
 def rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:
-    """Which active members get shorter than one of their rods, and when; empty where none does."""
+    """Which active members become shorter than one of their rods, and when; empty if none does."""
     two = np.flatnonzero(system.two_rods)
     if not len(t) or not len(two):
         return ""
@@ -102,6 +102,6 @@ def rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[
     which = ("base", "tube")[int(rod[k].argmax())]
     more = f" So do {len(bad) - 1} more." if len(bad) > 1 else ""
     return (
-        f"{system.members[two[k]]} gets {least[k]:.6g} m short (t = {t[short[k]]:g} s), shorter than its {which} rod of "
-        f"{rod[k].max():.6g} m, which cannot be: forces count the whole rod.{more} Shorten the rod, or the stroke."
+        f"{system.members[two[k]]} shortens to {least[k]:.6g} m (t = {t[short[k]]:g} s), less than its {which} rod of "
+        f"{rod[k].max():.6g} m, which is impossible: forces include the whole rod.{more} Shorten the rod, or the stroke."
     )

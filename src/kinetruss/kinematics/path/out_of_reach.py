@@ -1,4 +1,4 @@
-"""Whether what a path asks for can be reached at all beyond where it ended, and how near it comes."""
+"""Checks if the prescribed values after the end of a motion can be reached at all, and how near the structure comes."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
 __all__ = ["out_of_reach"]
 
 LARGEST = 300
-"""Free coordinates up to which it is looked for."""
+"""Number of free coordinates up to which the check is made."""
 SHOWN = 3
 HELD = 1e4
-"""Weight of what is not asked to move: it is off by the square of the reciprocal of it."""
+"""Weight of constraints that are not meant to change: their share of the residual is about 1/weight^2."""
 
 
 def out_of_reach(system: System, path: Path, k: int, x: NDArray[np.float64]) -> str:
-    """How near to sample k of a path the structure comes from the positions x (3 n,); "" where it can be closed there.
+    """Text: how near to sample k of a path the structure comes from the positions x (3 n,); "" if it can be closed there.
 
-    The sum of squares of all misses is made least, with those of bars and of drives that stand still weighted so that only the
-    drives that move give way; where it stays above round-off, no configuration near by has the lengths.
+    Minimises the sum of squares of all residuals, with those of bars and of drives at rest weighted so that only the moving
+    drives miss their values. If the minimum is above round-off, no configuration nearby has the prescribed lengths.
     """
     free = np.flatnonzero(~system.prescribed)
     if len(free) > LARGEST:
@@ -57,7 +57,7 @@ def out_of_reach(system: System, path: Path, k: int, x: NDArray[np.float64]) -> 
         found: NDArray[np.float64] = np.reshape(weight, (-1, 1)) * jacobian(system, placed(y).reshape(-1, 3), values)
         return found
 
-    # MINPACK's method takes a fiftieth of the time, and no fewer equations than unknowns
+    # MINPACK's method takes a fiftieth of the time, but needs at least as many equations as unknowns
     method = "lm" if len(rows) >= len(free) else "trf"
     found = least_squares(gaps, here[free], slopes, method=method, xtol=1e-14, ftol=1e-14, gtol=1e-14, max_nfev=200)
     off = gaps(found.x) / weight
@@ -67,4 +67,4 @@ def out_of_reach(system: System, path: Path, k: int, x: NDArray[np.float64]) -> 
     driven = sorted((r for r in driven if abs(off[r]) > 0), key=lambda r: -abs(off[r]))[:SHOWN]
     wanted = values[system.row_drive[driven]] if driven else np.zeros(0)
     near = ", ".join(f"{system.row_name(r)} {w + off[r]:.6g} m of {w:.6g} m" for r, w in zip(driven, wanted, strict=True))
-    return f"the nearest to what is asked for then is {near}" if near else f"the bars would be off by {np.abs(off).max():.3g} m"
+    return f"the nearest possible then is {near}" if near else f"the bars would be off by {np.abs(off).max():.3g} m"

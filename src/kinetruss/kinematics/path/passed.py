@@ -27,9 +27,9 @@ KEPT = ("position", "velocity", "acceleration")
 
 @dataclass(frozen=True, eq=False)
 class Passed:
-    """Instants t (k,), s, with positions x and velocities v (k, 3 n), m, m/s, that lie between samples.
+    """Instants t (k,), s, between samples, with positions x and velocities v (k, 3 n), m, m/s.
 
-    They are kept where something turns so far from one sample to the next that the samples alone do not tell whole turns.
+    They are kept if something turns so far from one sample to the next that the samples alone do not determine whole turns.
     """
 
     t: NDArray[np.float64]
@@ -38,12 +38,12 @@ class Passed:
 
     @classmethod
     def none(cls, size: int) -> Passed:
-        """No state between samples; size : 3 n."""
+        """Record without any state; size : 3 n."""
         return cls(np.zeros(0), np.zeros((0, size)), np.zeros((0, size)))
 
     @classmethod
     def of(cls, system: System, motion: Motion) -> Passed:
-        """Those that a motion holds."""
+        """The states between samples that a motion holds."""
         arrays = motion.arrays
         if "between_time" not in arrays:
             return cls.none(system.x0.size)
@@ -54,16 +54,16 @@ class Passed:
 
     @classmethod
     def joined(cls, parts: Sequence[Passed]) -> Passed:
-        """Those of several parts, one behind the other."""
+        """The states of several parts, one after the other."""
         return cls(*(np.concatenate([getattr(part, k) for part in parts]) for k in ("t", "x", "v")))
 
     def within(self, begin: float, end: float) -> Passed:
-        """Those behind `begin` and before `end`, s."""
+        """The states after `begin` and before `end`, s."""
         inside = (self.t > begin) & (self.t < end)
         return Passed(self.t[inside], self.x[inside], self.v[inside])
 
     def variables(self, system: System) -> dict[str, Column]:
-        """As variables of a motion; none where there are none."""
+        """As variables of a motion; empty if there are no such states."""
         if not len(self.t):
             return {}
         shape, nodal = (len(self.t), len(system.nodes), 3), ("between", "node", "axis")
@@ -77,8 +77,8 @@ class Passed:
 
 @dataclass(frozen=True, eq=False)
 class Refined:
-    """Samples of a motion and the states between them: t (k,) s; x, v, a (k, 3 n) (a is 0 between samples); the places (s,) of
-    the samples.
+    """Samples of a motion and the states between them: t (k,) s; x, v, a (k, 3 n) (a is 0 between samples); the indices (s,)
+    of the samples.
     """
 
     t: NDArray[np.float64]
@@ -112,9 +112,9 @@ def refined(
 
 
 def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int64]]:
-    """Positions, velocities and accelerations of a motion, the states between its samples among them, and the samples' places.
+    """Positions, velocities and accelerations of a motion, with the states between its samples, and the indices of the samples.
 
-    Only angles are to be taken of the states between samples: their accelerations are 0.
+    Use only the angles of states between samples: their accelerations are set to 0.
     """
     check_motion(system, motion)
     passed, t = Passed.of(system, motion), motion.arrays["time"].values
@@ -127,7 +127,7 @@ def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int6
         name: variable(nodal, y.reshape(shape)[:, :, : system.dim], unit, f"node {name}")
         for name, unit, y in zip(KEPT, ("m", "m/s", "m/s^2"), (whole.x, whole.v, whole.a), strict=True)
     }
-    # the motion was held against the model above; the states of a step's polynomial are off it by its error
+    # the motion was checked against the model above; states from a step's polynomial satisfy it up to the polynomial's error
     names = {name: motion.data[name] for name in ("node", "axis", "member")}
     attrs = {**motion.data.attrs, "trajectory_space": "given", "misfit": np.inf}
     time, drives = variable(("time",), whole.t, "s", "time"), ("drive", np.array([" "]))
@@ -135,13 +135,13 @@ def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int6
 
 
 def refuse_uncounted(t: NDArray[np.float64], rate: NDArray[np.float64], what: str) -> None:
-    """Refuse to count whole turns where something may turn by half a turn or more from one instant to the next.
+    """Raise an error if something may turn by half a turn or more from one instant to the next: turns cannot be counted.
 
     t (k,) s; rate (k,) or (k, m) rad/s.
 
     Raises
     ------
-    InputError : where that is, and how many samples would do.
+    InputError : names the instant and the sample spacing that is small enough.
     """
     if len(t) < 2:
         return
@@ -153,5 +153,5 @@ def refuse_uncounted(t: NDArray[np.float64], rate: NDArray[np.float64], what: st
     step = 0.5 * HALF_TURN / max(float(size.max()), 1e-300)
     raise InputError(
         f"{what}: between the samples at t = {t[worst]:.6g} s and {t[worst + 1]:.6g} s it may turn by {ahead[worst]:.3g} rad, "
-        f"more than half a turn, so whole turns cannot be counted. Give samples no more than {step:.2g} s apart."
+        f"more than half a turn, so whole turns cannot be counted. Give samples at most {step:.2g} s apart."
     )

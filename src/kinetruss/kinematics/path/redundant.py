@@ -1,8 +1,8 @@
-"""Positions along prescribed histories: the sweep of the kernel, and what rows that depend on others ask of it.
+"""Positions along prescribed histories: the kernel's sweep, and the treatment of redundant constraints.
 
-Of a redundant structure the kernel works on independent rows only. One set of them may become dependent on the way, or leave
-the configuration open to another branch, where all rows together do neither; so the rows left out are watched, and the set is
-chosen anew where it gets weak.
+For a redundant structure the kernel uses independent constraints only. One set of them may become dependent during the
+motion, or allow another branch, although all constraints together do neither. So the redundant constraints are checked,
+and a new independent set is chosen if the present one becomes badly conditioned.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ LEAST = 1e-6
 """Smallest singular value of a block (unit rows) at which a path counts as singular."""
 
 AGREE = 1e-8
-"""Redundant rows agree with the rest where they are missed by less than this share of the shortest length."""
+"""Tolerance of redundant constraints: their residual as a fraction of the shortest length."""
 
-STRETCH = 64
-"""Samples of a redundant structure that are swept before it is looked at whether the rows left out agree."""
+INTERVAL = 64
+"""Number of samples of a redundant structure between two checks of the redundant constraints."""
 
 PARTED = -1
-"""Of a redundant structure: rows that were left out cannot be met at the next sample."""
+"""Return code: the redundant constraints cannot be satisfied at the next sample."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,14 +61,15 @@ def sweep_redundant(
     histories: tuple[NDArray[np.float64], ...],
     between: bool = True,
 ) -> tuple[int, int, float]:
-    """Sweep by independent rows, as far as the redundant ones agree; where that ends or gets weak, by another set.
+    """Sweep with independent constraints as long as the redundant ones agree; then with another independent set.
 
-    Stretches are short at first, and each is taken only up to where a row that was left out is missed, or the gauge falls
-    to a tenth of what it was. Where no set reaches the next sample, the way there is walked in parts. Returns as the kernel
-    does, PARTED where left-out rows cannot be met; raises `InputError` where drives fight.
+    The intervals are short at first. Each is accepted up to the sample at which a redundant constraint is not satisfied, or
+    the singularity measure falls to a tenth of its largest value. If no set reaches the next sample, it is approached in
+    smaller steps. Returns what the kernel returns, or PARTED if redundant constraints cannot be satisfied. Raises
+    `InputError` if drives contradict each other.
     """
     x, _, _, gauge = histories
-    count, done, ahead, best, fresh = len(path.t), 0, STRETCH, 0.0, True
+    count, done, ahead, best, fresh = len(path.t), 0, INTERVAL, 0.0, True
     while True:
         stop = min(count, done + ahead)
         reason, good, reached = sweep(system, arrangement.plan, path, at, exact, slice(done, stop), least, histories)
@@ -91,7 +92,7 @@ def sweep_redundant(
             arrangement = rearrange(system, x[end - 1].reshape(-1, 3), path.drive[0][end - 1])
             if arrangement.plan is None:
                 return kernel.WEAK, end, 0.0
-            best, fresh, ahead = 0.0, True, STRETCH
+            best, fresh, ahead = 0.0, True, INTERVAL
         else:
             fresh, ahead = False, 2 * ahead
         exact, done = True, end - 1
@@ -99,9 +100,9 @@ def sweep_redundant(
 
 
 def walked(system: System, path: Path, at: NDArray[np.float64], done: int, least: float) -> tuple[NDArray[np.float64], float]:
-    """From positions at (3 n,) at sample `done` straight to the values at the next, in ever smaller parts.
+    """From positions at (3 n,) at sample `done` to the values at the next sample, in smaller and smaller steps.
 
-    Returns the last good positions (3 n,) and the share of the way that they are at.
+    Returns the last good positions (3 n,) and the fraction of the change that they have reached.
     """
     good = 1
     for parts in (8, 64, 512):
@@ -121,7 +122,7 @@ def walked(system: System, path: Path, at: NDArray[np.float64], done: int, least
 
 
 def _straight(path: Path, done: int, parts: int) -> Path:
-    """From sample `done` to the next at constant rates, in equal parts."""
+    """The path from sample `done` to the next at constant rates, in equal parts."""
     share, h = np.linspace(0.0, 1.0, parts + 1)[:, None], path.t[done + 1] - path.t[done]
     laws = []
     for here, there in ((y[0][done], y[0][done + 1]) for y in (path.drive, path.moving)):
@@ -140,7 +141,7 @@ def sweep(
     least: float,
     histories: tuple[NDArray[np.float64], ...],
 ) -> tuple[int, int, float]:
-    """Run the kernel over the samples `here`; `at` (n, 3) is how it stands at the first (exact) or at the start."""
+    """Run the kernel over the samples `here`; `at` (n, 3) are positions at the first of them (exact) or at the start."""
     flat = np.ascontiguousarray(at.reshape(-1))
     values = path.drive[0][here.start] if exact else system.drive_start
     given = kernel.Prescribed(path.t[here], *(tuple(y[here] for y in one) for one in (path.drive, path.moving)))
@@ -151,22 +152,23 @@ def sweep(
 
 
 def _agreeing(system: System, path: Path, extra: NDArray[np.int64], good: slice, x: NDArray[np.float64]) -> int:
-    """How many samples of a stretch come before the first at which a redundant row is missed."""
+    """Number of samples of an interval before the first at which a redundant constraint is not satisfied."""
     off = np.abs(misses(system, extra, path.drive[0][good], x[good])).max(axis=1, initial=0.0)
     far = off > AGREE * shortest(system)
     return int(np.argmax(far)) if far.any() else len(far)
 
 
 def contradicts(system: System, arrangement: Arrangement, path: Path, done: int, x: NDArray[np.float64]) -> bool:
-    """Whether the way on from sample `done` at positions x (3 n,) contradicts itself to first order: then drives fight.
+    """True if the drives contradict each other to first order after sample `done` at positions x (3 n,).
 
-    Where it does not and yet cannot be gone, it ends at the reach of the structure.
+    If they do not and the next sample still cannot be reached, the path ends at the reach of the structure.
     """
     rows, part = np.arange(len(system.row_member)), 1e-4
     here, drive = x.copy(), path.drive[0]
     moving = arrangement.plan.moving  # type: ignore[union-attr]
     here[moving] += part * (path.moving[0][done + 1] - path.moving[0][done])
     values = drive[done] + part * (drive[done + 1] - drive[done])
+    # J dx = wanted in the least-squares sense: a remainder means that no displacement dx satisfies all constraints
     wanted = -misses(system, rows, values[None], here[None])[0]
     J = jacobian(system, here.reshape(-1, 3), values)
     left = wanted - J @ np.linalg.lstsq(J, wanted, rcond=RANK_TOLERANCE)[0]
@@ -174,37 +176,40 @@ def contradicts(system: System, arrangement: Arrangement, path: Path, done: int,
 
 
 def _fight(system: System, path: Path, extra: NDArray[np.int64], k: int, x: NDArray[np.float64]) -> InputError:
-    """What to say of redundant rows that do not agree with the rest at sample k."""
+    """The error if redundant constraints do not agree with the others at sample k."""
     miss = np.abs(misses(system, extra, path.drive[0][k : k + 1], x[k : k + 1])[0])
     r = int(extra[np.argmax(miss)])
     return InputError(
-        f"The drives fight: {system.row_name(r)!r} is held by the rest ({_partners(system, r)}) and cannot do what is "
-        f"prescribed for it from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
+        f"The drives contradict each other: {system.row_name(r)!r} is fixed by the others ({_partners(system, r)}) and "
+        f"cannot follow its prescribed values from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
     )
 
 
 def misses(system: System, rows: NDArray[np.int64], values: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """By how much each of some rows is above what drives at `values` (times, drives) prescribe for it, (times, rows), m."""
+    """Residuals (times, rows), m, of some constraints at x, with drives at `values` (times, drives): value minus target."""
     member, drive = system.row_member[rows], system.row_drive[rows]
     wanted = np.broadcast_to(system.row_value[rows], (len(x), len(rows))).copy()
     wanted[:, drive >= 0] = values[:, drive[drive >= 0]]
     miss = np.empty(wanted.shape)
+    # length of a member: |B - A| minus its target
     distances(system.p[member], system.q[member], x, miss)
     miss -= wanted
     nodes = x.reshape(len(x), len(system.nodes), 3)
     for e in np.flatnonzero((system.row_kind[rows] != LENGTH) | (system.row_measure[rows] >= 0)):
+        # a sum of coordinates: its value minus its target, without whole periods
         m, angle = system.row_measure[rows[e]], wanted[:, e]
         if m >= 0:
             gap, period = measured(system, m, nodes)[:, 0] - angle, system.measure_period[m]
             miss[:, e] = system.measure_scale[m] * (gap - period * np.rint(gap / period) if period > 0 else gap)
         else:
+            # angle of a member: component of B - A normal to the prescribed direction
             d = nodes[:, system.q[member[e]]] - nodes[:, system.p[member[e]]]
             miss[:, e] = d[:, 1] * np.cos(angle) - d[:, 0] * np.sin(angle)
     return miss
 
 
 def _partners(system: System, r: int) -> str:
-    """Names of the drives (or else bars) that share a state of self-stress with row r."""
+    """Names of the drives (or, if none, bars) in a state of self-stress with constraint r."""
     states = mobility_at(system, system.x0).self_stress_states
     shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
     shared[r] = False

@@ -42,13 +42,13 @@ Law = tuple[Floats, Floats, Floats]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sampled:
-    """What the drives of a model do at some times.
+    """Values, rates and accelerations of a model's drives at given times.
 
     drives : names, in the order of ``model.all_drives``.
     times : (n_times,), s.
     value, rate, acceleration : (n_times, n_drives), m or rad, per s, per s^2.
     space : ``pose`` if the trajectory moves at least one pose coordinate, else ``lengths``.
-    poses : name of a pose that is moved -> beta, gamma (rad), height (m) asked for, (n_times, 3).
+    poses : name of a prescribed pose -> its beta, gamma (rad) and height (m), (n_times, 3).
     """
 
     drives: tuple[str, ...]
@@ -114,7 +114,7 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
 
 
 def check_trajectory(system: System, trajectory: Any) -> None:
-    """Refuse a trajectory that names what the model does not have. The check of a record is kept with the model.
+    """Refuse a trajectory with names that the model does not have. The check of a record is kept with the model.
 
     Raises `ModelError`, all faults at once.
     """
@@ -128,9 +128,9 @@ def _faults(system: System, trajectory: ByIdentity) -> tuple[Fault, ...]:
 
 
 def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -> dict[str, Law]:
-    """Value, rate and acceleration (n_times,) of every coordinate that `trajectory` names, whatever it belongs to.
+    """Value, rate and acceleration (n_times,) of every coordinate that `trajectory` names: of drives, poses or nodes.
 
-    `start` gives where constant-rate and sine laws begin (0 where absent).
+    `start` gives the initial values of constant-rate and sine laws (0 if absent).
 
     Raises `InputError` for times outside a table.
     """
@@ -147,7 +147,7 @@ def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -
 
 
 def start_values(model: Model) -> dict[str, float]:
-    """Where every drive of `model` stands: a given length, else what the node positions say; m or rad."""
+    """Initial value of every drive of `model`: its given length, else the value at the node positions; m or rad."""
     return dict(_starts(compile(model)))
 
 
@@ -170,7 +170,7 @@ def _stand(model: Model, name: str, drive: Any) -> float:
 
 
 def _law(trajectory: Any, t: Floats) -> Law:
-    """The law in time that all coordinates of a trajectory share."""
+    """The function of time that is common to all coordinates of a trajectory."""
     if isinstance(trajectory, Quintic):
         return profiles.quintic(t, trajectory.duration)
     if isinstance(trajectory, Trapezoid):
@@ -183,7 +183,7 @@ def _law(trajectory: Any, t: Floats) -> Law:
         return profiles.cyclic(t, trajectory.period)
     if isinstance(trajectory, StepResponse):
         return profiles.step_response(t, trajectory.frequency, trajectory.damping, trajectory.pole)
-    raise InputError(f"{type(trajectory).__name__} has no law in time. Give one of the trajectory records, e.g. kt.Quintic.")
+    raise InputError(f"{type(trajectory).__name__} is not a trajectory. Give one of the trajectory records, e.g. kt.Quintic.")
 
 
 def _table(trajectory: Spline, t: Floats) -> Law:
@@ -196,7 +196,7 @@ def _table(trajectory: Spline, t: Floats) -> Law:
 
 
 def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float], names: Mapping[str, Any]) -> dict[str, float]:
-    """Pose coordinates of the model's own configuration, from the lengths in it, for poses that need them."""
+    """Pose coordinates of the model's own configuration, computed from its lengths, for poses that need them."""
     standing: dict[str, float] = {}
     for name in poses:
         pose = model.poses[name]
@@ -216,7 +216,7 @@ def _move_poses(
     column: Mapping[str, int],
     jets: Floats,
 ) -> tuple[Floats, Floats]:
-    """Write the drives of all moved poses into jets; returns what was asked (n, poses, 3, 3) and its reach margins."""
+    """Write the drives of all moved poses into jets; returns the prescribed poses (n, poses, 3, 3) and their reach margins."""
     asked = np.zeros((jets.shape[0], len(poses), 3, 3))
     lengths, margin = np.empty_like(asked), np.ones(asked.shape[:2])
     if not poses:

@@ -1,4 +1,4 @@
-"""Result records: datasets with named axes and units, a status, where they came from."""
+"""Result records: datasets with named axes and units, a status and their provenance."""
 
 from __future__ import annotations
 

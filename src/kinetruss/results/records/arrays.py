@@ -1,6 +1,6 @@
-"""Arrays of a result with the names of their axes, and the dataset that is made of them when somebody asks for one.
+"""Arrays of a result with named axes, and the xarray dataset that is made from them when it is first needed.
 
-Making a dataset of xarray takes longer than following a four-bar through two hundred samples.
+Making a dataset takes longer than computing two hundred samples of a four-bar.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ __all__ = ["HELD", "Arrays", "Axes", "Column", "Columns", "columns_of", "variabl
 
 
 class Column(NamedTuple):
-    """An array with the names of its axes and its attributes, in the order in which xarray takes them."""
+    """An array with the names of its axes and its attributes, in the argument order of xarray."""
 
     dims: tuple[str, ...]
     values: NDArray[Any]
@@ -36,7 +36,7 @@ def variable(dims: tuple[str, ...], values: NDArray[Any], units: str, name: str)
 
 
 class Axes:
-    """Names along the axes of a result, which do not change from call to call: indexed once, for the first dataset.
+    """Names along the axes of a result. They do not change from call to call, so they are indexed once, for the first dataset.
 
     names : axis -> names, a `Column`, or a pair (axis, names).
     """
@@ -65,9 +65,9 @@ def _column(name: str, given: Any) -> Column:
 
 
 class Arrays:
-    """What a result holds: arrays over fixed axes and, but where it is None, over a time axis (times,), s.
+    """The arrays of a result, over fixed axes and, unless it is None, over a time axis (times,), s.
 
-    Once the dataset is made it is the only place to read from: it may have been changed.
+    After the dataset is made, all values are read from it, since the user may have changed it.
     """
 
     def __init__(self, axes: Axes, time: NDArray[Any] | None, data: Columns, attrs: Mapping[str, Any]) -> None:
@@ -83,7 +83,7 @@ class Arrays:
 
     @property
     def later(self) -> xr.Dataset:
-        """The arrays themselves, as the field `data` of a result takes them: it makes the dataset when it is asked for it."""
+        """The arrays for the field `data` of a result, which makes the dataset when it is first read."""
         return cast("xr.Dataset", self)
 
     @property
@@ -98,7 +98,7 @@ class Arrays:
 
     @property
     def attrs(self) -> dict[str, Any]:
-        """Attributes of the whole."""
+        """Attributes of the dataset."""
         return self._attrs if self._dataset is None else self._dataset.attrs
 
     def _made(self) -> xr.Dataset:
@@ -119,7 +119,7 @@ def columns_of(data: xr.Dataset) -> Columns:
 
 
 class Held:
-    """The field `data` of a result: it holds a dataset, or arrays of which the dataset is made when it is read."""
+    """The field `data` of a result: a dataset, or arrays from which the dataset is made when it is first read."""
 
     def __get__(self, result: Any, kind: type | None = None) -> xr.Dataset:
         if result is None:

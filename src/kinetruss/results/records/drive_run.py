@@ -1,4 +1,4 @@
-"""What a drive train did when it was fed: histories, episodes, a trajectory."""
+"""The response of a drive train to its input: histories, episodes, a trajectory."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["DriveRun", "Episode"]
 
 @dataclass(frozen=True, slots=True)
 class Episode:
-    """A time in which a drive could not do as it was told, or did by itself.
+    """An interval in which a drive could not follow its input, or moved without it.
 
     kind : ``input saturated``, ``voltage saturated``, ``current saturated``, ``speed limit``, ``too fast``, ``stuck``,
     ``driven back``, ``end of stroke``.
@@ -31,7 +31,7 @@ class Episode:
 
     @property
     def ratio(self) -> float:
-        """Wanted over possible."""
+        """Ratio of wanted to possible."""
         return self.wanted / self.possible if self.possible else float("inf")
 
     def __str__(self) -> str:
@@ -63,7 +63,7 @@ class Episode:
 class DriveRun(Result):
     """Histories of a drive train over time; see `actuators.simulate_drive`.
 
-    episodes : what held it back, in order of time.
+    episodes : intervals in which it was limited, in order of time.
     """
 
     episodes: tuple[Episode, ...] = ()
@@ -71,9 +71,9 @@ class DriveRun(Result):
     def trajectory(self, drive: str) -> Spline:
         """The history of the length or angle as a trajectory of a drive or active member: a quintic spline through samples.
 
-        Where the acceleration jumps (a step input, a reversal of friction) the spline rounds it off between two samples.
+        If the acceleration jumps (a step input, a reversal of friction), the spline smooths the jump between two samples.
         """
         moved = "angle" if "angle" in self.data else "length"
         rows, values = (tuple(self.data[name].values.tolist()) for name in ("time", moved))
-        # samples are as close as the user wants them; a pause is none of a measured record
+        # the user chooses the sample spacing; a long interval is not a gap of a measured record
         return Spline(times=rows, values={drive: values}, largest_gap=1e9)

@@ -1,4 +1,4 @@
-"""Where a result came from."""
+"""The origin of a result."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ __all__ = ["model_hash", "provenance"]
 
 
 def model_hash(model: Model) -> str:
-    """SHA-256 of everything in the model, first 16 hex digits."""
+    """SHA-256 of the whole model, first 16 hex digits."""
     return _hash(ByIdentity(model))
 
 
 @lru_cache(maxsize=32)
 def _hash(key: ByIdentity) -> str:
-    # hashing a large model costs as much as analysing a short motion of it
+    # hashing a large model takes as long as a short motion of it
     return hashlib.sha256(key.model.model_dump_json().encode()).hexdigest()[:16]
 
 
 @cache
 def _versions() -> dict[str, str]:
-    # read once: looking them up takes as long as the section forces of a thousand samples
+    # read once: finding the versions takes as long as the section forces of a thousand samples
     found = {name: version(name) for name in ("kinetruss", "numpy", "numba")}
     return found | {"python": platform.python_version()}
 

@@ -1,4 +1,4 @@
-"""Results: an xarray dataset with named axes and units, a status, and where it came from."""
+"""Results: an xarray dataset with named axes and units, a status and its provenance."""
 
 from __future__ import annotations
 
@@ -16,46 +16,46 @@ if TYPE_CHECKING:
 __all__ = ["Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict"]
 
 LONGEST = 300
-"""Characters of status and message that `repr` shows."""
+"""Largest number of characters of status and message in `repr`."""
 
 
 class Status(Enum):
-    """How an analysis ended; the value is the sentence a person reads."""
+    """How an analysis ended; the value is a sentence for the user."""
 
     COMPLETED = "Completed."
     NOT_CONVERGED = "The lengths cannot be closed: no configuration was found near the last good one."
     SINGULAR = "The path runs into a singular position; it was stopped at the last good state."
-    OUT_OF_REACH = "What is asked for is out of reach; it was stopped at the last good state."
-    INCONSISTENT = "The drives fight: the prescribed motion contradicts itself."
-    SATURATED = "Completed, but the drive saturated on the way: it did not do all it was told."
-    SPEED_LIMIT = "Completed, but the motor ran at its largest speed on the way."
-    STALLED = "The drive is too weak: it stood still against its load while it was told to move."
+    OUT_OF_REACH = "The prescribed values are out of reach; the motion was stopped at the last good state."
+    INCONSISTENT = "The drives contradict each other."
+    SATURATED = "Completed, but the drive saturated: it did not follow its input everywhere."
+    SPEED_LIMIT = "Completed, but the motor reached its largest speed."
+    STALLED = "The drive is too weak: it did not move against its load while its input was not zero."
     END_OF_STROKE = "The drive ran to the end of its stroke; it was stopped there."
     NO_EQUILIBRIUM = "No equilibrium was found; this is the best state reached."
-    UNSURE = "No digit of the result is sure: the equations are all but singular."
-    EVENT = "Completed: an event that was to stop the run did so."
-    STEP_TOO_SMALL = "No step is small enough to go on; the run was stopped at the last good state."
+    UNSURE = "No digit of the result is certain: the equations are nearly singular."
+    EVENT = "Completed: an event stopped the run as requested."
+    STEP_TOO_SMALL = "No step is small enough to continue; the run was stopped at the last good state."
     STEP_NOT_CONVERGED = "The equations of an implicit step were not solved; the run was stopped. Use a smaller step."
     STIFF = "The fast vibrations of stiff bars force tiny explicit steps; the run was stopped. Use EnergyMomentum instead."
-    NOT_FINITE = "A force or the motion is no finite number; the run was stopped at the last good state."
+    NOT_FINITE = "A force or the motion is not finite; the run was stopped at the last good state."
     USER_FORCE = "The user's force function failed; the run was stopped at the last good state."
-    ENERGY_GROWS = "The energy grows without a cause; the run was stopped at the last good state."
-    TOO_MANY_STEPS = "The run took as many steps as it may; it was stopped there."
-    INTERRUPTED = "Interrupted on the way; what is done is good."
-    RUNNING = "Still being computed; what is done is good."
+    ENERGY_GROWS = "The energy grows without a source; the run was stopped at the last good state."
+    TOO_MANY_STEPS = "The run reached the largest number of steps and was stopped there."
+    INTERRUPTED = "Interrupted; the samples so far are good."
+    RUNNING = "Still being computed; the samples so far are good."
 
     @property
     def ok(self) -> bool:
-        """True only for a complete result."""
+        """True if the result is complete."""
         return self in (Status.COMPLETED, Status.EVENT)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Result:
-    """Arrays with names. ``result.position`` is ``result.data["position"]``.
+    """Named arrays. ``result.position`` is ``result.data["position"]``.
 
-    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``. It is made when it is first asked for.
-    status, message : how it ended; only samples that are good are in `data`.
+    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``. It is made when it is first read.
+    status, message : how the analysis ended; `data` has only good samples.
     provenance : versions, options and model of the computation.
     """
 
@@ -66,13 +66,13 @@ class Result:
 
     @property
     def arrays(self) -> Columns:
-        """The same as plain arrays: name -> ``dims``, ``values``, ``attrs``. No dataset is made for it."""
+        """The data as plain arrays: name -> ``dims``, ``values``, ``attrs``. No dataset is made."""
         held = self.__dict__["data"]
         return held.columns if isinstance(held, Arrays) else columns_of(held)
 
     @property
     def attrs(self) -> dict[str, Any]:
-        """What the arrays as a whole are: ``data.attrs``."""
+        """Attributes of the whole result: ``data.attrs``."""
         held = self.__dict__["data"]
         found: dict[str, Any] = held.attrs
         return found
@@ -90,7 +90,7 @@ class Result:
         return [*super().__dir__(), *(str(name) for name in self.data.variables)]
 
     def __repr__(self) -> str:
-        """How it ended, and name, axes and unit of every array; ``result.data`` shows the numbers."""
+        """The status, and name, axes and unit of every array; ``result.data`` shows the numbers."""
         rows = [
             (str(name), f"({', '.join(f'{axis}: {size}' for axis, size in array.sizes.items())})", array.attrs.get("units", ""))
             for name, array in self.data.data_vars.items()
@@ -101,7 +101,9 @@ class Result:
         return "\n".join([head if len(head) <= LONGEST else f"{head[: LONGEST - 3]}...", *lines])
 
     def to_dataframe(self) -> Any:
-        """A pandas table: one row an instant (or pose), one column a value, called ``member_force[M1]``; units as in `data`."""
+        """A pandas table: one row per instant (or pose), one column per value, e.g. ``member_force[M1]``; units as in
+        `data`.
+        """
         return wide(self.data)
 
     def with_(self, **changes: Any) -> Self:
@@ -111,15 +113,15 @@ class Result:
 
 
 class Motion(Result):
-    """Positions, velocities, accelerations of all nodes in time, and what follows from them."""
+    """Positions, velocities and accelerations of all nodes over time, and derived quantities."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Forces(Result):
     """Member forces, reactions and drive forces of one load case along a motion.
 
-    motion : the motion they belong to.
-    static : the forces of the same poses at rest, or None where they were not asked for.
+    motion : their motion.
+    static : the forces of the same poses at rest, or None if they were not requested.
     """
 
     motion: Motion
@@ -127,7 +129,7 @@ class Forces(Result):
     load_case: str = "all"
 
     def difference(self) -> xr.Dataset:
-        """Total minus static: what the motion alone causes."""
+        """Total minus static: the effect of the motion alone."""
         if self.static is None:
             raise ValueError("No static forces were computed. Call dynamics.inverse(..., static=True).")
         whole = ("energy", "power", "action_place")
@@ -136,18 +138,18 @@ class Forces(Result):
 
 
 class Sections(Result):
-    """Section forces along members in time."""
+    """Section forces along members over time."""
 
 
 class Verdict(Result):
     """Utilisation of every member part by every rule."""
 
     def table(self) -> list[Row]:
-        """Rows, highest utilisation first; what could not be checked comes last and says why."""
+        """Rows, highest utilisation first; entries that could not be checked are last, with the reason."""
         return rows_of(self.arrays, "part", "rule")
 
     def not_checked(self) -> dict[str, list[str]]:
-        """``rule: what is missing`` -> the parts that were not checked for it."""
+        """``rule: what is missing`` -> the parts that were not checked for this reason."""
         found: dict[str, list[str]] = {}
         for row in self.table():
             if not row.checked and row.note.startswith(NOT_CHECKED):
@@ -156,7 +158,7 @@ class Verdict(Result):
 
 
 class Demand(Result):
-    """What screws, gears and motors must deliver."""
+    """Forces, torques, speeds and powers that screws, gears and motors must provide."""
 
     def table(self) -> list[Row]:
         """Rows of peak demand against limit, highest utilisation first."""

@@ -22,7 +22,7 @@ COLUMNS = ("part", "rule", "value", "limit", "utilisation", "margin", "time", "s
 _UNITS = {"value": "", "limit": "", "utilisation": "%", "position": "m"}
 
 NOT_CHECKED = "not checked: "
-"""How the note of an entry begins that lacks what its rule needs."""
+"""Start of the note of an entry that lacks data for its rule."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,8 +31,8 @@ class Row:
 
     part : bar, active member or its ``.base`` or ``.tube``; member : the member it belongs to. rule : what was checked.
     value, limit : in `unit`. utilisation : value/limit; margin : 1/utilisation - 1 (negative: not enough).
-    time : s, of the worst; station : fraction of the part's length from its end towards A, and position : m from end A
-    (NaN where no place belongs to it). pose : name of the worst pose, of forces of poses at rest.
+    time : s, of the worst instant; station : fraction of the part's length from its end towards A, and position : m from end
+    A (NaN if the entry has no place). pose : name of the worst pose, for forces of poses at rest.
     note : the formula used, or why it was not checked (then the numbers are NaN).
     """
 
@@ -53,20 +53,20 @@ class Row:
 
     @property
     def checked(self) -> bool:
-        """False for an entry that lacks what its rule needs; `note` says what."""
+        """False for an entry that lacks data for its rule; `note` says which."""
         return not math.isnan(self.utilisation)
 
 
 def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
-    """Rows of arrays over (subject, rule), highest utilisation first, what was not checked last.
+    """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last.
 
-    Entries that do not apply (NaN without a note) are left out.
+    Entries that do not apply (NaN without a note) are omitted.
     """
     parts, rules = data[subject].values.tolist(), [str(name) for name in data[rule].values]
     count = len(parts)
     members = data["member"].values.tolist() if "member" in data else parts
     units = data["unit"].values.tolist()
-    # read as a whole: taking single values out of a dataset costs a hundred times as much
+    # read whole arrays: reading single values from a dataset takes a hundred times as long
     numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
     texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}
     rows = []
@@ -102,7 +102,7 @@ def _worst_first(row: Row) -> tuple[bool, float]:
 
 
 def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:
-    """Rows as plain text, one line each, below a head line; ``-`` where there is nothing.
+    """Rows as plain text, one line each, below a head line; ``-`` if there is no value.
 
     >>> print(row_text([Row(part="M6", member="M6", rule="yield", value=1.2e6, limit=2.4e8, unit="Pa", utilisation=0.005,
     ...                     margin=199.0, time=0.5, station=1.0)], ("part", "rule", "value", "utilisation", "margin")))

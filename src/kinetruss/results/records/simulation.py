@@ -1,4 +1,4 @@
-"""A motion that was let go: its histories, what happened on the way, and how well it was integrated."""
+"""The result of a simulation: its histories, its events, and the accuracy of the integration."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["Occurrence", "Passage", "Simulation", "happened"]
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A wanted event came: its name, when (s), whether its quantity was rising (+1) or falling (-1), and its value there."""
+    """An event: its name, time (s), direction of its quantity, rising (+1) or falling (-1), and the value there."""
 
     name: str
     time: float
@@ -32,10 +32,10 @@ class Occurrence:
 
 @dataclass(frozen=True, slots=True)
 class Passage:
-    """A singular position was passed: when (s), and the smallest scaled pivot seen there (0 is singular).
+    """A passage of a singular position: its time (s), and the smallest scaled pivot there (0 is singular).
 
-    The branch kept is the one on which positions and velocities stay continuous; `certain` is False where another one was so
-    near that the tolerance cannot tell them apart.
+    The motion continues on the branch with continuous positions and velocities. `certain` is False if another branch is so
+    near that the tolerance cannot distinguish them.
     """
 
     time: float
@@ -52,7 +52,7 @@ class Simulation(Result):
     """Forward dynamics; see `dynamics.simulate`.
 
     motion : positions, velocities, accelerations; forces : member forces, reactions, drive forces along it.
-    data : energies, momenta and how the integration went, over time.
+    data : energies, momenta and diagnostics of the integration over time.
     """
 
     motion: Motion
@@ -60,20 +60,20 @@ class Simulation(Result):
 
     @property
     def events(self) -> tuple[Occurrence, ...]:
-        """Wanted events that came, in the order of time."""
+        """The events in order of time."""
         return occurrences(self.data)
 
     @property
     def passages(self) -> tuple[Passage, ...]:
-        """Singular positions passed, in the order of time."""
+        """The singular positions passed, in order of time."""
         return passages(self.data)
 
 
 def happened(arrays: Mapping[str, Any]) -> dict[str, Column]:
-    """Variables of a simulation that have no time axis, from plain arrays.
+    """The variables of a simulation without a time axis, from plain arrays.
 
     events (k, 4) : index of the event, time, direction, value; event_names of all events; passages (k, 3) : time, smallest
-    pivot, 1 where the branch is certain.
+    pivot, 1 if the branch is certain.
     """
     if "events" not in arrays:
         return {}
@@ -87,7 +87,7 @@ def happened(arrays: Mapping[str, Any]) -> dict[str, Column]:
         "event_value": variable(one, events[:, 3].copy(), "m or N", "value at the event"),
         "passage_time": variable(other, passed[:, 0].copy(), "s", "time of the passage of a singular position"),
         "passage_pivot": variable(other, passed[:, 1].copy(), "", "smallest scaled pivot there"),
-        "passage_certain": variable(other, passed[:, 2].copy(), "", "1 where the branch is certain"),
+        "passage_certain": variable(other, passed[:, 2].copy(), "", "1 if the branch is certain"),
     }
 
 

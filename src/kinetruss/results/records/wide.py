@@ -1,4 +1,4 @@
-"""Histories side by side: one row an instant, one column a value."""
+"""Histories as one table: one row per instant, one column per value."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ __all__ = ["flat", "labels", "wide"]
 
 
 def wide(data: xr.Dataset) -> Any:
-    """A pandas table of a dataset along time, a column for every value of an instant; without time one row a name.
+    """A pandas table of a dataset along time, with a column for every value of an instant; without time one row per name.
 
-    An empty dimension (no supports, no active members) has no columns and takes none from the others.
+    An empty dimension (no supports, no active members) has no columns and does not affect the others.
     """
     import importlib
 
     import numpy as np
 
-    pd = importlib.import_module("pandas")  # xarray brings it; its types come in a package of their own
+    pd = importlib.import_module("pandas")  # pandas comes with xarray; its types are in a separate package
 
     if "time" not in data.dims:
         return data.drop_vars([name for name, one in data.data_vars.items() if not one.size]).to_dataframe()
@@ -37,7 +37,7 @@ def wide(data: xr.Dataset) -> Any:
 
 
 def flat(data: xr.DataArray) -> Any:
-    """(times, values) of a history, in the order of `labels`."""
+    """A history as (times, values), in the order of `labels`."""
     return data.values.reshape(data.sizes["time"], -1) if data.size else data.values.reshape(len(data.values), 0)
 
 

@@ -1,4 +1,4 @@
-"""The run store: folders that are whole or not there, one writer each, readable while they grow."""
+"""The run store: folders with one writer each that are readable during the run and after an interruption."""
 
 from __future__ import annotations
 

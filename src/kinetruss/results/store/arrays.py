@@ -1,4 +1,4 @@
-"""The arrays of a run folder as zarr reads them, with one difference: what is missing or damaged is an error, not NaN or 0."""
+"""Reads the arrays of a run folder by zarr, but a missing or damaged chunk is an error instead of NaN or 0."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ CHUNK = re.compile(r"(?:.*/)?(\d+)(?:\.\d+)*")
 
 
 class RunArrays(LocalStore):
-    """Reads the arrays of one run, and of no other that takes its place in the folder on the way.
+    """Reads the arrays of one run; it is an error if another run replaces it in the folder.
 
-    A run is told by its model, which is written once, last of all when a run begins, and removed first when it is replaced.
-    blocks : so many chunks along the first axis are there; of a run on its way, others may be.
+    The model file identifies a run: it is written once, as the last step of the start, and removed first when the run is
+    replaced. blocks : number of chunks along the first axis; a running analysis may have more.
     """
 
     def __init__(self, root: Path | str, *, blocks: int = 0, read_only: bool = True) -> None:
@@ -32,15 +32,15 @@ class RunArrays(LocalStore):
         self._stamp = stamp_of(self._model)
 
     def with_read_only(self, read_only: bool = False) -> RunArrays:
-        """The same arrays."""
+        """Returns the store itself: it is always read-only."""
         return RunArrays(self.root, blocks=self._blocks, read_only=read_only)
 
     async def get(self, key: str, *given: Any, **more: Any) -> Any:
-        """One file. Raises StoreError where a chunk is missing, or the run is another one by now."""
+        """Read one file. Raises StoreError if a chunk is missing, or another run has replaced this one."""
         return self._checked(key, await super().get(key, *given, **more))
 
     def get_sync(self, key: str, **more: Any) -> Any:
-        """The same at once."""
+        """The same without asyncio."""
         return self._checked(key, super().get_sync(key, **more))
 
     def _checked(self, key: str, found: Any) -> Any:
@@ -52,7 +52,7 @@ class RunArrays(LocalStore):
 
 
 def _wrong(chunk: Any) -> str:
-    """What is wrong with a chunk: it is not there, or not as it was written (its checksum says so)."""
+    """The fault of a chunk as text: it is missing, or its checksum is wrong."""
     if chunk is None:
         return "is missing"
     try:

@@ -1,7 +1,7 @@
-"""Where an integration stands behind each committed block: plain arrays in OUT/state/COUNT.npz.
+"""The state of an integration after each committed block: plain arrays in OUT/state/COUNT.npz.
 
-The name holds the number of samples behind which the state belongs. It is written before the ledger counts the block, and the
-one before it is removed after: a kill at any instant leaves the state of the count that the ledger names.
+COUNT is the number of samples before the state. The file is written before the ledger counts the block, and the previous
+one is removed afterwards. So after a kill at any instant there is a state for the count in the ledger.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ __all__ = ["drop_states", "read_state", "write_state"]
 
 
 def write_state(path: Path, count: int, arrays: Mapping[str, NDArray[Any]]) -> None:
-    """Write the state behind `count` samples, in one step."""
+    """Write the state after `count` samples, in one step."""
     target = _file(path, count)
     target.parent.mkdir(exist_ok=True)
     packed = io.BytesIO()
@@ -40,11 +40,11 @@ def write_state(path: Path, count: int, arrays: Mapping[str, NDArray[Any]]) -> N
 
 
 def read_state(path: Path, count: int) -> dict[str, NDArray[Any]] | None:
-    """The state behind `count` samples, or None where there is none.
+    """The state after `count` samples, or None if there is none.
 
     Raises
     ------
-    StoreError : it is there but damaged.
+    StoreError : the file is damaged.
     """
     file = _file(path, count)
     try:
@@ -57,7 +57,7 @@ def read_state(path: Path, count: int) -> dict[str, NDArray[Any]] | None:
 
 
 def drop_states(path: Path, keep: int | None = None) -> None:
-    """Remove states, but that behind `keep` samples."""
+    """Remove all states except that after `keep` samples."""
     folder = path / STATE
     kept = None if keep is None else _file(path, keep)
     for file in folder.glob("*.*"):

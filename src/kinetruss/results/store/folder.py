@@ -1,4 +1,4 @@
-"""The folder of a run: how it is recognised, its ledger, and what may be replaced in it."""
+"""The folder of a run: how it is recognised, its ledger, and which files may be replaced."""
 
 from __future__ import annotations
 
@@ -26,22 +26,22 @@ FORMAT = 1
 ARRAYS = "results.zarr"
 PACKED = "results.zarr.zip"
 PICTURES = "pictures"
-"""Folder in a run folder that its pictures go to."""
+"""Folder of the pictures in a run folder."""
 REPORT = "report"
-"""Folder in a run folder that its report goes to."""
+"""Folder of the report in a run folder."""
 STATE = "state"
 DRAFT = ".kinetruss.part"
-"""What a run in one file is made in, in its folder; a process that was killed may leave it."""
+"""Temporary files of a run in one file, in its folder; a killed process may leave them."""
 OWN = (MODEL, ARRAYS, PACKED, PICTURES, REPORT, STATE, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ledger:
-    """What is known of a stored run.
+    """The state of a stored run.
 
-    committed, samples : good samples, and samples asked for.
+    committed, samples : good samples, and requested samples.
     state : ``writing`` until the end; then ``finished``.
-    status, message : of a finished run, the name of a `Status` and its details; of an interrupted one, INTERRUPTED.
+    status, message : for a finished run, the name of a `Status` and its details; for an interrupted one, INTERRUPTED.
     """
 
     run: str
@@ -59,12 +59,12 @@ class Ledger:
 
     @property
     def whole(self) -> bool:
-        """True when the run ended and every sample is good, or an event that was to end it did."""
+        """True if the run ended and every sample is good, or an event stopped it as requested."""
         return self.state == "finished" and (self.committed == self.samples or self.status == "EVENT")
 
 
 def is_store(path: Path) -> bool:
-    """True for a folder made by this package: its ledger says so."""
+    """True for a folder made by this package, recognised by its ledger."""
     try:
         return bool(read_ledger(path).get("kinetruss_run"))
     except (OSError, ValueError, AttributeError):
@@ -78,7 +78,7 @@ def read_ledger(path: Path) -> dict[str, Any]:
 
 
 def check_target(path: Path, overwrite: bool) -> None:
-    """Refuse an output folder that would lose something, whoever writes it.
+    """Raise an error if writing to a folder would lose data.
 
     Raises
     ------
@@ -91,21 +91,21 @@ def check_target(path: Path, overwrite: bool) -> None:
     if not path.is_dir():
         raise InputError(f"{path} is a file. Name a folder for the run.")
     if all(item.name in (LOCK, DRAFT) for item in path.iterdir()):
-        return  # what a process that was killed has left
+        return  # left by a killed process
     if is_store(path) and not overwrite:
         raise InputError(f"{path} holds a run already. Name another folder, or replace it with --overwrite (overwrite=True).")
     if not is_store(path):
         raise InputError(
-            f"{path} is not empty and is no kinetruss run, so it is never overwritten. Name another folder, "
+            f"{path} is not empty and is not a kinetruss run, so it is never overwritten. Name another folder, "
             "or empty it yourself."
         )
 
 
 @contextmanager
 def claimed(path: Path, overwrite: bool) -> Iterator[Lock]:
-    """A folder held for one run, from before its first sample is computed; nothing in it is touched.
+    """Lock a folder for one run before its first sample is computed; its files are not changed.
 
-    A folder that is made for it goes again where nothing is written.
+    A folder that was made for the run is removed again if nothing is written.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def write_ledger(path: Path, ledger: Ledger) -> None:
 
 
 def ledger_text(ledger: Ledger) -> str:
-    """The ledger as it is written."""
+    """The text of the ledger."""
     return json.dumps({name: getattr(ledger, name) for name in ledger.__slots__}, indent=1, default=str)
 
 
@@ -145,10 +145,10 @@ def atomic(target: Path, text: str, *, durable: bool = True) -> None:
 
 
 def clear(path: Path, *, ledger: bool = True) -> None:
-    """Remove what a run wrote; other files stay.
+    """Remove the files of a run; other files stay.
 
-    The model goes first, so that nobody goes on with half a run; the ledger last or not at all, so that a kill leaves the
-    folder recognisable.
+    The model is removed first, so that nobody continues half a run; the ledger last or not at all, so that the folder is
+    still recognised after a kill.
     """
     for name in OWN if ledger else OWN[:-1]:
         target = path / name
@@ -159,18 +159,18 @@ def clear(path: Path, *, ledger: bool = True) -> None:
 
 
 def failure(path: Path, ledger: Ledger, error: OSError) -> str:
-    """What the disk said, what is kept, and the mend."""
+    """The error of the disk, the samples that are kept, and the fix."""
     cause, mend = cause_and_mend(error)
     cause = f"the disk is full ({cause})" if error.errno in FULL else cause
     if not _keeps(path, ledger):
-        return f"{path}: {cause}. The run is no longer in it as it was written: something else changed it. Run it again."
+        return f"{path}: {cause}. The run in it was changed by another program. Run it again."
     kept = f"{ledger.committed} of {ledger.samples} samples are kept in it and good"
-    go_on = f"go on with: kinetruss run --resume {path}" if ledger.committed else "run it again with --overwrite."
+    go_on = f"continue with: kinetruss run --resume {path}" if ledger.committed else "run it again with --overwrite."
     return f"{path}: {cause}; {kept}. {f'{mend} and {go_on}' if mend else go_on[0].upper() + go_on[1:]}"
 
 
 def _keeps(path: Path, ledger: Ledger) -> bool:
-    """Whether the folder still has what the ledger counts."""
+    """True if the folder still has all samples that the ledger counts."""
     if not ledger.committed:
         return path.is_dir()
     try:

@@ -1,10 +1,10 @@
-"""One writer a run folder: a lock that the system frees when its process ends, and a note of who holds it.
+"""One writer per run folder: a lock that the system frees when its process ends, and a note on its holder.
 
     OUT/kinetruss.lock     while a process writes the run: its number, its machine, since when
 
-The lock is the system's own (flock) on that file: what a killed process leaves behind hinders nobody, and over NFS the lock
-holds between machines. Where a file system has no locks, the note decides: a process that is alive, or one of another machine,
-holds the folder. The file goes when its writer ends.
+The lock is the system's (flock) on that file, so the file of a killed process blocks nobody, and over NFS the lock works
+between machines. If a file system has no locks, the note decides: a living process, or one on another machine, holds the
+folder. The file is removed when its writer ends.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Lock:
     process: int
 
     def check(self) -> None:
-        """Refuse to go on where the folder is no longer the one that was locked.
+        """Raise an error if the folder is no longer the one that was locked.
 
         Raises
         ------
@@ -47,12 +47,12 @@ class Lock:
         """
         if self.handle is not None and not _stands(self.path, self.handle):
             raise StoreError(
-                f"{self.path} was removed or replaced by something else while this run was written to it. "
-                "Nothing more is written. Run it again, to a folder of its own."
+                f"{self.path} was removed or replaced while this run was written to it. "
+                "Nothing more is written. Run it again, to a separate folder."
             )
 
     def release(self) -> None:
-        """Let another process write. A copy of the process that took the lock releases nothing."""
+        """Let another process write. A forked copy of the locking process releases nothing."""
         if self.handle is None or self.process != os.getpid():
             return
         if _stands(self.path, self.handle):
@@ -63,7 +63,7 @@ class Lock:
 
 
 def hold(path: Path) -> Lock:
-    """Hold a folder for one writer.
+    """Lock a folder for one writer.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def hold(path: Path) -> Lock:
         if not _taken(path, handle):
             os.close(handle)
             time.sleep(PAUSE)
-        elif not _stands(path, handle):  # its holder took the file away in between: what is locked is nothing any more
+        elif not _stands(path, handle):  # the holder removed the file in between: the locked file no longer has a name
             os.close(handle)
         else:
             _sign(path, handle)
@@ -87,7 +87,7 @@ def hold(path: Path) -> Lock:
 
 @contextmanager
 def holding(path: Path) -> Iterator[Lock]:
-    """A folder held for one writer, and made where there is none; where nothing is written to it, it goes again.
+    """Lock a folder for one writer, and make it if there is none; a new folder is removed again if nothing is written to it.
 
     Raises
     ------
@@ -101,13 +101,13 @@ def holding(path: Path) -> Iterator[Lock]:
     finally:
         if held is not None:
             held.release()
-        with suppress(OSError):  # something was written
+        with suppress(OSError):  # the folder is not empty
             for folder in made:
                 folder.rmdir()
 
 
 def _hold_made(path: Path, tries: int = TRIES) -> Lock:
-    """Make the folder and hold it; again where another writer, on its way out, removes it as empty in between."""
+    """Make the folder and lock it; repeat if another writer that ends removes the empty folder in between."""
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -121,7 +121,7 @@ def _hold_made(path: Path, tries: int = TRIES) -> Lock:
 
 
 def is_locked(path: Path) -> bool:
-    """True while a process writes the run. Needs no right to write."""
+    """True while a process writes the run. Needs no write permission."""
     try:
         handle = os.open(path / LOCK, os.O_RDONLY)
     except OSError:
@@ -133,11 +133,11 @@ def is_locked(path: Path) -> bool:
 
 
 def check_unlocked(path: Path) -> None:
-    """Refuse a folder that another process is writing.
+    """Raise an error if another process is writing the folder.
 
     Raises
     ------
-    StoreError : who writes it, and since when.
+    StoreError : names the process and the time since when.
     """
     if is_locked(path):
         raise StoreError(_refusal(path))
@@ -147,7 +147,7 @@ def _taken(path: Path, handle: int, *, shared: bool = False) -> bool:
     """Try to lock an open file."""
     try:
         import fcntl
-    except ImportError:  # Windows: one writer at a time is left to the user
+    except ImportError:  # Windows: the user must take care of one writer at a time
         return True
     try:
         fcntl.flock(handle, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
@@ -159,7 +159,7 @@ def _taken(path: Path, handle: int, *, shared: bool = False) -> bool:
 
 
 def _noted(path: Path) -> bool:
-    """Whether the note names a writer that may be alive."""
+    """True if the note names a writer that may be alive."""
     note = _note(path)
     if not note:
         return False
@@ -170,12 +170,12 @@ def _noted(path: Path) -> bool:
     except (ProcessLookupError, ValueError):
         return False
     except OSError:
-        return True  # alive, and another user's
+        return True  # alive, and owned by another user
     return True
 
 
 def _stands(path: Path, handle: int) -> bool:
-    """Whether an open lock is still the one in the folder."""
+    """True if an open lock is still the file in the folder."""
     try:
         return os.path.samestat(os.fstat(handle), (path / LOCK).stat())
     except OSError:
@@ -205,7 +205,7 @@ def _refusal(path: Path) -> str:
     for _ in range(TRIES):
         if note := _note(path):
             break
-        time.sleep(PAUSE)  # the lock is taken a moment before the note is written
+        time.sleep(PAUSE)  # the lock exists a moment before the note is written
     who = f": process {note['process']} on {note['machine']}, since {note['since']}" if note else ""
     whose = "this process" if note.get("process") == os.getpid() else "another process"
-    return f"{path} is being written by {whose}{who}. Nothing in it was touched. Wait for it, end it, or name another folder."
+    return f"{path} is being written by {whose}{who}. Nothing in it was changed. Wait for it, end it, or name another folder."

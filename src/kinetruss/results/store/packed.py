@@ -4,11 +4,10 @@
     OUT/model.json          the model
     OUT/results.zarr.zip    Zarr v3 in a ZIP archive (`zarr.storage.ZipStore` reads it), one chunk an array
 
-It is a form of its own because some fifty arrays as files of their own take longer to make than to compute: 66 ms beside 14 ms
-in one file and 50 ms for the results of a double-octahedral bay. A run of several blocks cannot be one file, which a kill
-between two blocks would leave without its table of contents. The files are made under other names and get
-their own when they are complete: what is there is whole. Arrays are read here without the zarr package, which takes 5 ms for
-each.
+This format exists because fifty separate array files take longer to write than to compute: 66 ms, compared with 14 ms for
+one file and 50 ms for the results of a double-octahedral bay. A run of several blocks cannot be one file, since a kill
+between two blocks would leave it without its table of contents. The files are written under temporary names and renamed
+when they are complete. Arrays are read here without the zarr package, which takes 5 ms for each.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ if TYPE_CHECKING:
 
 __all__ = ["is_packed", "pack", "packed_groups", "unpacked"]
 
-LEVEL = -5  # of zstd: four times as fast as its default, for a fifth more of a small file
+LEVEL = -5  # level of zstd: four times as fast as its default; files are a fifth larger
 
 
 def pack(path: Path, ledger: Ledger, model_text: str, datasets: Mapping[str, xr.Dataset], *, overwrite: bool = False) -> None:
@@ -60,14 +59,14 @@ def pack(path: Path, ledger: Ledger, model_text: str, datasets: Mapping[str, xr.
     with claimed(path, overwrite):
         draft = path / DRAFT
         try:
-            shutil.rmtree(draft, ignore_errors=True)  # of a process that was killed
+            shutil.rmtree(draft, ignore_errors=True)  # left by a killed process
             draft.mkdir()
             (draft / PACKED).write_bytes(_archived(datasets))
             (draft / MODEL).write_text(model_text, "utf-8")
             (draft / LEDGER).write_text(ledger_text(ledger), "utf-8")
             if is_store(path):
                 clear(path, ledger=False)
-            for name in (PACKED, LEDGER, MODEL):  # without its model it is no run yet
+            for name in (PACKED, LEDGER, MODEL):  # without its model the folder is not yet a run
                 (draft / name).rename(path / name)
         except OSError as error:
             raise StoreError(failure(path, replace(ledger, committed=0), error)) from error
@@ -89,7 +88,7 @@ def packed_groups(path: Path) -> set[str]:
     """
     try:
         with zipfile.ZipFile(path / PACKED) as archive:
-            # an array has chunks, and they alone are no descriptions
+            # all files of an array are chunks except its description
             chunks = [name for name in archive.namelist() if not name.endswith(DESCRIPTION)]
     except (OSError, zipfile.BadZipFile) as error:
         raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
@@ -97,7 +96,7 @@ def packed_groups(path: Path) -> set[str]:
 
 
 def unpacked(path: Path, group: str) -> xr.Dataset:
-    """One dataset of the archive, read as a whole, with the attributes that `open_store` expects on it.
+    """One dataset of the archive, read completely, with the attributes that `open_store` expects.
 
     Raises
     ------
@@ -116,7 +115,7 @@ def unpacked(path: Path, group: str) -> xr.Dataset:
 
 
 def _archived(datasets: Mapping[str, xr.Dataset]) -> bytes:
-    """The archive; without dates, so that the same run gives the same bytes."""
+    """The archive as bytes, without dates, so that the same run gives the same bytes."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w") as archive:
         for name, content in _members(datasets):
@@ -150,7 +149,7 @@ def _array_files(place: str, variable: Any) -> Iterator[tuple[str, bytes]]:
 
 @lru_cache(maxsize=1024)
 def _description(shape: tuple[int, ...], dtype: Any, dims: tuple[str, ...], attributes: tuple[tuple[str, str], ...]) -> bytes:
-    """The description of an array in one chunk; the same for all variants of a run."""
+    """The description of an array with one chunk; the same for all variants of a run."""
     rows = max(1, shape[0]) if shape else 1
     return array_text(shape, rows, dtype, dims, dict(attributes), LEVEL).encode()
 

@@ -1,4 +1,4 @@
-"""What a disk says when it refuses to write, and what mends it."""
+"""Errors of a disk that refuses to write, and their fixes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FORBIDDEN = (errno.EACCES, errno.EPERM)
 
 
 def cause_and_mend(error: OSError) -> tuple[str, str]:
-    """Why a file or folder cannot be written, and what to do about it, each without a full stop."""
+    """Cause and fix if a file or folder cannot be written, each without a full stop."""
     said = error.strerror or str(error)
     if error.errno in FULL:
         return said, "Make room"
@@ -26,6 +26,6 @@ def cause_and_mend(error: OSError) -> tuple[str, str]:
 
 
 def cannot_write(path: Path, error: OSError) -> StoreError:
-    """The error for a place that cannot be written."""
+    """The error for a path that cannot be written."""
     cause, mend = cause_and_mend(error)
     return StoreError(f"{path} cannot be written: {cause}. {f'{mend}, or name' if mend else 'Name'} another place.")

@@ -1,4 +1,4 @@
-"""What tells a file from another one that takes its place."""
+"""The stamp that distinguishes a file from a later one with the same path."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Stamp = tuple[int, int]
 
 
 def stamp_of(file: Path) -> Stamp | None:
-    """The stamp of a file; None where there is none."""
+    """The stamp of a file; None if it does not exist."""
     try:
         found = file.stat()
     except OSError:

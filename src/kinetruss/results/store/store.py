@@ -1,14 +1,14 @@
-"""The run store: a folder that holds a run, written in blocks of samples, and readable after a kill at any instant.
+"""The run store: a folder with a run, written in blocks of samples, and readable after a kill at any instant.
 
     OUT/kinetruss.json     ledger: what run this is, how many samples are good (`committed`), how it ended
     OUT/model.json         the model
     OUT/results.zarr       Zarr v3 groups motion, forces/CASE/total, ..., chunked along time by block
-    OUT/state/COUNT.npz    of a simulation on its way: where its integration stands behind COUNT samples
-    OUT/pictures           what the report drew
+    OUT/state/COUNT.npz    of a running simulation: the state of its integration after COUNT samples
+    OUT/pictures           the pictures
 
 A block first writes whole chunks of every array, then the ledger, by rename: a kill between the two leaves chunks that
-nobody reads. Arrays have their full length from the start, so that no array's own description is rewritten on the way.
-Names along a dimension (nodes, members) stand in the attributes of their group.
+nobody reads. Arrays have their full length from the start, so that no description of an array changes during the run.
+Names along a dimension (nodes, members) are attributes of their group.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ if TYPE_CHECKING:
 __all__ = ["Store", "Writer", "create", "key", "open_store", "reopen"]
 
 VERDICT = "verdict"
-"""Written whole, at the end."""
+"""Groups that are written once, at the end."""
 ORDER = ("motion", "simulation", "forces", "sections", VERDICT, "demand")
 
 
@@ -78,13 +78,13 @@ class Store:
     stamp: Stamp | None
 
     def read(self, group: str) -> xr.Dataset:
-        """One dataset, cut to the samples that are good; arrays load when used.
+        """One dataset, cut to the good samples; arrays are loaded when used.
 
-        Of a run that has not ended, only what has a time axis: the rest is known at the end, and may be half written.
+        For a run that has not ended, only variables with a time axis: the others are known only at the end.
 
         Raises
         ------
-        StoreError : no such group, or not readable; also later, where an array is used that is no longer there.
+        StoreError : no such group, or not readable; also later, if an array that is used no longer exists.
         """
         try:
             found: xr.Dataset | None = _read(self.path, group, self.ledger)
@@ -98,7 +98,7 @@ class Store:
         return found
 
     def state(self) -> dict[str, NDArray[Any]] | None:
-        """Where the integration stands behind the last good sample; None for runs that need no such thing.
+        """The state of the integration after the last good sample; None for runs without one.
 
         Raises
         ------
@@ -108,7 +108,7 @@ class Store:
 
 
 class Writer:
-    """Writes a run block by block; `ledger` tells how far it is safe. held : its lock, where the caller has it already."""
+    """Writes a run block by block; `ledger` counts the committed samples. held : its lock, if the caller already has it."""
 
     def __init__(self, path: Path, ledger: Ledger, held: Lock | None = None) -> None:
         self.path = path
@@ -119,13 +119,13 @@ class Writer:
     def append(
         self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0, state: Mapping[str, NDArray[Any]] | None = None
     ) -> None:
-        """Write one block of samples of every group, and the state behind it, then count it as good.
+        """Write one block of samples of every group, and the state after it, then commit it.
 
-        Groups without a time axis are written whole; the last one written counts.
+        Groups without a time axis are written completely; the last one replaces the others.
 
         Raises
         ------
-        StoreError : the disk is full or refuses; the samples counted before stay readable. Or the folder is another by now.
+        StoreError : the disk is full or refuses; the committed samples stay readable. Or the folder was replaced.
         """
         self._lock.check()
         count = max((data.sizes["time"] for data in datasets.values() if "time" in data.dims), default=0)
@@ -141,7 +141,7 @@ class Writer:
             raise self._failed(error) from error
 
     def pause(self, status: str, message: str, wall_time: float) -> None:
-        """Note why the run stands still; it can be gone on with."""
+        """Store why the run was stopped; it can be continued."""
         self._lock.check()
         try:
             self._commit(replace(self.ledger, status=status, message=message, wall_time=wall_time))
@@ -149,7 +149,7 @@ class Writer:
             raise self._failed(error) from error
 
     def close(self, status: str, message: str = "", wall_time: float | None = None) -> None:
-        """Mark the run as ended, and cut arrays to what is good where the run stopped early."""
+        """Mark the run as ended, and cut arrays to the good samples if it stopped early."""
         try:
             self._lock.check()
             if self.ledger.committed < self.ledger.samples:
@@ -163,12 +163,12 @@ class Writer:
             self.release()
 
     def release(self) -> None:
-        """Let another process write; the run stays as it is."""
+        """Let another process write; the run does not change."""
         self._lock.release()
 
     def _failed(self, error: OSError) -> StoreError:
         try:
-            self._lock.check()  # what fails in a folder that is another by now says nothing of this run
+            self._lock.check()  # an error in a folder that was replaced does not concern this run
         except StoreError as gone:
             return gone
         return StoreError(failure(self.path, self.ledger, error))
@@ -192,7 +192,7 @@ class Writer:
 
 
 def key(case: str) -> str:
-    """The name of a load case as part of a path: nothing in it can lead out of the folder.
+    """The name of a load case as part of a path, encoded so that it cannot lead out of the folder.
 
     >>> key("hanging"), key(".."), key("a:b")
     ('hanging', '%2E.', 'a%3Ab')
@@ -202,9 +202,9 @@ def key(case: str) -> str:
 
 
 def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = False, held: Lock | None = None) -> Writer:
-    """Begin a run in a new or empty folder; with `overwrite`, replace the run in it (and nothing else in it).
+    """Begin a run in a new or empty folder; with `overwrite`, replace the run in it (and no other file).
 
-    held : the folder's lock, where the caller has it already.
+    held : the folder's lock, if the caller already has it.
 
     Raises
     ------
@@ -222,7 +222,7 @@ def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = Fal
             clear(path, ledger=False)
         write_ledger(path, ledger)
         describe_group(path / ARRAYS, {"kinetruss_run": FORMAT})
-        atomic(path / MODEL, model_text)  # from here on it is a run to be read and gone on with
+        atomic(path / MODEL, model_text)  # from here on the run can be read and continued
     except OSError as error:
         writer.release()
         raise StoreError(failure(path, ledger, error)) from error
@@ -230,7 +230,7 @@ def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = Fal
 
 
 def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
-    """Go on writing a run that did not end, behind its last good sample.
+    """Continue to write a run that did not end, after its last good sample.
 
     Raises
     ------
@@ -244,10 +244,10 @@ def open_store(path: Path) -> Store:
 
     Raises
     ------
-    StoreError : no run folder, or one of a newer format; or it is just being replaced.
+    StoreError : no run folder, one of a newer format, or one that is being replaced.
     """
     if not is_store(path):
-        raise StoreError(f"{path} is no kinetruss run: it has no {LEDGER}. Make one with: kinetruss run MODEL -o {path}")
+        raise StoreError(f"{path} is not a kinetruss run: it has no {LEDGER}. Make one with: kinetruss run MODEL -o {path}")
     stamp = stamp_of(path / MODEL)
     record = read_ledger(path)
     if record["kinetruss_run"] > FORMAT:
@@ -260,7 +260,9 @@ def open_store(path: Path) -> Store:
         again = read_ledger(path)
     except (OSError, TypeError, ValueError) as error:
         if is_locked(path):
-            raise StoreError(f"{path} is being begun by another process and has no good sample yet. Try again soon.") from error
+            raise StoreError(
+                f"{path} has just been started by another process and has no good sample yet. Try again soon."
+            ) from error
         raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
     if any(again[name] != record[name] for name in ("provenance", "options", "block", "samples")):
         raise StoreError(f"{path} was replaced by another run while it was read. Read it again.")
@@ -268,7 +270,7 @@ def open_store(path: Path) -> Store:
 
 
 def _groups(path: Path) -> tuple[str, ...]:
-    """Datasets in the folder: groups that hold arrays, in a fixed order."""
+    """Datasets in the folder: groups with arrays, in a fixed order."""
     root = path / ARRAYS
     if is_packed(path):
         return tuple(sorted(packed_groups(path), key=lambda name: (ORDER.index(name.split("/")[0]), name)))
@@ -277,7 +279,7 @@ def _groups(path: Path) -> tuple[str, ...]:
 
 
 def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> None:
-    """Describe the group and its arrays, for all samples; what is there already (of a resumed run) stays."""
+    """Describe the group and its arrays, for all samples; existing arrays of a resumed run stay."""
     root = path / ARRAYS
     for parent in reversed(Path(group).parents[:-1]):
         if not (root / parent / DESCRIPTION).exists():
@@ -295,7 +297,7 @@ def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> None:
 
 
 def _describe(folder: Path, data: xr.Dataset, texts: dict[str, Any]) -> None:
-    """Names, order and attributes of a dataset, joined to those its group has already."""
+    """Names, order and attributes of a dataset, merged with those of its group."""
     description = folder / DESCRIPTION
     before = json.loads(description.read_text("utf-8"))["attributes"] if description.exists() else {}
     new = {
@@ -309,7 +311,7 @@ def _describe(folder: Path, data: xr.Dataset, texts: dict[str, Any]) -> None:
 
 
 def _rows(variable: Any) -> int:
-    """Rows of a chunk of what has no time axis: all."""
+    """Rows per chunk of an array without a time axis: all."""
     return max(1, variable.shape[0]) if variable.shape else 1
 
 
@@ -337,7 +339,7 @@ def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
     try:
         root = RunArrays(path / ARRAYS, blocks=blocks)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # of an array whose description is just being written
+            warnings.simplefilter("ignore", UserWarning)  # the description of the array may be just being written
             data: xr.Dataset = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
     except (OSError, KeyError, ValueError) as error:
         raise StoreError(f"{path} has no readable {group!r}: {error}") from error
@@ -345,6 +347,6 @@ def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
 
 
 def _truncate(path: Path, committed: int) -> None:
-    """Cut every array with a time axis to the samples that are good."""
+    """Cut every array with a time axis to the good samples."""
     for description in (path / ARRAYS).glob(f"**/{DESCRIPTION}"):
         resize(description, committed)

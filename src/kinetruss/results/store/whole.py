@@ -1,4 +1,4 @@
-"""Files for people that appear whole or not at all."""
+"""Output files that appear completely or not at all."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ __all__ = ["whole_file"]
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
-    """A draft to write beside `path`, in a folder that is made where there is none; at the end it takes the place of `path`.
+    """A temporary file in the folder of `path`, which is made if needed; at the end it replaces `path`.
 
-    Where the end does not come, the draft goes and what stood at `path` stays. A pipe or a device is written to directly.
+    If writing fails, the temporary file is removed and an old file at `path` stays. A pipe or a device is written directly.
 
     Raises
     ------

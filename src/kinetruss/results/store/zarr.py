@@ -1,7 +1,7 @@
-"""Zarr version 3 written directly: one JSON file that describes an array, one file a chunk.
+"""Zarr version 3 written directly: one JSON file that describes an array, one file per chunk.
 
-Through the zarr package an array costs 5 ms a block, most of it spent in handing work between threads; here a tenth of it.
-A run has some seventy arrays. Reading is left to zarr. Chunks are whole along every axis but the first.
+The zarr package takes 5 ms per array and block, mostly to pass work between threads; this module takes a tenth of it. A
+run has some seventy arrays. Reading is done by zarr. Chunks are whole along every axis but the first.
 Source: Zarr core specification, version 3.
 """
 
@@ -36,7 +36,7 @@ __all__ = [
 ]
 
 DESCRIPTION = "zarr.json"
-LEVEL = 0  # of zstd: its own default; floating-point numbers gain nothing from more
+LEVEL = 0  # level of zstd, its default: higher levels do not compress floating-point numbers better
 
 
 def describe_group(folder: Path, attributes: Mapping[str, Any]) -> None:
@@ -67,7 +67,7 @@ def array_text(
     level: int = LEVEL,
 ) -> str:
     """The description of an array of `shape` in chunks of `rows` along its first axis."""
-    # a byte has no order of bytes
+    # single bytes have no byte order
     order = {"configuration": {"endian": "little"}} if dtype.itemsize > 1 else {}
     record = {
         "zarr_format": 3,
@@ -85,10 +85,10 @@ def array_text(
 
 
 def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> None:
-    """Write chunk `index` along the first axis; the last one is filled up to its full number of rows.
+    """Write chunk `index` along the first axis; the last one is padded to its full number of rows.
 
-    The file takes its name only when it is whole: others may be reading the run, and what has no time axis is written anew
-    with every block.
+    The file gets its name only when it is complete: others may be reading the run, and arrays without a time axis are
+    rewritten with every block.
     """
     if not values.size:
         return
@@ -109,12 +109,12 @@ def encoded(values: NDArray[Any], level: int = LEVEL) -> bytes:
 
 
 def is_text(variable: Any) -> bool:
-    """Whether a variable of a dataset holds names: they are kept in the attributes of its group."""
+    """True if a variable of a dataset holds names: these are stored in the attributes of its group."""
     return variable.dtype.kind in "OUST"
 
 
 def text_of(variable: Any) -> dict[str, Any]:
-    """A variable of names as attributes keep it."""
+    """A variable of names as an attribute."""
     return {"dims": list(variable.dims), "values": variable.values.astype(str).tolist(), "attrs": plain(variable.attrs)}
 
 

@@ -19,9 +19,9 @@ __all__ = ["Block", "judged"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Block:
-    """Results of some consecutive samples, by load case; `verdict` over the cases.
+    """Results of consecutive samples, by load case; `verdict` over all cases.
 
-    simulation : of a simulated motion, and `state`, where its integration stands behind the block.
+    simulation : for a simulated motion; `state` is the state of its integration after the block.
     """
 
     motion: Motion
@@ -38,7 +38,7 @@ class Block:
 
 
 def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
-    """What follows from the forces: sections, utilisation, motor demands."""
+    """Results that follow from the forces: sections, utilisation, motor demands."""
     model, stations = plan.model, plan.run.stations
     if not plan.full:
         return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=strength.check(model, forces))

@@ -1,4 +1,4 @@
-"""A run in blocks of samples: each is computed on its own, so that memory stays bounded and a run can go on later."""
+"""A run in blocks of samples, computed one by one, so that memory is bounded and a run can be resumed."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def blocks(
 ) -> Iterator[Block]:
     """Results block by block from sample `first` on; `position` (n_nodes, dim) is the pose at sample ``first - 1``.
 
-    Stops after the block in which the path ends early; its status says why. Of a simulation, `state` is where it stood, and
-    `fitted` lets its first block say how many samples the others have.
+    Stops after the block in which the path ends early; its status gives the reason. For a simulation, `state` is the state to
+    continue from; with `fitted` the first block determines the number of samples in the others.
     """
     if plan.run.analysis == SIMULATED:
         yield from simulated(plan, first, state, fitted=fitted)
@@ -63,7 +63,7 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
     except InputError as error:
         if first == 0:
             raise
-        # found while working, behind good samples: data, not a refusal
+        # an error after good samples is part of the result, not an exception
         return _nothing(plan, first, position).with_(status=Status.INCONSISTENT, message=str(error))
     return motion.with_(data=motion.data.isel(time=slice(lead, None))) if lead else motion
 
@@ -76,7 +76,7 @@ def _nothing(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mo
 
 
 def _analysed(plan: Plan, motion: Motion) -> Block:
-    """Everything asked about a motion, load case by load case."""
+    """All requested results of a motion, load case by load case."""
     if plan.run.analysis == "kinematics.follow":
         return Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
     found = [dynamics.inverse(plan.model, motion, case, static=plan.full) for case in plan.cases]

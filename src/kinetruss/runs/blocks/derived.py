@@ -1,4 +1,4 @@
-"""What a short run of many does not store, because it follows from motion and forces: computed when it is asked for."""
+"""Results of short variants that are not stored because they follow from motion and forces; computed on first access."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ __all__ = ["DERIVED", "Later", "derived"]
 
 T = TypeVar("T")
 DERIVED = ("static", "sections", "demand")
-"""Kinds of results that a ledger may name under ``derived``."""
+"""Kinds of results that may be under ``derived`` in a ledger."""
 
 
 class Later(Mapping[str, T]):
-    """A mapping whose values are made when they are first asked for."""
+    """A mapping whose values are computed on first access."""
 
     def __init__(self, names: Sequence[str], make: Callable[[str], T]) -> None:
         self._names, self._make = tuple(names), make

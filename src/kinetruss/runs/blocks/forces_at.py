@@ -1,4 +1,4 @@
-"""Forces of a run at given instants, without doing the whole run."""
+"""Forces of a run at given instants, without computing the whole run."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["forces_at", "forces_at_peak", "forces_at_rest"]
 
 STEPS = 200
-"""Instants on the way to the first one asked for, so that the path is followed as the run follows it."""
+"""Number of instants before the first requested one, so that the path is followed in the same way as in the run."""
 
 
 def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: str | None = None) -> Forces:
@@ -27,13 +27,13 @@ def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: st
 
     Parameters
     ----------
-    name : a run of the model; may be left out where there is only one. times : s, increasing.
+    name : a run of the model; may be omitted if there is only one. times : s, increasing.
     load_case : name; by default the run's first.
 
     Returns
     -------
-    Forces with one sample an instant, and their motion and static forces. Where the run follows a motion file, its samples
-    nearest to the instants.
+    Forces with one sample per instant, with their motion and static forces. For a run that follows a motion file, at its
+    samples nearest to the instants.
 
     Raises
     ------
@@ -47,12 +47,12 @@ def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: st
 
 
 def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, load_case: str | None = None) -> Forces:
-    """Forces of a named run at its sample with the largest member force of `members` (of all where there are none).
+    """Forces of a named run at its sample with the largest member force of `members` (if empty, of all).
 
     Raises as `forces_at`.
     """
     job = plan(model, name)
-    every = max(1, len(job.times) // 2000)  # a long run is looked at every so often
+    every = max(1, len(job.times) // 2000)  # of a long run, only equally spaced samples are checked
     forces = _forces(job, job.times[::every], load_case)
     shown = forces.data["member_force"].sel(member=list(members) or list(model.members))
     k = int(np.argmax(np.abs(shown.values).max(axis=1, initial=0.0)))
@@ -63,7 +63,7 @@ def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, 
 
 
 def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
-    """Forces of a model as it stands, at rest: for models without a run.
+    """Forces of a model in its own pose at rest, for models without a run.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
 
 
 def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
-    """Forces at the instants t; those of a simulation are found on its way."""
+    """Forces at the instants t; those of a simulation come from its integration."""
     case = _case(job, load_case)
     if job.run.analysis != SIMULATED:
         return dynamics.inverse(job.model, _motion(job, t), case)
@@ -105,7 +105,7 @@ def _motion(job: Plan, t: NDArray[np.float64]) -> Motion:
     if job.given is not None:
         nearest = np.unique(np.abs(job.times[:, None] - t).argmin(axis=0))
         return job.given.with_(data=job.given.data.isel(time=nearest))
-    # from the start of the path, not straight from the model's pose to the one asked for
+    # from the start of the path, not directly from the model's pose to the requested one
     lead = np.linspace(job.times[0], t[0], STEPS, endpoint=False) if t[0] > job.times[0] else np.zeros(0)
     t = np.clip(t, job.times[0], job.times[-1])
     motion = kinematics.follow(job.model, job.model.trajectory_of(job.run), times=np.concatenate([lead, t]))

@@ -23,12 +23,12 @@ __all__ = ["gauge_strains"]
 def gauge_strains(
     model: Model, name: str | None = None, *, load_case: str | None = None, measured: StrainHistory | None = None
 ) -> xr.Dataset:
-    """What the gauges of a model read along a named run; see `strength.gauges`.
+    """Readings of a model's gauges along a named run; see `strength.gauges`.
 
     Parameters
     ----------
-    name : a run of the model; may be left out where there is only one. load_case : by default the run's first.
-    measured : the run is followed to exactly the times of this record, too.
+    name : a run of the model; may be omitted if there is only one. load_case : by default the run's first.
+    measured : the run is also computed exactly at the times of this record.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def gauge_strains(
 
 
 def _also(times: np.ndarray, more: np.ndarray) -> np.ndarray:
-    """Times of both, once where they agree to rounding."""
+    """The times of both, without duplicates up to round-off."""
     inner = np.clip(more, times[0], times[-1])
     new = [t for t in inner if np.abs(times - t).min() > 1e-9 * (times[-1] - times[0])]
     return np.unique(np.concatenate([times, new]))

@@ -1,4 +1,4 @@
-"""What joins blocks: along time one after the other; the worst of each rule over all of them."""
+"""Joins blocks: histories along time, and the worst entry of each rule over all blocks."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from kinetruss.runs.blocks.planned import Plan
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Tally", "groups_of", "in_memory", "notes_of", "tail_groups"]
+__all__ = ["Accumulator", "groups_of", "in_memory", "notes_of", "tail_groups"]
 
 BETWEEN = "between"
 """Dimension of the states of a motion that lie between its samples."""
 
 
 @dataclass(eq=False)
-class Tally:
-    """What has to be remembered from block to block: how far it went, and the worst so far."""
+class Accumulator:
+    """Results accumulated from block to block: the number of samples, and the worst entries so far."""
 
     model: Model
     count: int = 0
     status: Status = Status.COMPLETED
     message: str = ""
     verdict: Verdict | None = None
-    demand: dict[str, DemandTally] = field(default_factory=dict)
+    demand: dict[str, DemandAccumulator] = field(default_factory=dict)
     simulation: xr.Dataset | None = None
     between: list[xr.Dataset] = field(default_factory=list)
 
@@ -50,31 +50,31 @@ class Tally:
         if block.verdict is not None:
             self.verdict = block.verdict if self.verdict is None else worse(self.verdict, block.verdict)
         for case, demand in block.demand.items():
-            self.demand.setdefault(case, DemandTally()).add(self.model, demand)
+            self.demand.setdefault(case, DemandAccumulator()).add(self.model, demand)
 
 
 def notes_of(block: Block) -> list[str]:
-    """What is to be said of a block."""
-    # the message of forces begins with that of their motion
+    """The notes of a block."""
+    # the message of forces starts with that of their motion
     told = [block.motion.message] if block.simulation is None else [block.simulation.message]
     found = [forces.message for forces in block.forces.values()] or told
     return [text for text in dict.fromkeys(found) if text]
 
 
 def worse(a: Verdict, b: Verdict) -> Verdict:
-    """For every entry the one with the higher utilisation, with everything that belongs to it."""
+    """For every entry the row with the higher utilisation, with all its values."""
     return a.with_(data=_worse(a.data, b.data))
 
 
 def _worse(a: xr.Dataset, b: xr.Dataset) -> xr.Dataset:
-    # an entry without a limit has no utilisation: its largest value counts
+    # an entry without a limit has no utilisation: the largest value counts
     first, second = (one["utilisation"].fillna(one["value"]).fillna(-1.0) for one in (a, b))
     return a.where(first >= second, b).assign_attrs(a.attrs)
 
 
 @dataclass(eq=False)
-class DemandTally:
-    """Peaks, energies and mean torque of consecutive blocks; the step from block to block counts too."""
+class DemandAccumulator:
+    """Peaks, energies and mean torque over consecutive blocks, including the interval between blocks."""
 
     last: xr.Dataset | None = None
     summary: xr.Dataset | None = None
@@ -94,7 +94,7 @@ class DemandTally:
 
 
 def groups_of(block: Block) -> dict[str, xr.Dataset]:
-    """Datasets of a block that have a time axis, by their place in the store."""
+    """Datasets of a block with a time axis, by their path in the store."""
     found = {"motion": block.motion.data}
     if block.simulation is not None:
         found["simulation"] = block.simulation.data
@@ -108,23 +108,23 @@ def groups_of(block: Block) -> dict[str, xr.Dataset]:
 
 
 def timed(data: xr.Dataset) -> xr.Dataset:
-    """The variables along time; the others are known only at the end."""
+    """The variables with a time axis; the others are known only at the end."""
     return data.drop_vars([name for name, variable in data.data_vars.items() if "time" not in variable.dims])
 
 
-def tail_groups(tally: Tally) -> dict[str, xr.Dataset]:
-    """Datasets known only at the end."""
-    found = {} if tally.verdict is None else {"verdict": tally.verdict.data}
-    if tally.simulation is not None:
-        found["simulation"] = tally.simulation
-    if tally.between:
-        found["motion"] = concatenated(tally.between, BETWEEN)
-    return found | {f"demand/{key(case)}": one.summary for case, one in tally.demand.items() if one.summary is not None}
+def tail_groups(accumulated: Accumulator) -> dict[str, xr.Dataset]:
+    """The datasets known only at the end."""
+    found = {} if accumulated.verdict is None else {"verdict": accumulated.verdict.data}
+    if accumulated.simulation is not None:
+        found["simulation"] = accumulated.simulation
+    if accumulated.between:
+        found["motion"] = concatenated(accumulated.between, BETWEEN)
+    return found | {f"demand/{key(case)}": one.summary for case, one in accumulated.demand.items() if one.summary is not None}
 
 
-def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> RunResult:
-    """The result of a run that was not written."""
-    motion = _whole_motion([block.motion for block in kept], tally)
+def in_memory(plan: Plan, kept: list[Block], accumulated: Accumulator, wall_time: float) -> RunResult:
+    """The result of a run in memory."""
+    motion = _whole_motion([block.motion for block in kept], accumulated)
     full = [block for block in kept if block.forces]
     forces = {case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces}
     return RunResult(
@@ -134,22 +134,22 @@ def in_memory(plan: Plan, kept: list[Block], tally: Tally, wall_time: float) -> 
         forces=forces,
         simulation=_simulation(kept, motion, forces),
         sections={case: _along_time([block.sections[case] for block in full]) for case in kept[0].sections},
-        verdict=tally.verdict,
-        demand={case: _demand([block.demand[case] for block in full], tally.demand[case]) for case in kept[0].demand},
-        status=tally.status,
-        message=tally.message,
+        verdict=accumulated.verdict,
+        demand={case: _demand([block.demand[case] for block in full], accumulated.demand[case]) for case in kept[0].demand},
+        status=accumulated.status,
+        message=accumulated.message,
         samples=len(plan.times),
         provenance=motion.provenance,
         wall_time=wall_time,
     )
 
 
-def _whole_motion(parts: list[Motion], tally: Tally) -> Motion:
+def _whole_motion(parts: list[Motion], accumulated: Accumulator) -> Motion:
     """The motion of all blocks, with the states between its samples."""
-    if len(parts) == 1 or not tally.between:
+    if len(parts) == 1 or not accumulated.between:
         return _along_time(parts)  # type: ignore[no-any-return]
     found: Motion = _along_time([part.with_(data=part.data.drop_dims(BETWEEN, errors="ignore")) for part in parts])
-    between = concatenated(tally.between, BETWEEN)
+    between = concatenated(accumulated.between, BETWEEN)
     return found.with_(data=found.data.assign({name: between[name].variable for name in between.data_vars}))
 
 
@@ -170,16 +170,16 @@ def _simulation(kept: list[Block], motion: Motion, forces: Mapping[str, Forces])
     return parts[-1].with_(data=data, motion=motion, forces=one)
 
 
-def _demand(parts: list[Demand], tally: DemandTally) -> Demand:
+def _demand(parts: list[Demand], accumulated: DemandAccumulator) -> Demand:
     if len(parts) == 1:
         return parts[0]
     histories: Demand = _along_time([part.with_(data=timed(part.data)) for part in parts])
-    summary = parts[0].data.drop_dims("time") if tally.summary is None else tally.summary
+    summary = parts[0].data.drop_dims("time") if accumulated.summary is None else accumulated.summary
     return histories.with_(data=histories.data.merge(summary, compat="override", join="override"))
 
 
 def _along_time(parts: list[Any]) -> Any:
-    """One result from consecutive ones; status and message are the last one's."""
+    """One result from consecutive ones, with status and message of the last one."""
     return parts[0] if len(parts) == 1 else parts[-1].with_(data=concatenated([part.data for part in parts]))
 
 

@@ -1,4 +1,4 @@
-"""What a run computes: its instants, load cases and the size of its blocks."""
+"""The plan of a run: its instants, load cases and block size."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plan:
-    """What to compute.
+    """The results to compute.
 
     times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file.
-    full : False leaves out what utilisation does not need: forces at rest, section forces, motor demands.
+    full : False omits results that utilisation does not need: forces at rest, section forces, motor demands.
     """
 
     model: Model
@@ -44,7 +44,7 @@ class Plan:
 
 
 def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
-    """Choose the run of a model and lay out its instants.
+    """Select a run of a model and determine its instants.
 
     Raises
     ------
@@ -58,7 +58,7 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         cases = run.load_cases or (None,)
         times = np.linspace(0.0, run.t_end or 0.0, run.samples)
     elif run.motion is not None:
-        # a run that is resumed may be resumed from another folder
+        # a run may be resumed from another working folder
         run = run.with_(motion=str(Path(run.motion).absolute()))
         model = model.with_(runs={**model.runs, chosen: run})
         given = kinematics.from_csv(model, str(run.motion))
@@ -71,7 +71,7 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
 
 
 def block_size(model: Model) -> int:
-    """Samples a block: fewer for large models, so that a block of all results stays near 100 MB."""
+    """Samples per block: fewer for large models, so that all results of a block take about 100 MB."""
     return max(SMALLEST_BLOCK, min(LARGEST_BLOCK, MEMBER_SAMPLES // max(1, len(model.members))))
 
 

@@ -1,4 +1,4 @@
-"""Blocks of a simulation: each goes on from where the integration stood behind the one before it."""
+"""Blocks of a simulation: each continues from the state of the integration after the previous one."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["PATIENCE", "simulated", "simulated_at", "stepper_of"]
 
 PATIENCE = 5.0
-"""Seconds of work a block: what a kill may lose."""
+"""Seconds of work per block, which is the largest loss by a kill."""
 
 
 def stepper_of(plan: Plan) -> Stepper:
@@ -25,7 +25,7 @@ def stepper_of(plan: Plan) -> Stepper:
 
     Raises
     ------
-    InputError : whatever speaks against starting.
+    InputError : the simulation cannot be started.
     """
     run, t_end = plan.run, float(plan.times[-1])
     asked = Asked(trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events, load_case=plan.cases[0])
@@ -35,10 +35,10 @@ def stepper_of(plan: Plan) -> Stepper:
 def simulated(
     plan: Plan, first: int = 0, state: Mapping[str, NDArray[Any]] | None = None, *, fitted: bool = True
 ) -> Iterator[Block]:
-    """Results block by block from sample `first` on; `state` is where the integration stood before it.
+    """Results block by block from sample `first` on; `state` is the state of the integration before it.
 
     fitted : the first block ends after `PATIENCE` seconds, and the others have as many samples. Stops after the block in which
-    the motion ends early; its status says why. Blocks carry the state behind them.
+    the motion ends early; its status gives the reason. Each block has the state after it.
     """
     work = stepper_of(plan)
     if state is not None:
@@ -50,7 +50,7 @@ def simulated(
         last = min(first + size, len(plan.times))
         trace = work.advance(plan.times[first:last], patience=PATIENCE if fitted and not first else None)
         if work.status is Status.INTERRUPTED:
-            raise KeyboardInterrupt  # a block is whole or not there
+            raise KeyboardInterrupt  # a block is complete or not written
         simulation = simulation_of(work, trace)
         count = len(trace.t)
         if count:
@@ -70,7 +70,7 @@ def simulated_at(plan: Plan, t: NDArray[Any]) -> Simulation:
 
     Raises
     ------
-    AnalysisError : it ended before the last of them.
+    AnalysisError : the run ended before the last instant.
     """
     work = stepper_of(plan)
     found = simulation_of(work, work.advance(t))

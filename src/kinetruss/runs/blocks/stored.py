@@ -1,4 +1,4 @@
-"""Blocks of a stored run, read back: what is known only at the end (the worst of each rule) is found anew from them."""
+"""Reads the blocks of a stored run, from which results known only at the end (the worst entries) are recomputed."""
 
 from __future__ import annotations
 
@@ -26,5 +26,5 @@ def stored_blocks(plan: Plan, run: RunResult) -> Iterator[Block]:
 
 
 def _cut(result: Any, part: slice) -> Any:
-    # that the run was stopped behind them is no status of its blocks
+    # the interruption after the blocks is not a status of the blocks
     return result.with_(data=result.data.isel(time=part).load(), status=Status.COMPLETED, message="")

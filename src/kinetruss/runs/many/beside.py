@@ -1,4 +1,4 @@
-"""Independent pieces of work in processes beside each other."""
+"""Independent tasks in parallel processes."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ __all__ = ["beside", "processors"]
 
 T = TypeVar("T")
 LEAST = 4
-"""Pieces of work below this are done before a process has begun."""
+"""Smallest number of tasks for which processes are started."""
 PARENT_DEATH = 1
-"""PR_SET_PDEATHSIG of prctl(2)."""
+"""The constant PR_SET_PDEATHSIG of prctl(2)."""
 
 
 def processors() -> int:
-    """Processors this process may use; 1 where processes cannot be copied with what they have loaded."""
+    """Number of processors of this process; 1 if the system cannot fork a process with its loaded data."""
     if not sys.platform.startswith("linux"):
         return 1
     return len(os.sched_getaffinity(0))
 
 
 def beside(work: Callable[[int], T], pieces: Sequence[int], workers: int | None = None) -> Iterator[tuple[int, T]]:
-    """``work(k)`` for each piece k, (k, result) as they come; by copies of this process where there is more than one processor.
+    """Yields (k, ``work(k)``) for each task k as it is done; by forked copies of this process if there are several processors.
 
-    What the copies need is in memory already: compiled kernels need not be loaded again. Pieces of a copy that dies are done
-    here. Errors of the package are raised here too.
+    The copies already have all data in memory: compiled kernels are not loaded again. Tasks of a copy that dies are done in
+    this process. Errors of the package are raised in this process too.
     """
     count = min(processors() if workers is None else workers, len(pieces))
     left = dict.fromkeys(pieces)
@@ -47,12 +47,12 @@ def beside(work: Callable[[int], T], pieces: Sequence[int], workers: int | None 
 
 
 def _gathered(work: Callable[[int], T], pieces: Sequence[int], count: int) -> Iterator[tuple[int, T]]:
-    """What the copies did; what a copy that died had to do is left out."""
+    """The results of the copies; those of a copy that died are missing."""
     others = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(count, multiprocessing.get_context("fork"), _begin, (work, os.getpid()))
     try:
         with warnings.catch_warnings():
-            # other threads (of a progress bar, of the linear algebra) stay behind; the copies use none of theirs
+            # other threads (of a progress bar, of linear algebra) are not copied, and the copies do not need them
             warnings.simplefilter("ignore", DeprecationWarning)
             asked = {pool.submit(_piece, k): k for k in pieces}
         for future in as_completed(asked):
@@ -60,19 +60,19 @@ def _gathered(work: Callable[[int], T], pieces: Sequence[int], count: int) -> It
                 yield asked[future], future.result()
     except BaseException:
         for process in set(multiprocessing.active_children()) - others:
-            process.terminate()  # nobody waits for what they are doing
+            process.terminate()  # their results are no longer needed
         raise
     finally:
         pool.shutdown(cancel_futures=True)
 
 
 _mine: list[Callable[[int], Any]] = []
-"""In a copy: its work."""
+"""The work of a copy, set in the copy."""
 
 
 def _begin(work: Callable[[int], Any], parent: int) -> None:
-    """The start of a copy. It dies with its parent, and of Ctrl-C, in silence."""
-    gc.freeze()  # what came with the copy is no garbage; looking through it would copy its memory
+    """Start of a copy. It ends silently with its parent, and after Ctrl-C."""
+    gc.freeze()  # exclude inherited objects from garbage collection, which would copy their memory pages
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     ctypes.CDLL(None).prctl(PARENT_DEATH, signal.SIGKILL)
     if os.getppid() != parent:

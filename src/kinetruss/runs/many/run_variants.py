@@ -1,4 +1,4 @@
-"""The same run of many variants of a model, each in a folder of its own."""
+"""One run of many variants of a model, each in its own folder."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class VariantRuns(Mapping[str, RunResult]):
-    """Runs by the name of their variant; those in folders are opened when they are asked for.
+    """Runs by the name of their variant; those in folders are opened on first access.
 
-    settings : name -> what was set, path -> value. refused : name -> why there is no run of it.
-    status : name -> how its run ended; whole : name -> whether every sample asked for is good.
-    worst : name -> part, rule, utilisation and time of the highest utilisation (None: nothing was judged).
-    paths : name -> folder; empty where the runs were not written.
+    settings : name -> the values that were set, by path. refused : name -> why there is no run.
+    status : name -> how its run ended; whole : name -> True if every requested sample is good.
+    worst : name -> part, rule, utilisation and time of the highest utilisation (None: nothing was checked).
+    paths : name -> folder; empty if the runs were not written.
     """
 
     settings: Mapping[str, Mapping[str, str]]
@@ -74,28 +74,28 @@ def run_variants(
 
     Parameters
     ----------
-    model, settings : as for `variants`. name : a run of the model; may be left out where there is only one.
-    out : folder; each variant becomes a run folder in it, or the folder itself where there is only one combination.
+    model, settings : as for `variants`. name : a run of the model; may be omitted if there is only one.
+    out : folder; each variant becomes a run folder in it, or the folder itself if there is only one combination.
         None keeps everything in memory.
     overwrite : replace the run, or the variants, in `out`.
     progress : called with (variants done, variants) after each.
-    max_size : bytes, of a model file.
+    max_size : largest size of a model file, bytes.
 
     Returns
     -------
-    VariantRuns. A path that ends early is no exception (see `run`), nor is a variant that cannot be computed while others
-    can, e.g. lengths out of reach: it is in ``refused``.
+    VariantRuns. A path that ends early raises no exception (see `run`). A variant that cannot be computed, e.g. with lengths
+    out of reach, is in ``refused`` if others can be computed.
 
     Raises
     ------
-    ModelError, InputError : see `variants`; no such run; an output folder that would lose something. Nothing was computed.
+    ModelError, InputError : see `variants`; no such run; an output folder that would lose data. Nothing was computed.
     InputError : no variant can be computed. StoreError : a folder cannot be written, or another process writes it.
 
     Notes
     -----
-    On Linux, variants that are written are done on all processors at once. A short run (one block) is stored in one file,
-    without what follows from its motion and forces (the same poses at rest, section forces, motor demands): that is
-    computed when it is asked for.
+    On Linux, variants that are written are computed on all processors in parallel. A short run (one block) is stored in one
+    file, without results that follow from its motion and forces (the same poses at rest, section forces, motor demands):
+    these are computed on first access.
     """
     found = spread(model, settings, max_size)
     jobs = [replace(plan(variant.model, name), full=False) for variant in found]
@@ -112,7 +112,9 @@ def run_variants(
 
 
 def _all(work: _Work, written: bool) -> Iterator[tuple[int, _Done]]:
-    """Every variant done. The first that can be computed makes room for all; what is kept in memory is done here."""
+    """Do every variant. Old runs are removed after the first variant is computed; runs kept in memory are done in this
+    process.
+    """
     count = len(work.found)
     refused = None
     for k in range(count):
@@ -132,7 +134,7 @@ def _all(work: _Work, written: bool) -> Iterator[tuple[int, _Done]]:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Done:
-    """What is known of a variant that was done, or why it was not."""
+    """The outcome of a variant, or the reason why it was not computed."""
 
     refused: str = ""
     status: Status = Status.COMPLETED
@@ -142,7 +144,7 @@ class _Done:
 
 
 class _Work:
-    """Computes and stores variants by their number."""
+    """Computes and stores variants by number."""
 
     def __init__(
         self, found: list[Variant], jobs: list[Plan], paths: Sequence[Path | None], target: Path | None, overwrite: bool
@@ -152,7 +154,7 @@ class _Work:
         self._last: Model | None = None
 
     def __call__(self, k: int, raising: bool = False) -> _Done:
-        """One variant; what it is refused for is noted, or raised."""
+        """Do one variant; an error of the variant is stored or raised."""
         try:
             return self._one(self.found[k], self.jobs[k], self.paths[k])
         except InputError as error:
@@ -168,13 +170,13 @@ class _Work:
             from kinetruss.runs.blocks.simulated import stepper_of
 
             stepper_of(job)  # a refusal comes before anything in the folder is touched
-            self._make_room(path)
+            self._remove_old(path)
             result = run(variant.model, job.name, path, overwrite=self.overwrite, settings=variant.settings)
             return _done(result.status, result.whole, result.verdict)
         started = time.perf_counter()
         computed = blocks(self._shared(job))
         first = next(computed)  # a refusal comes before anything in the folder is touched
-        self._make_room(path)
+        self._remove_old(path)
         if len(job.times) > job.block:
             result = run(variant.model, job.name, path, overwrite=self.overwrite, settings=variant.settings)
             return _done(result.status, result.whole, result.verdict)
@@ -193,9 +195,9 @@ class _Work:
         return _done(status, status.ok and ledger.whole, first.verdict)
 
     def _shared(self, job: Plan) -> Plan:
-        """The same job on the model of the variant before it, where they differ in their motion only.
+        """The same plan on the model of the previous variant, if they differ only in their motion.
 
-        A model is compiled once, and that takes as long as the forces of some hundred samples.
+        So the model is compiled only once; compiling takes as long as the forces of some hundred samples.
         """
         moving: dict[str, Any] = {"runs": {}, "trajectories": {}, "title": ""}
         if self._last is None or self._last.with_(**moving) != job.model.with_(**moving):
@@ -205,8 +207,8 @@ class _Work:
         run_here = job.run.with_(trajectory=job.model.trajectory_of(job.run))
         return replace(job, model=self._last, run=run_here)
 
-    def _make_room(self, path: Path) -> None:
-        """Take away what an earlier command has put where the variants go, once the first of them is computed."""
+    def _remove_old(self, path: Path) -> None:
+        """Remove the runs of an earlier command from the folders of the variants, after the first variant is computed."""
         if self._room or self.target in (None, path):
             return
         self._room = True
@@ -214,7 +216,7 @@ class _Work:
             with nullcontext() if old == self.target else holding(old):
                 clear(old)
             if old not in (self.target, path):
-                with suppress(OSError):  # other files in it stay
+                with suppress(OSError):  # keep other files in it
                     old.rmdir()
 
 
@@ -236,7 +238,7 @@ def _gathered(done: Sequence[_Done], found: Sequence[Variant], paths: Sequence[P
 
 
 def _datasets(block: Block) -> dict[str, Any]:
-    """What is stored of a run of one block, by its place in the store."""
+    """The stored datasets of a run of one block, by path in the store."""
     found = {"motion": block.motion.data}
     found |= {f"forces/{key(case)}/total": forces.data for case, forces in block.forces.items()}
     return found if block.verdict is None else found | {"verdict": block.verdict.data}
@@ -250,7 +252,7 @@ def _worst(data: Any) -> tuple[str, str, float, float] | None:
     i, j = np.unravel_index(np.nanargmax(values), values.shape)
     value = values[i, j]
     if value == 0 and any(str(note).startswith(NOT_CHECKED) for note in data["note"].values.flat):
-        return None  # nothing that was checked has a demand, and something was not checked
+        return None  # no checked entry has a demand, and some entries were not checked
     return str(data["part"].values[i]), str(data["rule"].values[j]), float(value), float(data["time_of"].values[i, j])
 
 
@@ -260,11 +262,11 @@ def _paths(target: Path, found: Sequence[Variant]) -> list[Path | None]:
 
 @contextmanager
 def _claimed(target: Path, paths: Sequence[Path], overwrite: bool) -> Iterator[None]:
-    """The folder of several variants, held for this command; a single one is held by its own run.
+    """Lock the folder of several variants for this command; the folder of a single one is locked by its run.
 
     Raises
     ------
-    InputError : it would lose something; what counts as lost is as for a single run.
+    InputError : it would lose data; the rules are those of a single run.
     StoreError : another process writes it, or a run in it; or it cannot be written.
     """
     check_unlocked(target)
@@ -289,7 +291,7 @@ def _check_target(target: Path, paths: Sequence[Path], overwrite: bool) -> None:
 
 
 def _held(target: Path) -> list[Path]:
-    """Variants in a folder that an earlier command has put there."""
+    """Variants of an earlier command in a folder."""
     if is_store(target) or not target.is_dir():
         return []
     return [path for path in sorted(target.iterdir()) if is_store(path) and read_ledger(path)["options"].get("settings")]

@@ -1,4 +1,4 @@
-"""A model in variants: values set by their paths, all combinations."""
+"""Variants of a model: all combinations of values, set by path."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ __all__ = ["Variant", "spread", "variants"]
 Settings = Mapping[str, Sequence[Any]]
 
 LONGEST = 100
-"""Characters of a variant's name: it is the name of a folder."""
+"""Largest number of characters in a variant's name, which is the name of a folder."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Variant:
-    """One combination. name : also the name of its folder. settings : path -> value as text."""
+    """One combination of values. name : also the name of its folder. settings : path -> value as text."""
 
     name: str
     settings: Mapping[str, str]
@@ -38,18 +38,18 @@ def variants(model: Model | str | Path, settings: Settings) -> dict[str, Model]:
 
     Parameters
     ----------
-    model : a model, or a model file. Only of a file can ``library.NAME`` be set, a parameter of the library model it names:
-        a model does not remember what it was built from.
+    model : a model, or a model file. ``library.NAME``, a parameter of the library model in a file, can be set only for a
+    file: a model does not store the parameters from which it was built.
     settings : dotted path -> values, as for `io.set_value`, e.g. ``{"runs.extend.trajectory.duration": [3, "5 s"]}``.
 
     Returns
     -------
-    Name -> model, the last path varying fastest. A name tells the values of the paths that have several, e.g.
-    ``duration=3_payload_mass=10kg``; the shortest ends of the paths that tell them apart stand for them.
+    Name -> model, the last path varying fastest. A name has the values of the paths with several values, e.g.
+    ``duration=3_payload_mass=10kg``; each path is shortened to its shortest unique end.
 
     Raises
     ------
-    ModelError : a path that is not there, offering the nearest names; a value that does not fit, with its mend.
+    ModelError : an unknown path (the message offers the nearest names); a value that does not fit, with its fix.
     InputError : a path without values, or a value given twice.
 
     Examples
@@ -63,7 +63,7 @@ def variants(model: Model | str | Path, settings: Settings) -> dict[str, Model]:
 
 
 def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SIZE) -> list[Variant]:
-    """The combinations of `variants`, with what was set in each."""
+    """The combinations of `variants`, with the values set in each."""
     for path, values in settings.items():
         if isinstance(values, str) or not len(values):
             raise InputError(f"{path} has no list of values. Give for example {path}=3,5,10.")
@@ -81,12 +81,12 @@ def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SI
 
 
 class _Base:
-    """What the variants are made of; each set of library parameters is built once."""
+    """The base of the variants; each set of library parameters is built once."""
 
     def __init__(self, model: Model | str | Path, max_size: int) -> None:
         self._file = None if isinstance(model, Model) else Path(model)
         self._max_size = max_size
-        # a faulty file is told as such before anything is set
+        # report faults of the file itself before anything is set
         self._built: dict[tuple[str, ...], Model] = {(): model if isinstance(model, Model) else read(model, max_size=max_size)}
 
     def with_(self, values: Mapping[str, Any]) -> Model:
@@ -100,7 +100,7 @@ class _Base:
         own = {path: value for path, value in values.items() if not path.startswith("library.")}
         parameters = {path.removeprefix("library."): value for path, value in values.items() if path not in own}
         if parameters and self._file is None:
-            raise InputError(f"library.{next(iter(parameters))} can only be set of a model file, not of a model.")
+            raise InputError(f"library.{next(iter(parameters))} can be set only for a model file, not for a model.")
         key = tuple(map(str, itertools.chain(*parameters.items())))
         if key not in self._built:
             library = {name: given(value) for name, value in parameters.items()}
@@ -110,7 +110,7 @@ class _Base:
 
 
 def _blamed(error: ModelError, values: Mapping[str, Any], change: Any) -> ModelError:
-    """The faults under the setting that has them by itself, or under all of them."""
+    """The faults, assigned to the setting that causes them by itself, or to all settings."""
     for path, value in values.items():
         try:
             change({path: value})
@@ -120,12 +120,12 @@ def _blamed(error: ModelError, values: Mapping[str, Any], change: Any) -> ModelE
 
 
 def _told(error: ModelError, setting: str) -> ModelError:
-    # not a place in a file: there another value stands
+    # no position in the file: the file has another value there
     return ModelError([replace(fault, line=None, column=None, file=None) for fault in error.faults], setting)
 
 
 def _names(settings: Settings, chosen: Sequence[Mapping[str, Any]]) -> list[str]:
-    """A name for each combination: safe as a folder, and no two alike, on file systems that do not tell capitals apart too."""
+    """A name for each combination: valid as a folder, and unique also on file systems that ignore case."""
     several = [path for path, values in settings.items() if len(values) > 1] or list(settings)
     keys = short_paths(several)
     found: list[str] = []
@@ -142,7 +142,7 @@ def _names(settings: Settings, chosen: Sequence[Mapping[str, Any]]) -> list[str]
 
 
 def short_paths(paths: Sequence[str]) -> dict[str, str]:
-    """For each path its shortest end that is no mere number and that no other path has.
+    """For each path its shortest end that is not only a number and that no other path has.
 
     >>> short_paths(["nodes.B.mass", "nodes.C.mass", "runs.a.trajectory.duration", "nodes.B.at.0"])
     {'nodes.B.mass': 'B.mass', 'nodes.C.mass': 'C.mass', 'runs.a.trajectory.duration': 'duration', 'nodes.B.at.0': 'at.0'}
@@ -160,5 +160,5 @@ def short_paths(paths: Sequence[str]) -> dict[str, str]:
 
 
 def _safe(text: str) -> str:
-    """A text as part of a folder name: letters, digits, signs, dots, commas; nothing that a shell or a file system minds."""
+    """A text as part of a folder name: letters, digits, signs, dots, commas; no special character of a shell or file system."""
     return re.sub(r"[^\w.,+-]+", "-", re.sub(r"\s+", "", text).strip("[]{}~")).rstrip("-.") or "none"
