@@ -184,7 +184,7 @@ def test_another_file_is_overwritten_only_after_a_second_click(show, served):
     shown.page.get_by_role("button", name="Save", exact=True).click()
     settled(shown)
     banner = shown.page.locator(".controls .banner")
-    assert "other.yaml is there already" in banner.inner_text()
+    assert "other.yaml exists already" in banner.inner_text()
     assert other.read_text() == "years of work"
     banner.get_by_role("button", name="Overwrite").click()
     settled(shown)

@@ -242,7 +242,7 @@ def test_an_interrupted_run_says_so_on_top(tmp_path):
     assert "kinetruss run --resume half" in top
     assert "(not complete)" in re.search(r"<title>(.*?)</title>", text)[1]
     assert "No limit was checked" in page.words  # utilisation is known at the end only
-    assert "Strength was not judged" in page.words
+    assert "Strength was not checked" in page.words
     assert embedded(text)["whole"] is False
     assert str(tmp_path) not in text  # reports are mailed
 

@@ -336,9 +336,9 @@ def test_a_folder_that_may_not_be_written_is_said_to_be_so(tmp_path, below):
 @pytest.mark.parametrize(
     ("number", "words"),
     [
-        (errno.ENOSPC, "Make room and go on with: kinetruss run --resume"),
-        (errno.EACCES, "Allow this user to write there and go on with"),
-        (errno.EROFS, "Make the file system writable and go on with"),
+        (errno.ENOSPC, "Make room and continue with: kinetruss run --resume"),
+        (errno.EACCES, "Allow this user to write there and continue with"),
+        (errno.EROFS, "Make the file system writable and continue with"),
         (errno.EIO, "Continue with: kinetruss run --resume"),
     ],
 )
@@ -471,7 +471,7 @@ def test_a_kill_at_any_step_of_an_overwrite_leaves_the_old_run_or_says_that_ther
 
 
 def verdict_on(path: Path) -> str:
-    """What a folder shows after a kill; resuming it must not go on with half of another run."""
+    """What a folder shows after a kill; resuming it must not continue with half of another run."""
     assert _folder.is_store(path)  # it can be overwritten again
     try:
         found = runs.load(path)

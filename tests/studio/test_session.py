@@ -217,7 +217,7 @@ def test_another_file_is_replaced_only_when_that_is_confirmed(tmp_path):
     session = Session(tripod(), kt.write(tripod(), tmp_path / "a.yaml"), tmp_path)
     found = ask(session, do="save", name="thesis.yaml")
     assert found["kind"] == "exists"
-    assert "thesis.yaml is there already, and is not the file that was opened. Overwrite it, or" in found["message"]
+    assert "thesis.yaml exists already, and is not the file that was opened. Overwrite it, or" in found["message"]
     assert (tmp_path / "thesis.yaml").read_text() == "years of work"
     assert ask(session, do="save", name="thesis.yaml", replace=True)["kind"] == "saved"
     assert kt.read(tmp_path / "thesis.yaml") == kt.read(tmp_path / "a.yaml")
@@ -233,7 +233,7 @@ def test_a_file_that_something_else_changed_is_not_replaced_in_silence(tmp_path)
     path.write_text(path.read_text() + "# a note made in an editor\n")
     for session in (Session(tripod(), path, tmp_path, seen), Session(tripod(), path, tmp_path, seen)):
         found = ask(session, do="save", name="a.yaml")
-        assert (found["kind"], "was changed by something else since" in found["message"]) == ("exists", True)
+        assert (found["kind"], "was changed by another program since" in found["message"]) == ("exists", True)
     assert "a note made in an editor" in path.read_text()
     assert ask(session, do="save", name="a.yaml", replace=True)["kind"] == "saved"
     other = Session(tripod(), path, tmp_path)

@@ -1,4 +1,4 @@
-"""What people read: tables, figures. Reads results and computes no physics. Parts are imported when first used."""
+"""Reports, tables and figures of results. This package computes no physics. Parts are imported when first used."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One thing to read, in the forms that it has."""
+"""A page: one output in several formats."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["Page"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Page:
-    """What a function of this package found, and its forms: each is made when it is asked for, and empty where it has none."""
+    """The output of a function of this package. Each format is made when it is requested, and is empty if there is none."""
 
     found: Any
     as_record: Callable[[Any], Any]
@@ -26,12 +26,12 @@ class Page:
 
     @property
     def record(self) -> Any:
-        """Plain data, as JSON takes it; SI units, all digits."""
+        """Plain data for JSON; SI units, all digits."""
         return self.as_record(self.found)
 
     @property
     def text(self) -> str:
-        """Lines to print."""
+        """The page as text."""
         return self.as_text(self.found) if self.as_text else ""
 
     @property
@@ -41,7 +41,7 @@ class Page:
 
     @property
     def html(self) -> str:
-        """A whole page that asks no network for anything."""
+        """A self-contained HTML page."""
         return self.as_html(self.found) if self.as_html else ""
 
     def write(self, file: str | Path) -> Path:
@@ -49,7 +49,7 @@ class Page:
 
         Raises
         ------
-        InputError : another suffix, or nothing that has rows. StoreError : the file cannot be written.
+        InputError : a wrong suffix, or a page without rows. StoreError : the file cannot be written.
         """
         path = Path(file)
         if path.suffix != ".csv":

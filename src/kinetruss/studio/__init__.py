@@ -1,6 +1,6 @@
-"""The live studio: a local page whose sliders move the drives of a model and show forces at once.
+"""The live studio: a local page whose sliders move the drives of a model and which shows the forces immediately.
 
-`serve` runs it; `Session` is what one page talks to, without any network. Parts are imported when first used.
+`serve` runs it; a `Session` answers one page and needs no network. Parts are imported when first used.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The web application: one page behind a token, one live connection for each page that is open."""
+"""The web application: one page, protected by a token, and one live connection per open page."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from kinetruss.viewer import live_page
 __all__ = ["PAGES", "application"]
 
 PAGES = 16
-"""Pages that may be open at once."""
+"""Largest number of open pages."""
 
 HEADERS = {
     "Cache-Control": "no-store",
@@ -32,15 +32,15 @@ HEADERS = {
 
 STALE = (
     "No studio has this address. Each start of the studio has a new one, which it prints: open that.\n"
-    "What was changed in an earlier studio and not saved is lost."
+    "Unsaved changes of an earlier studio are lost."
 )
-"""What somebody reads who opens the link of an earlier start."""
+"""The answer to the link of an earlier start."""
 
 log = logging.getLogger(__name__)
 
 
 class Guard:
-    """Lets a request through only with a host and, where it has one, an origin that are this server's own.
+    """Accepts a request only if its host and, if given, its origin are those of this server.
 
     A websocket must have an origin: browsers always send one, and a page from elsewhere cannot forge it.
     """
@@ -60,7 +60,7 @@ class Guard:
             await send({"type": "websocket.close", "code": 1008, "reason": "wrong host or origin"})
 
     def welcome(self, scope: Scope) -> bool:
-        """Whether host and origin are right, each given exactly once."""
+        """True if host and origin are right and each is given exactly once."""
         headers = Headers(scope=scope)
         hosts, origins = headers.getlist("host"), headers.getlist("origin")
         if len(hosts) != 1 or hosts[0] not in self.hosts:
@@ -75,7 +75,7 @@ def application(new: Callable[[], Session], token: str, hosts: Iterable[str], ti
 
     Parameters
     ----------
-    new : makes the session of a page. token : in the address of everything. hosts : ``127.0.0.1:PORT`` and the like.
+    new : makes the session of a page. token : part of every address. hosts : ``127.0.0.1:PORT`` and the like.
     """
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, redirect_slashes=False)
     app.add_middleware(Guard, hosts=tuple(hosts))
@@ -113,7 +113,7 @@ def _same(given: str, token: str) -> bool:
 
 
 async def _talk(socket: WebSocket, new: Callable[[], Session]) -> None:
-    """Answer every message of a page, one after the other; the work is done beside the loop that listens."""
+    """Answer every message of a page, one after the other; the work is done in a thread outside the event loop."""
     try:
         session = await run_in_threadpool(new)
         first = await run_in_threadpool(session.scene)
@@ -135,12 +135,12 @@ async def _talk(socket: WebSocket, new: Callable[[], Session]) -> None:
 
 
 def _answer(session: Session, text: str | bytes) -> bytes | dict[str, Any]:
-    """What the session answers; what nobody foresaw is told too, and the page stays alive."""
+    """The answer of the session; an unexpected error is reported too, and the page stays connected."""
     try:
         return session.answer(text)
     except Exception as error:
         log.exception("a message could not be answered")
-        return {"kind": "error", "message": f"This could not be done: {type(error).__name__}. The model is as it was."}
+        return {"kind": "error", "message": f"This could not be done: {type(error).__name__}. The model is unchanged."}
 
 
 async def _send(send: Callable[[str], Awaitable[None]], record: dict[str, Any]) -> None:

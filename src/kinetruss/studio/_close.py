@@ -1,4 +1,4 @@
-"""Whether a pose has all its lengths and angles, and a pose near another one that has them."""
+"""Checks if a pose satisfies all lengths and angles, and finds a pose near another one that does."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ if TYPE_CHECKING:
 __all__ = ["CLOSED", "closed", "gap", "present_values"]
 
 CLOSED = 1e-10
-"""Share of the size of the structure by which a length may be missed in a pose that is shown."""
+"""Largest error of a length in a pose that is shown, as a fraction of the size of the structure."""
 
 EXACT = 1e-13
-"""The same, below which a pose is left as it is."""
+"""Error of a length below which a pose is not corrected, as a fraction of the size."""
 
 
 def gap(model: Model, position: Pose, values: Mapping[str, float]) -> tuple[float, str]:
-    """Largest miss of a length, angle or coordinate at a pose (n_nodes, dim), as a share of the size, and what misses it."""
+    """Largest error of a length, angle or coordinate at a pose (n_nodes, dim), as a fraction of the size, and its name."""
     system = compile(model)
     x = _full(system, position)
     return _gap(system, x, _wanted(system, values), values)
 
 
 def closed(model: Model, position: Pose, values: Mapping[str, float]) -> Pose:
-    """The pose with drives at `values` to which a pose (n_nodes, dim) leads when all lengths go to theirs together.
+    """The pose with drives at `values`, reached from a pose (n_nodes, dim) by changing all lengths together.
 
     Raises
     ------
-    AnalysisError : no continuous way leads there. InputError : lengths that contradict each other.
+    AnalysisError : there is no continuous path to it. InputError : lengths that contradict each other.
     """
     system = compile(model)
     x, wanted = _full(system, position), _wanted(system, values)
@@ -65,7 +65,7 @@ def closed(model: Model, position: Pose, values: Mapping[str, float]) -> Pose:
 
 
 def present_values(model: Model, position: Pose) -> dict[str, float]:
-    """Where the drives of a model are at a pose (n_nodes, dim), m or rad; angles by the turn nearest to the model's own."""
+    """Drive values of a model at a pose (n_nodes, dim), m or rad; angles within half a turn of the model's own."""
     system = compile(model)
     x = _full(system, position)[None]
     now = drive_values(system, x, 0 * x, 0 * x)[0][0]
@@ -88,7 +88,7 @@ def _gap(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], va
 
 
 def _wanted(system: System, values: Mapping[str, float]) -> NDArray[np.float64]:
-    """What every row has to measure with the drives at `values`."""
+    """Target of every constraint with the drives at `values`."""
     wanted = system.row_value.copy()
     driven = system.row_drive >= 0
     wanted[driven] = np.array([values[name] for name in system.drives])[system.row_drive[driven]]

@@ -1,4 +1,4 @@
-"""What a page may say: small records, checked before anything is done."""
+"""The commands of a page: small records that are checked before anything is done."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["MOST", "Case", "Command", "Gravity", "KeyFrame", "Live", "Load", "Ma
            "Switch", "command_of", "doubt"]  # fmt: skip
 
 MOST = 262_144
-"""Bytes of the longest message a page may send."""
+"""Largest size of a message from a page, bytes."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e15, le=1e15)]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
@@ -26,7 +26,7 @@ class _Command(BaseModel):
 
 
 class Move(_Command):
-    """Drives to new values, m or rad. `fine`: also what takes longer (motors and mobility of large models)."""
+    """Move drives to new values, m or rad. `fine`: also compute slow results (motors and mobility of large models)."""
 
     do: Literal["move"]
     values: Values
@@ -34,7 +34,7 @@ class Move(_Command):
 
 
 class Switch(_Command):
-    """Make a member rigid, driven, elastic, cut, or what the file says (own)."""
+    """Make a member rigid, driven, elastic, cut, or as in the file (own)."""
 
     do: Literal["switch"]
     member: Name
@@ -49,7 +49,7 @@ class Gravity(_Command):
 
 
 class Load(_Command):
-    """A constant force (N) on a node; all zero takes it away."""
+    """A constant force (N) on a node; zero removes it."""
 
     do: Literal["load"]
     name: Name
@@ -73,7 +73,7 @@ class Case(_Command):
 
 
 class KeyFrame(BaseModel):
-    """Where the drives are at a time, s."""
+    """Drive values at a time, s."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
     time: Annotated[Finite, Field(ge=0, le=1e6)]
@@ -92,13 +92,13 @@ class Run(_Command):
 
 
 class Live(_Command):
-    """Back from a run to the live model."""
+    """Return from a run to the live model."""
 
     do: Literal["live"]
 
 
 class Reset(_Command):
-    """Everything as the file has it."""
+    """Reset the model to the file."""
 
     do: Literal["reset"]
 
@@ -110,7 +110,7 @@ class Query(_Command):
 
 
 class Save(_Command):
-    """Write the model into the folder. `pose`: the present pose becomes that of the file. `replace`: also over another file."""
+    """Save the model in the folder. `pose`: with the present pose as its own. `replace`: also replace another file."""
 
     do: Literal["save"]
     name: Name
@@ -124,7 +124,7 @@ _ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)
 
 
 def doubt(command: Any) -> str:
-    """What is to be asked about a value that is allowed but hardly meant; empty where there is nothing."""
+    """A question about a value that is allowed but unlikely; empty if there is none."""
     match command:
         case Mass() if command.mass > 1e7:
             return f"{command.mass:.6g} kg at {command.node}: more than a large ship has. Is it meant so?"
@@ -140,7 +140,7 @@ def command_of(text: str | bytes) -> Any:
 
     Raises
     ------
-    InputError : too long, no JSON, or nothing that a page may say.
+    InputError : too long, not JSON, or not a known command.
     """
     if len(text) > MOST:
         raise InputError(f"A message of {len(text)} bytes is refused. Send at most {MOST}.")
@@ -151,4 +151,4 @@ def command_of(text: str | bytes) -> Any:
         where = ".".join(str(part) for part in first["loc"])
         raise InputError(f"This message is not understood. {where or 'message'}: {first['msg']}.") from None
     except (ValueError, RecursionError):
-        raise InputError("This message is no JSON text.") from None
+        raise InputError("This message is not JSON.") from None

@@ -1,4 +1,4 @@
-"""A model with something changed: the kind of a member, gravity, a load, a payload."""
+"""Changes of a model: the kind of a member, gravity, a load, a payload."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["posed", "role_of", "switched", "with_gravity", "with_load", "with_mass"]
 
 LEAN = ("runs", "trajectories", "poses", "gauges", "gauge_zero", "drives", "load_cases")
-"""Tables whose entries may be left out where they rest on a member that is no longer there, or no longer driven."""
+"""Tables whose entries may be removed if their member no longer exists or is no longer driven."""
 
 
 def role_of(model: Model, name: str) -> str:
@@ -29,14 +29,14 @@ def role_of(model: Model, name: str) -> str:
 
 
 def switched(model: Model, original: Model, position: NDArray[np.float64], name: str, to: str) -> tuple[Model, list[str]]:
-    """The model with a member made rigid, driven, elastic, cut, or its own again; and what had to be left out for it.
+    """The model with a member made rigid, driven, elastic, cut, or as in the file; and the names of removed entries.
 
-    A member made rigid or driven keeps the length it has now; an elastic one is without force at that length. An active
+    A member made rigid or driven keeps its present length; an elastic one has no force at that length. An active
     member made rigid or elastic becomes a uniform bar of its tube's section with the mass of both rods.
 
     Raises
     ------
-    InputError : no such member. ModelError : what the model lacks for it, e.g. E and A of an elastic bar.
+    InputError : no such member. ModelError : data missing in the model, e.g. E and A of an elastic bar.
     """
     if name not in original.members:
         raise InputError(f"No member called {name!r}. {nearest(name, original.members)}")
@@ -84,7 +84,7 @@ def _uniform(model: Model, own: Active) -> Bar:
 
 
 def _lean(model: Model, original: Model, changes: Mapping[str, Any]) -> tuple[Model, list[str]]:
-    """The model with changes; entries of other tables that rest on what is gone come back as soon as they can stand."""
+    """The model with changes. Entries of other tables that depend on removed members return when they are valid again."""
     tables = {name: dict(getattr(original, name)) for name in LEAN if isinstance(getattr(original, name), dict)}
     if "load_cases" in tables:
         tables["load_cases"] = dict(model.load_cases)
@@ -109,7 +109,7 @@ def with_gravity(model: Model, value: list[float]) -> Model:
 
 
 def with_load(model: Model, name: str, node: str, force: list[float]) -> Model:
-    """A constant force (N) on a node; all zero takes it away. In load cases that list their loads it counts with factor 1."""
+    """A constant force (N) on a node; zero removes it. Load cases that list their loads include it with factor 1."""
     rest = {key: load for key, load in model.loads.items() if key != name}
     if not any(force):
         cases = {key: _without(case, name) for key, case in model.load_cases.items()}
@@ -138,12 +138,12 @@ def with_mass(model: Model, node: str, mass: float) -> Model:
 
 
 def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, float]) -> Model:
-    """The model drawn in another pose: nodes there, driven members with the length they have there."""
+    """The model in another pose: with its node positions, and driven members with their lengths there."""
     nodes = {
         name: node.model_copy(update={"at": tuple(map(float, position[k]))})
         for k, (name, node) in enumerate(model.nodes.items())
     }
-    # a rigid bar without a length of its own has that of the drawing; it is kept to the last bit
+    # a rigid bar without a given length has that of its node positions; keep it to the last bit
     lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
     bars = {
         name: bar.model_copy(update={"length": lengths[name]})

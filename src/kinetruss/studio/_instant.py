@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 __all__ = ["MANY", "Instant", "framed", "instant"]
 
 MANY = 60
-"""Members above which motors and mobility are worked out only when the slider rests."""
+"""Number of members above which motors and mobility are computed only when the slider stops."""
 
 LARGEST = 400
-"""Members above which the mobility of a pose (a dense singular value decomposition) is left out."""
+"""Number of members above which the mobility of a pose (a dense singular value decomposition) is omitted."""
 
 ALARMS = 4
-"""Members that are named."""
+"""Largest number of members in messages."""
 
 DEMANDS = ("thrust", "stroke", "holding_torque", "breakaway_torque", "current")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Instant:
-    """One pose at rest: forces, the arrays that a scene shows, demand of the motors, mobility in words, limits exceeded."""
+    """One pose at rest: forces, arrays of the scene, demand of the motors, mobility as text, limits exceeded."""
 
     forces: Forces
     arrays: dict[str, NDArray[Any]]
@@ -46,7 +46,7 @@ class Instant:
 
 
 def instant(model: Model, position: NDArray[np.float64], case: str | None, fine: bool = True) -> Instant:
-    """Everything that is shown of a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
+    """All results shown for a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
     still = np.zeros((1, *position.shape))
     motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
     forces = dynamics.inverse(model, motion, case, static=False)
@@ -68,7 +68,7 @@ def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
     found = [
         f"{names[k]} buckles: its compression is {quantity(buckling[k], '%')} of what is allowed."
         if buckling[k] > 1
-        else f"{names[k]} is used to {quantity(worst[k], '%')} of what is allowed."
+        else f"{names[k]} is at {quantity(worst[k], '%')} of its allowed load."
         for k in order[:ALARMS]
     ]
     return found + [f"{len(order) - ALARMS} more members are beyond a limit."] * (len(order) > ALARMS)
@@ -102,7 +102,7 @@ def _limit(model: Model, name: str) -> float | None:
 
 
 def number(value: Any) -> float | None:
-    """A float, or None where JSON has no word for it."""
+    """A float, or None if JSON cannot represent it."""
     return float(value) if math.isfinite(value) else None
 
 

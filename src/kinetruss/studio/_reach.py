@@ -1,4 +1,4 @@
-"""From one good pose to another, and what may be shown of the way."""
+"""Moves from one good pose to another, and decides which poses may be shown."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ if TYPE_CHECKING:
 __all__ = ["LEAST", "Reached", "reach", "stand", "start_of"]
 
 LEAST = 1e-3
-"""Singularity gauge at which a slider stops: forces and drive rates are then up to a thousand times those of a good pose."""
+"""Singularity measure at which a slider stops: forces and drive rates are then up to 1000 times those of a good pose."""
 
 COARSE, FINE = 33, 513
-"""Samples of the way to a new pose; more are taken where it cannot be gone to its end, to stop close to it."""
+"""Number of samples on the path to a new pose; if its end cannot be reached, more are used to stop close to the limit."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Reached:
-    """The last good pose on a way.
+    """The last good pose on a path.
 
-    position : (n_nodes, dim), m. values : of the drives there, m or rad. gauge : smallest singular value of the Jacobian's
-    blocks, NaN where something hangs free. stopped : why the way ends before the wanted values, or empty.
-    note : what else should be known of the pose.
+    position : (n_nodes, dim), m. values : drive values there, m or rad. gauge : smallest singular value of the Jacobian's
+    blocks, NaN if parts hang freely. stopped : why the path ends before the wanted values, or empty.
+    note : other remarks on the pose.
     """
 
     position: Pose
@@ -46,11 +46,11 @@ class Reached:
 
 
 def start_of(model: Model) -> Reached:
-    """The pose in which the model stands.
+    """The own pose of the model.
 
     Raises
     ------
-    AnalysisError, InputError : lengths that cannot be closed, or no place to come to rest.
+    AnalysisError, InputError : lengths that cannot be closed, or no equilibrium.
     """
     system = compile(model)
     values = {name: float(value) for name, value in zip(system.drives, system.drive_start, strict=True)}
@@ -61,11 +61,11 @@ def start_of(model: Model) -> Reached:
 
 
 def stand(model: Model, position: Pose, values: Mapping[str, float]) -> Reached:
-    """A changed model at values of its drives (m or rad): closed from the pose shown, else from its own, or come to rest.
+    """A changed model at drive values (m or rad): closed from the pose shown, else from its own pose, or in equilibrium.
 
     Raises
     ------
-    AnalysisError, InputError : it cannot be closed from either pose, or comes to rest nowhere.
+    AnalysisError, InputError : it cannot be closed from either pose, or has no equilibrium.
     """
     if arrange(compile(model)).plan is None:
         return _settled(model, position, values)
@@ -77,16 +77,16 @@ def stand(model: Model, position: Pose, values: Mapping[str, float]) -> Reached:
             found = closed(model, kinematics.assemble(model), values)
         except KinetrussError:
             raise first from None
-        note = "It could not be closed from the pose shown before: closed from the pose of the model instead."
+        note = "It could not be closed from the previous pose; it was closed from the pose of the model instead."
     return _checked(model, Reached(position=found, values=dict(values), gauge=_gauge(model, found, values), note=note))
 
 
 def _checked(model: Model, pose: Reached) -> Reached:
-    """The pose, which is never shown open.
+    """The pose, after a check that all lengths and angles are satisfied.
 
     Raises
     ------
-    AnalysisError : a length or an angle is missed.
+    AnalysisError : a length or an angle is not satisfied.
     """
     miss, what = gap(model, pose.position, pose.values)
     if miss <= CLOSED:
@@ -95,7 +95,7 @@ def _checked(model: Model, pose: Reached) -> Reached:
 
 
 def reach(model: Model, position: Pose, now: Mapping[str, float], wanted: Mapping[str, float]) -> Reached:
-    """Drives from where they are to new values: followed continuously, in steps, up to the last good pose.
+    """Move drives from their present to new values, continuously in steps, up to the last good pose.
 
     Parameters
     ----------
@@ -135,22 +135,22 @@ def _followed(model: Model, position: Pose, now: Mapping[str, float], goal: Mapp
 
 
 TIMED = re.compile(r" \(t = [^)]*\)| (?:at|between|from) t = \S+ s(?: and \S+ s)?(?: on)?|^At t = \S+ s ")
-"""Where a message speaks of the time of a way, which a slider does not have."""
+"""Parts of messages with the time of a path, which a slider does not have."""
 
-ADVICE = ("The motion is good", "Start the path", "Mend the path", "Lead it around", "Drive one of them less")
-"""Sentences about paths."""
+ADVICE = ("The motion is good", "Start the path", "Correct the path", "Change the path to avoid it", "Drive one of them less")
+"""Starts of sentences that apply only to paths."""
 
 
 def _reason(message: str) -> str:
-    """The whole reason, without times and advice that are a path's and not a slider's."""
+    """The reason, without times and advice that apply to a path but not to a slider."""
     sentences = re.split(r"(?<=[.!?]) (?=[A-Z])", message)
     kept = " ".join(TIMED.sub("", one) for one in sentences if not one.startswith(ADVICE))
-    kept = kept.replace("The path runs", "This way runs").replace("at the start of the path ", "").rstrip(".")
-    return f"{kept[:1].upper()}{kept[1:]}. Held at the last good pose: lead the drives another way."
+    kept = kept.replace("The path runs", "This motion runs").replace("at the start of the path ", "").rstrip(".")
+    return f"{kept[:1].upper()}{kept[1:]}. Stopped at the last good pose: move the drives in another way."
 
 
 def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -> Reached:
-    """Where a structure with springs or loose parts comes to rest at these values of its drives."""
+    """The equilibrium of a structure with springs or loose parts at given drive values."""
     rest = statics.equilibrium(model, position, lengths=values)
     note = rest.message
     if not rest.stable:
@@ -159,7 +159,7 @@ def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -
 
 
 def _gauge(model: Model, position: Pose, values: Mapping[str, float]) -> float:
-    """The gauge of one pose: that of a way that stays there."""
+    """The singularity measure of one pose, computed for a path that stays there."""
     if not values:
         return float("nan")
     way = Quintic(moves={name: (value, value) for name, value in values.items()}, duration=1.0)

@@ -1,4 +1,4 @@
-"""A model into the chosen folder, and nowhere else; over another file only where that was said."""
+"""Saves a model in the chosen folder only; replaces another file only after confirmation."""
 
 from __future__ import annotations
 
@@ -13,36 +13,38 @@ __all__ = ["FileThereError", "Seen", "save", "seen_now"]
 
 PLAIN = re.compile(r"[^\W.][\w .+-]{0,120}\.(yaml|yml|json)", re.IGNORECASE)
 DEVICE = re.compile(r"(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9\u00b9\u00b2\u00b3])[ .].*", re.IGNORECASE)
-"""Names of devices: on Windows such a file cannot be opened, moved or deleted by usual means."""
+"""Names of devices: on Windows a file with such a name cannot be opened, moved or deleted as usual."""
 
 Seen = dict[Path, tuple[int, int]]
-"""Size and time of change (ns) of files whose contents a page knows: the one it opened, those it wrote."""
+"""Size and modification time (ns) of files that a page has opened or written."""
 
 
 class FileThereError(InputError):
-    """A file of that name is there, and would be lost."""
+    """Raised if a file with that name exists and would be lost."""
 
 
 def seen_now(*paths: Path | None) -> Seen:
-    """Files as they are now; those that are not there are left out."""
+    """The present stamps of files; files that do not exist are omitted."""
     return {path.resolve(): _stamp(path) for path in paths if path is not None and path.is_file()}
 
 
 def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: bool = False) -> Path:
-    """Write a model as a file of a folder, whole or not at all, and note it in `seen`.
+    """Write a model to a file in a folder, completely or not at all, and store its stamp in `seen`.
 
-    replace : also in place of a file that is not in `seen`, or was changed since.
+    replace : also replace a file that is not in `seen` or was changed since.
 
     Raises
     ------
-    InputError : no folder was chosen, or the name is not that of a plain .yaml, .yml or .json file.
+    InputError : no folder was chosen, or the name is not a plain .yaml, .yml or .json file name.
     FileThereError : it would replace another file.
     StoreError : the file cannot be written.
     """
     if folder is None:
         raise InputError("No folder was chosen to write to.")
     if not PLAIN.fullmatch(name):
-        raise InputError(f"{name!r} is no plain file name. Write for example bay.yaml; it goes into {folder.name or folder}.")
+        raise InputError(
+            f"{name!r} is not a plain file name. Write for example bay.yaml; it goes into {folder.name or folder}."
+        )
     if DEVICE.fullmatch(name):
         raise InputError(f"{name!r} is the name of a device on Windows. Choose another name, for example my_{name}.")
     path = folder.resolve() / name
@@ -56,14 +58,14 @@ def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: b
 
 
 def _check(path: Path, seen: Seen) -> None:
-    """Refuse to replace what this page has not seen."""
+    """Raise an error if the file was not opened or written by this page, or was changed since."""
     if path not in seen:
         raise FileThereError(
-            f"{path.name} is there already, and is not the file that was opened. Overwrite it, or choose another name."
+            f"{path.name} exists already, and is not the file that was opened. Overwrite it, or choose another name."
         )
     if seen[path] != _stamp(path):
         raise FileThereError(
-            f"{path.name} was changed by something else since it was opened or saved here. "
+            f"{path.name} was changed by another program since it was opened or saved here. "
             "Overwrite it, or choose another name."
         )
 

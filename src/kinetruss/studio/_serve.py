@@ -29,14 +29,14 @@ def serve(
 
     Parameters
     ----------
-    path : the model file; it is read once, every page that is opened starts from it.
-    folder : the only place that is written to, when a page says save; by default the folder of the model file.
-    port : of 127.0.0.1; 0 takes a free one. token : in the address; by default 32 random signs.
+    path : the model file; it is read once, and every new page starts from it.
+    folder : the only folder in which pages can save; by default the folder of the model file.
+    port : on 127.0.0.1; 0 selects a free one. token : part of the address; by default 32 random characters.
     ready : called with the address once the server listens.
 
     Raises
     ------
-    InputError : the packages of the studio are not installed, a faulty model, no such folder, a port that is taken.
+    InputError : missing packages of the studio, a faulty model, no such folder, a port in use.
     """
     file = Path(path).resolve()
     target = file.parent if folder is None else Path(folder).resolve()
@@ -44,7 +44,7 @@ def serve(
         raise InputError(f"There is no folder {target}. Make it, or name another one.")
     from kinetruss.studio._save import seen_now
 
-    seen = seen_now(file)  # before it is read: a change from then on is another's
+    seen = seen_now(file)  # before the file is read: a later change is by another program
     model = read(file, max_size=max_size)
     uvicorn, application, session = _packages()
     token = token or secrets.token_urlsafe(24)

@@ -1,4 +1,4 @@
-"""What one page talks to: a model, its last good pose, and what may be done with them. Knows of no network."""
+"""The session of one page: a model, its last good pose, and the commands on them. It does not use the network."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ Answer = bytes | dict[str, Any]
 class Session:
     """A live model: messages in, messages out.
 
-    model : what is shown. file : where it came from, or None. folder : the only place that is written to.
-    seen : the file as it was when the model was read (default: as it is now).
+    model : the model shown. file : its file, or None. folder : the only folder in which it can be saved.
+    seen : stamp of the file when the model was read (default: its present stamp).
 
-    Every answer stands on a converged pose. What cannot be reached leaves the last good pose, with a reason.
+    Every answer is based on a converged pose. If a pose cannot be reached, the last good pose stays, with a reason.
     """
 
     def __init__(self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None) -> None:
@@ -41,7 +41,7 @@ class Session:
         self.restart()
 
     def restart(self) -> None:
-        """The model as it was given."""
+        """Start again with the model as it was given."""
         self.model = self.original
         self.case: str | None = None
         self.lost: list[str] = []
@@ -80,7 +80,7 @@ class Session:
         return self.scene(say.doubt(command))
 
     def move(self, values: dict[str, float], fine: bool = False) -> bytes:
-        """Drives to new values, m or rad, followed from the last good pose; the state there."""
+        """Move drives to new values, m or rad, from the last good pose; returns the state there."""
         wanted, notes = {}, []
         for name, value in values.items():
             if name not in self.pose.values:
@@ -89,12 +89,12 @@ class Session:
             wanted[name] = min(max(value, low), high) if limited else value
             if wanted[name] != value:
                 notes.append(f"{name} is at its limit, {wanted[name]:.6g} m.")
-        if wanted:  # else only what takes longer is asked for, of a pose that keeps its reason to stop
+        if wanted:  # else only slow results are requested; the pose keeps its reason to stop
             self.pose = reach(self.model, self.pose.position, self.pose.values, wanted)
         return self.state(" ".join(notes), fine)
 
     def edit(self, command: Any) -> None:
-        """Change the model; where the new one cannot stand, nothing is changed."""
+        """Change the model; if the new one has no valid pose, nothing is changed."""
         model, lost = self.model, self.lost
         match command:
             case say.Gravity():
@@ -110,7 +110,7 @@ class Session:
         self.model, self.lost, self.pose = model, lost, pose
 
     def _stand(self, model: Model) -> Reached:
-        """The new model closed at the drive values shown, or where it comes to rest."""
+        """The new model closed at the drive values shown, or in equilibrium."""
         values = {}
         for name, value in present_values(model, self.pose.position).items():
             low, high, limited = self.limits(name, model)
@@ -118,16 +118,16 @@ class Session:
         return stand(model, self.pose.position, values)
 
     def run(self, command: say.Run) -> bytes:
-        """Follow the key frames: a scene of the run, and its worst instants."""
-        shown = posed(self.model, self.pose.position, self.pose.values)  # else it could begin on another branch
+        """Follow the key frames; returns a scene of the run and its worst instants."""
+        shown = posed(self.model, self.pose.position, self.pose.values)  # otherwise the run could start on another branch
         result = travelled(shown, command.frames, self.pose.values, command.samples)
         if not result.good:
-            raise InputError(f"The motion cannot begin: {result.message}")
+            raise InputError(f"The motion cannot start: {result.message}")
         note = "" if result.status.ok else f"{result.status.value} {result.message}"
         return framed({"kind": "run", "worst": worst_rows(result), "note": note}, pack(scene(result)))
 
     def save(self, command: say.Save) -> dict[str, Any]:
-        """Write the model into the folder; where that would replace another file, only the question whether to."""
+        """Save the model in the folder; if that would replace another file, return a question instead."""
         model = self.model
         if len(command.frames) > 1 and self.pose.values:
             model = with_way(model, way_of(command.frames, self.pose.values), 201)
@@ -138,23 +138,23 @@ class Session:
         except FileThereError as there:
             return {"kind": "exists", "message": str(there)}
         words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs else "")
-        left = f" Left out, as they rest on members that changed: {', '.join(self.lost)}." if self.lost else ""
+        left = f" Removed, because they depend on members that changed: {', '.join(self.lost)}." if self.lost else ""
         return {"kind": "saved", "message": f"{words}.{left}"}
 
     # -- what is shown ---------------------------------------------------------------------------------------------
 
     def instant(self, fine: bool = True) -> Instant:
-        """Forces and the rest of the present pose."""
+        """Forces and the other results of the present pose."""
         return instant(self.model, self.pose.position, self.case, fine)
 
     def scene(self, note: str = "") -> bytes:
-        """The whole picture anew, and everything that can be changed."""
+        """The whole scene, and everything that can be changed."""
         now = self.instant()
         picture = scene(now.forces, model=self.model)
         return framed({"kind": "scene", "setup": self.setup(), "state": self._told(now, note)}, pack(picture))
 
     def state(self, note: str = "", fine: bool = False) -> bytes:
-        """The present pose: drive values in the header, positions and forces as float32 behind it."""
+        """The present pose: drive values in the header, positions and forces as float32 after it."""
         now = self.instant(fine)
         blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in now.arrays.items() if name != "time"}
         table = [[name, values.size] for name, values in blocks.items()]
@@ -188,7 +188,7 @@ class Session:
         }
 
     def limits(self, name: str, model: Model | None = None) -> tuple[float, float, bool]:
-        """Least and largest value that a slider offers, and whether they are limits of the model."""
+        """Smallest and largest value of a slider, and whether they are limits of the model."""
         model = model or self.model
         drive = model.all_drives[name]
         system = compile(model)
@@ -202,7 +202,7 @@ class Session:
         return start - reach, start + reach, False
 
     def setup(self) -> dict[str, Any]:
-        """What the page needs to know to offer its controls."""
+        """The data for the controls of the page."""
         model = self.model
         drives = []
         for name, drive in model.all_drives.items():

@@ -1,4 +1,4 @@
-"""Key frames to a motion, the motion to a run, the run to its worst instants."""
+"""Converts key frames to a motion and a run, and finds the worst instants of the run."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 __all__ = ["NAME", "travelled", "way_of", "with_way", "worst_rows"]
 
 NAME = "studio"
-"""The trajectory and the run that key frames become in a model."""
+"""Name of the trajectory and of the run made from key frames."""
 
 MOST = 4_000_000
-"""Samples times members of the largest run from a page."""
+"""Largest product of samples and members of a run from a page."""
 
 
 def way_of(frames: Sequence[KeyFrame], start: Mapping[str, float]) -> Quintic | Spline:
-    """The trajectory through key frames; drives that a frame does not name are where the frame before has them.
+    """The trajectory through key frames; drives that a frame does not name keep the value of the previous frame.
 
     Two frames: a quintic move from rest to rest. More: a spline through all of them (with three, and the points half-way
     between them).
@@ -37,7 +37,7 @@ def way_of(frames: Sequence[KeyFrame], start: Mapping[str, float]) -> Quintic | 
         raise InputError("Set at least two key frames, at different times.")
     times = [frame.time - ordered[0].time for frame in ordered]
     if any(b - a < 1e-6 for a, b in pairwise(times)):
-        raise InputError("Two key frames have the same time. Give each its own.")
+        raise InputError("Two key frames have the same time. Give them different times.")
     rows, last = [], dict(start)
     for frame in ordered:
         last = last | {name: value for name, value in frame.values.items() if name in start}
@@ -67,7 +67,7 @@ def travelled(model: Model, frames: Sequence[KeyFrame], start: Mapping[str, floa
 
 
 def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
-    """The worst instants of a run: what, of which member, how much of its limit, when; the most used first."""
+    """The worst instants of a run: rule, member, utilisation and time; highest utilisation first."""
     rows: list[dict[str, Any]] = []
     if result.verdict is not None:
         rows += [
@@ -106,12 +106,12 @@ def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
 
 
 def _share(used: float) -> float | str:
-    """A utilisation as JSON can hold it: beyond Euler's load it is infinite, and the worst of all."""
+    """A utilisation for JSON; it is infinite above Euler's load."""
     return used if np.isfinite(used) else "Infinity"
 
 
 def _largest(result: RunResult) -> list[dict[str, Any]]:
-    """Largest tension and compression, and the weakest pose."""
+    """Largest tension and compression, and the pose nearest to a singularity."""
     found = []
     for case, forces in result.forces.items():
         N = forces.arrays["member_force"].values

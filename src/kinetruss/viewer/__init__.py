@@ -1,4 +1,4 @@
-"""What people look at: scenes as data, and one page that shows them in any browser without a network.
+"""Scenes as data, and one page that shows them in any browser without a network.
 
 Reads models and results and computes no motion and no force. Parts are imported when first used.
 """

@@ -1,4 +1,4 @@
-"""Bars in the cells of a table, as small drawings."""
+"""Bars in table cells, as small drawings."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from kinetruss.display import Markup
 __all__ = ["bar", "span_bar"]
 
 THIN = 0.6
-"""Least width of a mark in a bar of 100."""
+"""Smallest width of a mark; a bar has 100."""
 LIMIT = 1.0
-"""Utilisation that is full."""
+"""Utilisation at the limit."""
 
 
 def bar(share: float, most: float = LIMIT) -> Markup:
-    """A level bar of a utilisation on an axis from 0 to `most`, with the mark of its limit; beyond it in another colour."""
+    """A horizontal bar of a utilisation on an axis from 0 to `most`, with a mark at the limit; above it in another colour."""
     width = 100 * min(max(share, 0.0), most) / most
     kind = "over" if share > LIMIT else "used"
     mark = f'<rect class="limit" x="{100 * LIMIT / most - 1:.2f}" y="0" width="1" height="10"/>'
@@ -21,9 +21,10 @@ def bar(share: float, most: float = LIMIT) -> Markup:
 
 
 def span_bar(low: float, high: float, least: float, most: float) -> Markup:
-    """From `low` to `high` on an axis from `least` to `most`, with a mark at zero: compression and tension in two colours.
+    """A bar from `low` to `high` on an axis from `least` to `most`, with a mark at zero: compression and tension in two
+    colours.
 
-    What hardly changes is still a mark that can be seen.
+    A very small range is still drawn with a visible width.
     """
     reach = most - least or 1.0
     begin, zero, end = (100 * (value - least) / reach for value in (low, 0.0, high))

@@ -1,4 +1,4 @@
-"""The report of a run as one page that holds everything and asks no network for anything."""
+"""The report of a run as one self-contained page."""
 
 from __future__ import annotations
 
@@ -32,37 +32,37 @@ def document_page(run: RunResult, view: str = "", date: str = "") -> Page:
 
     Parameters
     ----------
-    view : a page that shows the run in three dimensions (`viewer.page`), put into the report; on paper a still picture stands
-        in its place.
-    date : of the report, as text; none by default, so that the same run gives the same text.
+    view : a page that shows the run in three dimensions (`viewer.page`), included in the report; on paper a still picture
+    replaces it.
+    date : date of the report, as text; none by default, so that the same run gives the same text.
     """
     return Page(found=run, as_record=document_record, as_html=partial(_html, view=view, date=date))
 
 
 def _html(run: RunResult, view: str = "", date: str = "") -> str:
-    """The report of a run as HTML text: readable by a client, complete enough for a reviewer to compute it again.
+    """The report of a run as HTML text, with all data that a reviewer needs to repeat the computation.
 
     Notes
     -----
-    The numbers of all tables stand in the page as JSON too, at full precision: element ``kinetruss-report``.
+    The page also has the numbers of all tables as JSON, at full precision: element ``kinetruss-report``.
     """
     record = document_record(run)
     title = run.model.title or f"Run {run.name}"
     main = [top(run, record, title, date), _sectioned(run, record, view)]
     kept = element("script", Markup(_data(record)), type="application/json", id="kinetruss-report")
-    mark = "" if run.whole else " (not whole)"
+    mark = "" if run.whole else " (not complete)"
     style = f"{STYLE.read_text('utf-8')}{_footer(f'{title}, run {run.name}{mark.upper()}')}"
     head = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
     return html_page(f"{title}{mark}: report", head, f"<main>\n{joined(main)}\n</main>\n{kept}")
 
 
 def _data(record: dict[str, Any]) -> str:
-    """JSON in which nothing can end the element that it stands in."""
+    """JSON text that cannot close the element around it."""
     return json.dumps(record, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
 
 
 def _footer(words: str) -> str:
-    """The foot of printed pages; every sign of the title written so that it can only be text."""
+    """The footer of printed pages; every character of the title is escaped."""
     text = "".join(sign if sign.isascii() and sign.isalnum() else f"\\{ord(sign):x} " for sign in words[:90])
     return f'@page {{ @bottom-left {{ content: "{text}"; }} }}\n'
 
@@ -91,12 +91,12 @@ def _sectioned(run: RunResult, record: dict[str, Any], view: str) -> list[Markup
 
 
 def _changes(run: RunResult) -> bool:
-    """True where lengths are driven or can change by themselves: those of rigid bars are no picture."""
+    """True if lengths are driven or can change; lengths of rigid bars need no figure."""
     return bool(run.model.all_drives) or any(bar.kind != "rigid" for bar in run.model.bars.values())
 
 
 def _shown(view: str, still: list[Markup]) -> list[Markup]:
-    """The view on a screen, its still picture on paper; only that one where there is no view."""
+    """The view on a screen, its still picture on paper; only the picture if there is no view."""
     if not view:
         return still
     frame = element("iframe", title="the run in three dimensions", sandbox="allow-scripts", srcdoc=view, loading="lazy")

@@ -1,4 +1,4 @@
-"""Paper from a page, by a browser without a window."""
+"""Prints a page to PDF by a browser without a window."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["chromium", "print_page"]
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge")
 PLACES = ("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome", "/Applications/Chromium.app/Contents/MacOS/Chromium")
 PATIENCE = 180.0
-"""Seconds that printing may take."""
+"""Largest time of printing, s."""
 
 FLAGS = (
     "--headless=new",
@@ -26,11 +26,11 @@ FLAGS = (
     "--disable-sync",
     "--host-resolver-rules=MAP * ~NOTFOUND",
 )
-"""Nothing is asked of any network: the page needs nothing, and the browser itself may not."""
+"""Options without network access: the page needs none, and the browser must not use any."""
 
 
 def chromium() -> str | None:
-    """The program that prints, or None where there is none."""
+    """The program that prints, or None if there is none."""
     for name in NAMES:
         if found := shutil.which(name):
             return found
@@ -38,16 +38,16 @@ def chromium() -> str | None:
 
 
 def print_page(page: Path, paper: Path, scratch: Path) -> str:
-    """Print an HTML file to a PDF file; nothing, or a sentence that says why it failed and how to go on.
+    """Print an HTML file to a PDF file. Returns an empty text, or a sentence with the reason of a failure and the fix.
 
-    scratch : folder for what the browser keeps.
+    scratch : folder for temporary files of the browser.
     """
     program = chromium()
     if program is None:
         return "No PDF: no Chromium was found. Install it (Debian: apt-get install chromium), or print the page from a browser."
     flags = list(FLAGS)
     if hasattr(os, "geteuid") and os.geteuid() == 0:
-        flags.append("--no-sandbox")  # it does not start as root otherwise; the page is our own
+        flags.append("--no-sandbox")  # needed to start as root; the page is our own
     command = [program, *flags, f"--user-data-dir={scratch}", f"--print-to-pdf={paper}", page.resolve().as_uri()]
     try:
         done = subprocess.run(command, capture_output=True, timeout=PATIENCE, check=False)

@@ -1,4 +1,4 @@
-"""Every number that a report shows, as plain data at full precision: it stands in the page for programs to read."""
+"""All numbers of a report as plain data at full precision; they are included in the page for programs."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ SCHEMA = "kinetruss.report/1"
 
 
 def document_record(run: RunResult) -> dict[str, Any]:
-    """What a report says of a run, plain data in SI units; numbers are those of the results to the last bit.
+    """The contents of a report as plain data in SI units; numbers equal those of the results to the last bit.
 
-    NaN becomes None, infinity the text ``Infinity``. Of the run folder only its name is told: reports are mailed.
+    NaN becomes None, infinity the text ``Infinity``. Only the name of the run folder is included, since reports are sent out.
     """
     text = model_text(run)
     told = run.model.runs[run.name]
@@ -46,7 +46,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
         "closure": closure(run),
         "warnings": warnings(run),
     }
-    # those of the summary have lost which numbers are infinite
+    # in the summary infinite numbers are already None
     found |= {
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
@@ -61,18 +61,18 @@ def document_record(run: RunResult) -> dict[str, Any]:
 
 
 def model_text(run: RunResult) -> str:
-    """The model as the run folder holds it, byte by byte: what its hash was taken of."""
+    """The model as in the run folder, byte by byte; its hash is computed from this text."""
     stored = None if run.path is None else run.path / "model.json"
     return stored.read_text("utf-8") if stored is not None and stored.is_file() else run.model.model_dump_json()
 
 
 def strength(run: RunResult) -> list[dict[str, Any]]:
-    """All entries of the verdict, worst first; those not checked last, with what is missing."""
+    """All entries of the verdict, worst first; entries not checked are last, with the missing data."""
     return [] if run.verdict is None else [_row(row) for row in run.verdict.table()]
 
 
 def limits(run: RunResult) -> list[dict[str, Any]]:
-    """Largest demands on the drives against their limits, of all load cases, worst first."""
+    """Largest demands on the drives compared with their limits, over all load cases, worst first."""
     rows = [
         _row(row) | {"load_case": case}
         for case, demand in run.demand.items()

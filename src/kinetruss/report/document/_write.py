@@ -1,4 +1,4 @@
-"""Write a report: the page, and where a browser can print it the same on paper."""
+"""Writes a report: the page, and a PDF if a browser can print it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PAGE, PAPER = "report.html", "report.pdf"
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """Where a report is: `page`, and `paper` or None; then `note` says why there is none."""
+    """Paths of a report: `page`, and `paper` or None; `note` then gives the reason."""
 
     page: Path
     paper: Path | None = None
@@ -30,13 +30,13 @@ class Written:
 
 
 def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: str = "", pdf: bool = True) -> Written:
-    """Write ``folder/report.html``, and with Chromium on the machine ``folder/report.pdf`` (A4).
+    """Write ``folder/report.html``, and if Chromium is installed ``folder/report.pdf`` (A4).
 
-    Each appears whole or not at all. A report.pdf of an earlier report is removed where none takes its place.
+    Each file appears completely or not at all. An old report.pdf is removed if no new one replaces it.
 
     Parameters
     ----------
-    view, date : as of `document_page`. pdf : False leaves the paper out.
+    view, date : as of `document_page`. pdf : False writes no PDF.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: 
 
 
 def _printed(text: str, paper: Path) -> str:
-    """Print a page onto paper; why it was not possible, or nothing."""
+    """Print a page to PDF. Returns the reason of a failure, or an empty text."""
     with TemporaryDirectory(prefix="kinetruss-") as scratch:
         source, drawn = Path(scratch) / PAGE, Path(scratch) / PAPER
         source.write_text(text, encoding="utf-8")

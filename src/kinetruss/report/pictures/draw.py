@@ -1,4 +1,4 @@
-"""Figures from plain specifications, without a screen: PNG and SVG."""
+"""Draws figures from plain specifications, without a display: PNG and SVG."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def save(figures: Iterable[Figure], folder: Path, formats: Iterable[str] = ("png
 
 
 def write(canvas: Canvas, path: Path, dots: float = SCREEN) -> None:
-    """One file, whole or not there; no date in it, so that the same run gives the same bytes. dots : of a PNG, an inch.
+    """Write one file, completely or not at all; without a date, so that the same run gives the same bytes. dots : per inch.
 
     Raises
     ------
@@ -93,11 +93,11 @@ def _histories(figure: Histories) -> Canvas:
 
 
 def _printed(figure: Histories, width: float) -> Canvas:
-    """For print: letters of a stated size, no title (papers have captions), the legend under the axes."""
+    """Set up for print: given font size, no title (journals use captions), the legend below the axes."""
     count = len(figure.panels)
     canvas = _canvas(width, 2.0)
     axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
-    # one legend for all panels: what has a name looks the same in each
+    # one legend for all panels: the same name has the same style in each
     pens = {name: k for k, name in enumerate(dict.fromkeys(label for panel in figure.panels for label in panel.lines))}
     shown: dict[str, Any] = {}
     for ax, panel in zip(axes, figure.panels, strict=True):
@@ -145,7 +145,7 @@ def _panel(ax: Any, time: Any, panel: Panel, pens: Mapping[str, int] | None = No
 
 
 def _legend(ax: Any, told: dict[str, Any]) -> None:
-    """The legend, without what the panels above have told of the same names with the same colours."""
+    """The legend, without names that panels above already show with the same colours."""
     handles, labels = ax.get_legend_handles_labels()
     here = {
         label: str(handle.get_facecolor() if hasattr(handle, "get_facecolor") else handle.get_color())
@@ -159,7 +159,7 @@ def _legend(ax: Any, told: dict[str, Any]) -> None:
 
 
 def _limit(ax: Any, panel: Panel, factor: float, shown: float) -> None:
-    """Level lines at the limit, on each side that the curves reach; far away it would squeeze them flat."""
+    """Horizontal lines at the limit, on each side that the curves reach; a far limit is only noted in the legend."""
     limit = panel.limit or 0.0
     label = f"limit {quantity(limit, panel.unit)}"
     if limit > 2.5 * shown:

@@ -21,7 +21,7 @@ __all__ = ["drawn"]
 INCH = 25.4
 LOAD, GHOST, WAY, FACE = "#b2005e", "#a8b0b9", COLOURS[0], "#c9d4de"
 TALLEST = 1.4
-"""Height of a figure over its width, or over that of a page: it stays on the sheet (A4 is 1.414 times as high as wide)."""
+"""Largest ratio of height to width of a figure, or of a page, so that it fits on the sheet (A4: 1.414)."""
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
     "driven": {"colors": DRIVEN, "linewidths": 2.2},
@@ -30,11 +30,11 @@ PENS: dict[str, dict[str, Any]] = {
     "cable": {"colors": COLOURS[4], "linewidths": 0.9, "linestyles": (0, (4, 1.5))},
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }
-"""How members are drawn that no value colours."""
+"""Styles of members without a value, by kind."""
 
 
 def drawn(figure: Drawing) -> Canvas:
-    """A matplotlib figure, `width` mm wide and as high as it needs to be."""
+    """A matplotlib figure, `width` mm wide and as high as needed."""
     with mpl.rc_context(RC | PRINT):
         low, high = _box(figure)
         size = np.maximum(high - low, 0.05 * float(np.max(high - low)))
@@ -106,7 +106,7 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         )
         colours.set_array(np.ma.masked_invalid(one.values))
         ax.add_collection(colours)
-        # broken by white: the share of a redundant structure, not a fact of it
+        # with white gaps: a force that is not unique
         unsure = LineCollection(list(lines[list(figure.unsure)]), colors="white", linewidths=2.8, linestyles=(0, (0.6, 2.4)))
         ax.add_collection(unsure)
     mesh = len(one.faces) > 0
@@ -123,7 +123,7 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
 
 
 def _faces(ax: Any, figure: Drawing, one: Stand) -> None:
-    """Membranes and solids, lit; coloured where their stress is what colours."""
+    """Membranes and solids, shaded; coloured by stress if that is the colour quantity."""
     colours = np.tile(np.array(to_rgb(FACE)), (len(one.faces), 1))
     if figure.colouring is not None and one.face_values is not None:
         colours = _map(figure.colouring)(Normalize(*figure.colouring.limits)(one.face_values))[:, :3]
@@ -137,7 +137,7 @@ def _map(colouring: Colouring) -> Any:
 
 
 def _scale_bar(canvas: Canvas, ax: Any, size: float, height: float) -> None:
-    """How long things are, under the first pose."""
+    """The scale bar under the first pose."""
     aim = size / 4
     power = 10 ** np.floor(np.log10(aim))
     length = power * max(step for step in (1, 2, 5) if step * power <= aim * (1 + 1e-9))

@@ -1,4 +1,4 @@
-"""The pictures of a run: what each shows, collected from its results; then drawn."""
+"""The pictures of a run: collects the data of each from the results, and draws them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["figures", "specifications"]
 
 CURVES = 7
-"""Curves in one panel: as many as there are colours that everybody can tell apart."""
+"""Largest number of curves in one panel: the number of colours that all readers can distinguish."""
 BARS = 14
 
 
@@ -31,7 +31,7 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
 
     Parameters
     ----------
-    folder : made where it is not there. formats : of ``png``, ``svg``, ``pdf``.
+    folder : made if needed. formats : of ``png``, ``svg``, ``pdf``.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
 
 
 def specifications(run: RunResult) -> list[Figure]:
-    """What there is to show of a run; empty where no sample is good."""
+    """The figures of a run; empty if no sample is good."""
     if not run.good:
         return []
     found: list[Figure] = [_shape(run), _lengths(run)]
@@ -63,7 +63,7 @@ def specifications(run: RunResult) -> list[Figure]:
 
 
 def _of_case(name: str, case: str, run: RunResult, drawn: Histories | None) -> Iterator[Histories]:
-    """A figure of one load case, named after it where there are several."""
+    """A figure of one load case, named after it if there are several."""
     if drawn is None:
         return
     several = len(run.forces) > 1
@@ -112,7 +112,7 @@ def _lengths(run: RunResult) -> Histories:
 
 
 def _energies(data: Any) -> Histories:
-    """Kinetic, potential and whole energy; below, how far the whole is from its start."""
+    """Kinetic, potential and total energy; below, the change of the total."""
     names = {"kinetic": "kinetic_energy", "potential": "potential_energy", "whole": "energy"}
     lines = {label: data[name].values for label, name in names.items()}
     change = {"whole": lines["whole"] - lines["whole"][0]}
@@ -133,7 +133,7 @@ def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
 
 
 def _forces(forces: Forces) -> Histories:
-    """The members with the largest forces, in the band of all; dotted the same poses at rest."""
+    """The members with the largest forces, and the band of all; dotted: the same poses at rest."""
     data = forces.data
     values = data["member_force"].values
     order = np.argsort(-np.max(np.abs(values), axis=0))[: CURVES - 1]
@@ -181,7 +181,7 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
 
 
 def _motors(model: Model, data: Any) -> Histories | None:
-    """Torque, current and voltage of every motor, with the limits that all of them share."""
+    """Torque, current and voltage of every motor, with their common limits."""
     panels = []
     for what, variable, unit, field in (
         ("thrust", "thrust", "N", None),
@@ -201,7 +201,7 @@ def _motors(model: Model, data: Any) -> Histories | None:
 
 
 def _limit(model: Model, names: list[str], field: str | None) -> float | None:
-    """The least limit of the motors shown, or None."""
+    """The smallest limit of the motors shown, or None."""
     if field is None:
         return None
     motors = [model.actuators[name].motor for name in names]

@@ -33,9 +33,9 @@ COLOURED = {
     "stress": ("Stress", "Pa", ("none", "largest")),
     "utilisation": ("Utilisation", "", ("unused", "full at 1")),
 }
-"""What may colour the members: in words, unit, words at the ends."""
+"""Quantities that colour members: label, unit, labels at the ends of the scale."""
 NAMES = 24
-"""Nodes up to which names are written by themselves."""
+"""Number of nodes up to which names are shown by default."""
 
 
 def picture(
@@ -54,22 +54,22 @@ def picture(
     names: bool | None = None,
     title: str = "",
 ) -> Path:
-    """Draw a model, a result or a run, at one or more instants beside each other, for print.
+    """Draw a model, a result or a run, at one or more instants side by side, for print.
 
     Parameters
     ----------
-    file : ``.png`` (300 dots an inch), ``.svg`` or ``.pdf``; letters stay letters in the last two.
-    model : of a motion, forces, a simulation or an equilibrium; models and runs have theirs.
-    at : instants of a run, s; by default the start. Shown are the computed samples nearest to them.
-    colour : ``force``, ``stress`` or ``utilisation``; by default members have the colours of their kinds. Ends of the scale
-        are those of the whole run. case : load case, by default the first.
+    file : ``.png`` (300 dots per inch), ``.svg`` or ``.pdf``; in the last two text stays text.
+    model : for a motion, forces, a simulation or an equilibrium; models and runs have their own.
+    at : instants of a run, s; by default the start. The nearest computed samples are shown.
+    colour : ``force``, ``stress`` or ``utilisation``; by default members are coloured by kind. The scale covers the whole
+    run. case : load case, by default the first.
     width : mm, or ``column`` (90 mm), ``page`` (190 mm). view : ``iso``, ``front``, ``side``, ``top``; parallel projection.
-    ghost : the start pose in grey. paths : nodes whose way is drawn. loads : arrows of nodal forces. names : of nodes, by
-        default of up to 24. title : above; papers have a caption instead.
+    ghost : the start pose in grey. paths : nodes whose path is drawn. loads : arrows of nodal forces. names : of nodes, by
+    default for up to 24. title : above; journals use a caption instead.
 
     Raises
     ------
-    InputError : another suffix, name, instant or width than there is. StoreError : the file cannot be written.
+    InputError : an unknown suffix, name, instant or width. StoreError : the file cannot be written.
     """
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:
@@ -125,14 +125,14 @@ def _frames(time: Array, instants: Sequence[float]) -> list[int]:
     apart = 1e-9 * float(time[-1] - time[0])
     for at in instants:
         if len(time) < 2:
-            raise InputError("What stands still has no instants. Give a run or a motion, or leave out `at`.")
+            raise InputError("A model at rest has no instants. Give a run or a motion, or omit `at`.")
         if not time[0] - apart <= at <= time[-1] + apart:
             raise InputError(f"at={at:g} s: the run goes from {time[0]:g} to {time[-1]:g} s.")
     return [int(np.abs(time - at).argmin()) for at in instants] or [0]
 
 
 def _coloured(what: Pictured, colour: str | None, case: str | None) -> tuple[Colouring | None, Array | None]:
-    """What colours the members, and its values (times, members)."""
+    """The colour quantity of members, and its values (times, members)."""
     if (colour is not None or case is not None) and not what.forces and what.member_force is None:
         raise InputError("There are no forces to colour by. Give a run, forces or an equilibrium.")
     if case is not None and case not in what.forces:
@@ -157,7 +157,7 @@ def _coloured(what: Pictured, colour: str | None, case: str | None) -> tuple[Col
 
 
 def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array | None]:
-    """Values (times, members) that colour, and of stress those of the faces."""
+    """Values (times, members) of the colour quantity, and for stress those of faces."""
     if what.member_force is not None:
         if colour != "force":
             raise InputError(f"There is no {colour} of a state at rest. Colour it by force.")
@@ -230,7 +230,7 @@ def _bodies(model: Model, x: Array) -> Array:
 
 
 def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Faces (f, 3, 2) on paper, those behind first; the light on them (f,), 0 to 1; and their order."""
+    """Faces (f, 3, 2) on paper, from back to front; their brightness (f,), 0 to 1; and their order."""
     corners = x[nodes]
     if x.shape[1] == 2 or not len(nodes):
         return projected(corners, view), np.ones(len(nodes)), np.arange(len(nodes))
@@ -243,21 +243,21 @@ def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, N
 
 
 def _stress(model: Model, position: Array) -> Array | None:
-    """Von Mises stress (times, f) behind the faces of membranes and solids."""
+    """Von Mises stress (times, f) at the faces of membranes and solids."""
     from kinetruss.strength.members import skin_stress
 
     return skin_stress(model, skin_of(model), position)
 
 
 def _hinges(model: Model, x: Array) -> Array:
-    """Middles (h, dim) of the axes about which hinge drives turn bodies."""
+    """Midpoints (h, dim) of the axes of hinge drives."""
     index = {name: k for k, name in enumerate(model.nodes)}
     hinged = [drive for drive in model.all_drives.values() if isinstance(drive, HingeDrive)]
     return np.array([x[[index[one] for one in drive.axis]].mean(axis=0) for drive in hinged]).reshape(-1, model.dim)
 
 
 def _joined(model: Model, index: dict[str, int]) -> tuple[int, ...]:
-    """Nodes of members and bodies: all but those of meshes alone."""
+    """Nodes of members and bodies: all except those of meshes only."""
     told = [*(one.ends for one in model.members.values()), *(one.nodes for one in model.bodies.values())]
     return tuple(sorted({index[node] for nodes in told for node in nodes}))
 

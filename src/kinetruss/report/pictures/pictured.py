@@ -1,4 +1,4 @@
-"""What is drawn: a model, a result with its model, or a run, as places in time and forces of load cases."""
+"""The data of a drawing: positions over time and forces of load cases, from a model, a result or a run."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Pictured:
 
 
 def pictured(what: Any, model: Model | None = None) -> Pictured:
-    """What may be drawn: a model, a run; a motion, forces, a simulation or an equilibrium with its model.
+    """The data of a model or a run; or of a motion, forces, a simulation or an equilibrium with its model.
 
     Raises
     ------

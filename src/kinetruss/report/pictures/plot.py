@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["plot"]
 
 MOST = 14
-"""Curves in one panel: beyond it nobody can tell them apart."""
+"""Largest number of curves in one panel that can be distinguished."""
 
 LIMITS = {"motor_torque": "max_torque", "current": "max_current", "voltage": "max_voltage", "motor_speed": "max_speed"}
 
@@ -35,12 +35,12 @@ def plot(
     station: float | None = None,
     width: str | float | None = None,
 ) -> Path:
-    """Draw quantities over time, of one run or of several in the same picture; dashed the same poses at rest.
+    """Draw quantities over time, for one run or several in the same picture; dashed: the same poses at rest.
 
     Parameters
     ----------
-    quantity : a result by name, e.g. ``von_mises``, ``member_force``, ``drive_position``, ``current``; several stand above
-        each other, and so do those of ``motion``, ``components`` and ``drive``.
+    quantity : a result by name, e.g. ``von_mises``, ``member_force``, ``drive_position``, ``current``; several give panels
+    above each other, as do ``motion``, ``components`` and ``drive``.
     file : ``.png``, ``.svg`` or ``.pdf``.
     members : members, nodes, drives or supports to show; by default those with the largest values.
     case : load case; by default the first.
@@ -51,7 +51,7 @@ def plot(
 
     Raises
     ------
-    InputError : a name that no run has (the nearest are offered), or another suffix.
+    InputError : a name that no run has (the message offers the nearest), or an unknown suffix.
     StoreError : the file cannot be written.
     """
     path = Path(file)
@@ -71,7 +71,7 @@ def specification(
     case: str | None = None,
     station: float | None = None,
 ) -> Histories:
-    """What `plot` shows. Curves keep their own times; the axis spans the longest."""
+    """The specification of `plot`. Curves keep their own times; the axis covers the longest."""
     wanted = quantities([quantity] if isinstance(quantity, str) else quantity)
     labels = run_labels(runs)
     panels, shown = [], []
@@ -80,7 +80,7 @@ def specification(
             found = [curves(run, name, members, case, station) for run in runs]
         except InputError:
             if name in COMPONENTS and len(wanted) > 1 and name != COMPONENTS[0]:
-                continue  # in the plane three of the five components are
+                continue  # in the plane there are three of the five components
             raise
         shown.append([_largest(one, len(runs)) for one in found])
         panels.append(_panel(runs, labels, name, shown[-1]))
@@ -116,7 +116,7 @@ def _label(run: str, of: str, several: bool, alone: bool) -> str:
 
 
 def _title(runs: Sequence[RunResult], wanted: Sequence[str], found: Sequence[Sequence[Sequence[Curve]]]) -> str:
-    """What is shown, and of what where it is the same in all panels."""
+    """The quantity, and its subject if all panels have the same."""
     names = {_of(group) for group in found}
     of = next(iter(names)) if len(names) == 1 else None
     titles = {run.model.title or run.name for run in runs}
@@ -127,13 +127,13 @@ def _title(runs: Sequence[RunResult], wanted: Sequence[str], found: Sequence[Seq
 
 
 def _of(found: Sequence[Sequence[Curve]]) -> str | None:
-    """What all curves are of, if that is the same."""
+    """The subject of all curves, if they have the same."""
     names = {one.of for group in found for one in group}
     return next(iter(names)) if len(names) == 1 else None
 
 
 def _largest(found: list[Curve], runs: int) -> list[Curve]:
-    """As many as can be told apart, the largest of them, in their own order."""
+    """The largest curves, as many as can be distinguished, in their original order."""
     most = max(1, MOST // runs)
     if len(found) <= most:
         return found
@@ -142,7 +142,7 @@ def _largest(found: list[Curve], runs: int) -> list[Curve]:
 
 
 def _limit(runs: Sequence[RunResult], name: str, members: set[str]) -> float | None:
-    """The limit of the motors shown, where it is the same for all."""
+    """The limit of the motors shown, if it is the same for all."""
     if name not in LIMITS:
         return None
     found = set()

@@ -1,4 +1,4 @@
-"""What can be shown of a run over time, by name: stored results, stresses, motor demands; each with its values at rest."""
+"""Quantities of a run over time, by name: stored results, stresses, motor demands; each with its values at rest."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ FED = (
     "motor_stored_energy",
     "motor_energy_balance",
 )
-"""Of a simulation with motors."""
+"""Quantities of a simulation with motors."""
 SECTIONS = ("section_T", "section_V", "section_M")
 DEMAND = (
     "thrust", "actuator_power", "screw_torque", "screw_speed", "motor_speed", "motor_torque", "current", "voltage",
@@ -105,12 +105,12 @@ BUNDLES = {
     "drive": ("thrust", "motor_torque", "current", "voltage"),
     "energies": ("energy", "kinetic_energy", "potential_energy"),
 }
-"""Several quantities that belong in one picture, by one name."""
+"""Groups of quantities for one picture, by name."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Curve:
-    """One curve of a run: what it is of, values (times,) in `unit` at `time` (s), and those of the same poses at rest."""
+    """One curve of a run: its subject, values (times,) in `unit` at `time` (s), and those of the same poses at rest."""
 
     of: str
     words: str
@@ -121,7 +121,7 @@ class Curve:
 
 
 def quantities(names: Sequence[str]) -> list[str]:
-    """The quantities meant by names: other names and bundles resolved. Names unknown here are passed on."""
+    """The quantities of some names, with synonyms and groups resolved. Unknown names are returned unchanged."""
     found: list[str] = []
     for name in names:
         found += BUNDLES.get(name, (ALIASES.get(name, name),))
@@ -131,7 +131,7 @@ def quantities(names: Sequence[str]) -> list[str]:
 def curves(
     run: RunResult, quantity: str, members: Sequence[str] = (), case: str | None = None, station: float | None = None
 ) -> list[Curve]:
-    """The curves of one quantity; all of those that have values where no members are asked for.
+    """The curves of one quantity; without `members`, all that have values.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def curves(
 
     Raises
     ------
-    InputError : no such quantity, member or load case, each with the nearest names; a member without this quantity.
+    InputError : no such quantity, member or load case (the message offers the nearest names); a member without this quantity.
     """
     if not run.good:
         raise InputError(f"{run.path or run.name} has no good sample to show.")
@@ -181,7 +181,7 @@ def _case(run: RunResult, case: str | None) -> str | None:
 
 
 def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArray, xr.DataArray | None]:
-    """The variable of that name, and the same at rest."""
+    """The variable with that name, and the same at rest."""
     for values, rest in _sources(run, quantity, case):
         data = values()
         if quantity in data and data[quantity].dims[:1] == ("time",):
@@ -195,7 +195,7 @@ Source = tuple[Callable[[], Any], Callable[[], Any]]
 
 
 def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source]:
-    """Datasets that may hold it, with those at rest; what must be computed comes last, and only if it is meant."""
+    """Datasets that may have it, with those at rest; computed ones are last, and only if they are needed."""
     yield lambda: run.motion.data, lambda: None
     simulation = run.simulation
     if simulation is not None:
@@ -203,7 +203,7 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
     if case is None:
         return
     forces = run.forces[case]
-    # at rest nothing has power
+    # at rest all powers are zero
     static = None if quantity.startswith(("power", "energy")) else forces.static
     yield lambda: forces.data, lambda: None if static is None else static.data
     if case in run.demand:
@@ -228,7 +228,7 @@ def _at_rest(run: RunResult, static: Any) -> Any:
 
 
 def _held(run: RunResult, quantity: str, static: Any, demand: Any) -> Any:
-    """What holds the same poses at rest: actuator force and motor torque; of the rest nothing is known."""
+    """Actuator force and motor torque of the same poses at rest; the other quantities are not known there."""
     if quantity == "motor_torque" and "holding_torque" in demand:
         return {"motor_torque": demand["holding_torque"]}
     if quantity == "drive_torque":
@@ -256,7 +256,7 @@ Names = list[tuple[Label, tuple[Any, ...]]]
 
 
 def _names(data: xr.DataArray) -> Names:
-    """Labels of all curves with their place in the array; stations are no names."""
+    """Labels of all curves with their index in the array; stations have no names."""
     dims = [dim for dim in data.dims[1:] if dim != "station"]
     shape = tuple(data.sizes[dim] for dim in dims)
     texts = [[str(name) for name in data[dim].values] for dim in dims]
@@ -282,7 +282,7 @@ def _check_members(data: xr.DataArray, names: Names, members: Sequence[str], wha
 
 
 def _stations(data: xr.DataArray, quantity: str, station: float | None) -> int | None:
-    """The index of the station asked for."""
+    """The index of the requested station."""
     if station is None:
         return None
     if "station" not in data.dims:
@@ -313,7 +313,7 @@ def _words(data: xr.DataArray) -> str:
 
 
 def _unit(run: RunResult, data: xr.DataArray, label: Label) -> str:
-    """The unit; that of a drive's coordinate depends on the drive."""
+    """The unit; for a drive's coordinate it depends on the drive."""
     unit = str(data.attrs.get("units", ""))
     if " or " in unit and data.dims[1:] == ("drive",):
         linear, angular = unit.split(" or ")

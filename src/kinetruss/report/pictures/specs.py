@@ -1,4 +1,4 @@
-"""What a figure shows, as plain arrays: collected from results in one place, drawn in another."""
+"""Specifications of figures as plain arrays."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class Panel:
     """Curves over time that share one axis.
 
     lines : label -> values (times,), in `unit`. dashed : the same, drawn thin and dashed (a comparison).
-    band : least and largest of all members at each instant. limit : largest magnitude allowed, drawn as a level line.
-    times : label -> its own time axis, where it differs from the figure's.
+    band : least and largest of all members at each instant. limit : largest allowed magnitude, drawn as a horizontal line.
+    times : label -> its own time axis, if it differs from the figure's.
     """
 
     quantity: str
@@ -34,7 +34,7 @@ class Panel:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Histories:
-    """Panels above each other over one time axis (s). width : mm, for print; a page on a screen without."""
+    """Panels above each other over one time axis (s). width : mm, for print; None: for a screen."""
 
     name: str
     title: str
@@ -45,7 +45,7 @@ class Histories:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Bars:
-    """Level bars of values in `unit`, worst first; `notes` stand beside them; `limit` is drawn as a line."""
+    """Horizontal bars of values in `unit`, worst first; `notes` are next to them; `limit` is drawn as a line."""
 
     name: str
     title: str
@@ -80,9 +80,9 @@ class Shape:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Colouring:
-    """What colours the members: in words, unit, words at the ends, ends in SI; diverging about zero or not.
+    """The colour quantity: label, unit, labels at the ends, ends in SI; diverging about zero or not.
 
-    missing : what grey stands for, or nothing.
+    missing : meaning of grey, or an empty text.
     """
 
     label: str
@@ -96,8 +96,8 @@ class Colouring:
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Stand:
     """One instant of a drawing, on paper: nodes (n, 2), m; values (members,) that colour; loads as pairs of a start
-    and an end, m; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, those behind first,
-    with the light on them (f,), 0 to 1, and values (f,) that colour; hinges (h, 2), m, where a motor turns bodies.
+    and an end, m; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, from back to front,
+    with their brightness (f,), 0 to 1, and values (f,) of the colour quantity; hinges (h, 2), m, with a motor.
     """
 
     caption: str

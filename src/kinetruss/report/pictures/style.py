@@ -1,4 +1,4 @@
-"""How every picture looks, said once."""
+"""The style of all pictures."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import Any
 from kinetruss.display import COLOURS
 
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
-"""Curves beyond the last colour take the next line style, so that no two look the same."""
+"""Line styles: after the last colour, curves take the next style, so that no two look the same."""
 
 REST = (0, (3, 2))
-"""Line of the same poses at rest, thin beside the motion."""
+"""Line style of the same poses at rest, thinner than that of the motion."""
 
 INK, QUIET, BAND, ALARM, ACCENT = "#222222", "#8a8a8a", "#dde3ea", "#B22222", COLOURS[0]
 DRIVEN = COLOURS[2]
-"""What moves by itself, in every picture; blue is compression."""
+"""Colour of driven members in all pictures; blue is compression."""
 
 RC: dict[Any, Any] = {
     "figure.dpi": 100,
@@ -43,7 +43,7 @@ RC: dict[Any, Any] = {
     "svg.fonttype": "none",
     "pdf.fonttype": 42,
 }
-"""The fixed salt makes the same run give the same SVG, byte by byte. Letters stay letters in SVG and PDF."""
+"""Options of files. With the fixed salt the same run gives the same SVG, byte by byte. Text stays text in SVG and PDF."""
 
 PRINT: dict[Any, Any] = {
     "savefig.dpi": 300,
@@ -58,7 +58,7 @@ PRINT: dict[Any, Any] = {
     "xtick.major.width": 0.6,
     "ytick.major.width": 0.6,
 }
-"""On top of it for figures of a stated width: letters of 7 and 8 points, as journals ask."""
+"""Additional style of figures with a given width: fonts of 7 and 8 points, as journals require."""
 
 WIDTHS = {"column": 90.0, "page": 190.0}
 """Widths of figures, mm: one column and both of a page, as most publishers have them (Elsevier, artwork sizing)."""

@@ -1,4 +1,4 @@
-"""The eye of all pictures: where a point in space is seen on paper."""
+"""The view of all pictures: projects points in space onto paper."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 __all__ = ["VIEWS", "eye", "projected"]
 
 VIEWS = {"iso": (-62.0, 16.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
-"""Azimuth and elevation of the eye, degrees."""
+"""Azimuth and elevation of the views, degrees."""
 
 
 def eye(view: str) -> NDArray[np.float64]:

@@ -59,13 +59,13 @@ def compare(
 
     Parameters
     ----------
-    quantity : as for `plot`; by default von Mises stress, actuator force, drive rate, motor torque, current and voltage, as
-        far as all runs have them.
-    members, case, station : as for `plot`. Without members each run's largest of all members counts.
+    quantity : as for `plot`; by default von Mises stress, actuator force, drive rate, motor torque, current and voltage, if all
+    runs have them.
+    members, case, station : as for `plot`. Without members, the largest value over all members of each run is used.
 
     Returns
     -------
-    A page of one `Maximum` a quantity, member and run, in this order.
+    A page with one `Maximum` per quantity, member and run, in this order.
 
     Raises
     ------

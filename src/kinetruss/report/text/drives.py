@@ -1,4 +1,4 @@
-"""Drives of a run without a motor of their own in the tables: largest forces and torques, rates and powers."""
+"""Drives of a run without a motor in the tables: largest forces and torques, rates and powers."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ __all__ = ["drive_cells", "drive_loads", "drives_text"]
 
 HEAD = ("drive", "force or torque", "at", "rate", "power", "load case")
 MOST = 12
-"""Drives that are printed."""
+"""Largest number of printed drives."""
 
 
 def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list[dict[str, Any]]:
-    """Of every drive and load case the largest force (N) or torque (N m), its time (s), rate (m/s, rad/s) and power (W).
+    """Largest force (N) or torque (N m), its time (s), rate (m/s, rad/s) and power (W) of every drive and load case.
 
-    shown : rows of the table of motors, whose drives are left out.
+    shown : rows of the table of motors, whose drives are omitted.
     """
     found, elsewhere = [], {(row["active"], row["load_case"]) for row in shown}
     for case, forces in run.forces.items():
@@ -52,7 +52,7 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
 
 
 def drives_text(found: Sequence[Mapping[str, Any]]) -> list[str]:
-    """The table as text, of those that carry something."""
+    """The table as text, for drives with a force."""
     rows = [drive_cells(one) for one in found if one["load"]]
     if not rows:
         return []

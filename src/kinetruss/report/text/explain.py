@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 __all__ = ["explain"]
 
 SMALL = 20
-"""Systems up to this size are shown as a matrix, larger ones equation by equation."""
+"""Number of equations up to which a system is shown as a matrix; larger ones are shown equation by equation."""
 
 COUPLES = ("M", "-M", "T")
-"""Symbols of terms that are a moment and no force."""
+"""Symbols of terms that are moments."""
 
 Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a rule)
 
@@ -35,7 +35,7 @@ def explain(found: FreeBody | LabelledSystem) -> Page:
 
 
 def _free_body_text(found: FreeBody) -> str:
-    """The free body as a page: every force, their sum, what the mass asks for, and by how much the two differ."""
+    """The free body as text: all forces, their sum, mass times acceleration, and the difference of the two."""
     at = f"t = {number(found.time, 9)} s, load case {found.load_case}"
     if found.kind == "node":
         return "\n\n".join([_node_head(found, at), _forces(found.bodies[0]), _closing(found)])
@@ -88,7 +88,7 @@ def _moments(body: Body) -> str:
 
 
 def _sheet(title: str, head: Sequence[str], rows: Iterable[Row], left: Sequence[float], right: Sequence[float]) -> str:
-    """Numbers in columns with one count of decimals, and a last line with the difference of two rows."""
+    """Numbers in columns with equal decimals, and a last line with the difference of two rows."""
     rows = list(rows)
     largest = max((abs(x) for _, _, values in rows for x in values or ()), default=0.0)
     decimals = 6 if largest == 0 else min(9, max(0, 6 - math.floor(math.log10(largest))))
@@ -169,7 +169,7 @@ def _term(term: Any) -> dict[str, Any]:
 
 
 def _free_body_rows(found: FreeBody) -> list[list[Any]]:
-    """The free body as a table: one row a term, the inertia of each body last."""
+    """The free body as a table: one row per term, the inertia of each body last."""
     inertia = found.bodies[0].inertia
     axes, local, moments = len(inertia.force), len(inertia.local), len(inertia.moment)
     head = ["body", "symbol", "source", *(f"force_{axis} [N]" for axis in "xyz"[:axes])]
@@ -248,7 +248,7 @@ def _unit(unknown: str) -> str:
 
 
 def _system_record(found: LabelledSystem) -> dict[str, Any]:
-    """The system as plain data; of the matrix what is not zero."""
+    """The system as plain data, with the nonzero entries of the matrix."""
     equations = [
         {"name": name, "terms": {found.unknowns[k]: float(row[k]) for k in np.flatnonzero(row)}, "right": float(right)}
         for name, row, right in zip(found.equations, found.matrix, found.right, strict=True)
@@ -273,7 +273,7 @@ def _system_record(found: LabelledSystem) -> dict[str, Any]:
 
 
 def _system_rows(found: LabelledSystem) -> list[list[Any]]:
-    """The system as a table: a row an equation, a column an unknown, then the right side; last solution and product."""
+    """The system as a table: one row per equation, one column per unknown, the right side; last the solution and product."""
     rows: list[list[Any]] = [["equation", *found.unknowns, "right side"]]
     for name, row, right in zip(found.equations, found.matrix, found.right, strict=True):
         rows.append([name, *row.tolist(), float(right)])

@@ -1,4 +1,4 @@
-"""Gauge readings, and measured against simulated, as text, as data, as a table and as a picture."""
+"""Gauge readings, and comparison with measured ones, as text, data, table and picture."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ COMPARED = ("column", "rows", "offset", "rms", "scatter", "correlation", "larges
 
 
 def gauges(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Page:
-    """What each gauge and group reads; with a comparison, by how much a measured record differs."""
+    """Readings of each gauge and group; with a comparison, the difference of a measured record."""
     return Page(
         found=strains,
         as_record=partial(_record, compared=compared),
@@ -34,7 +34,7 @@ def gauges(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Page:
 
 
 def _text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
-    """The page: what each gauge and group reads; with a comparison, by how much the measured record differs."""
+    """The page as text: readings of each gauge and group; with a comparison, the difference of the measured record."""
     rows = []
     for name, place, values in _curves(strains):
         entry = _extremes(strains["time"].values, values)
@@ -112,7 +112,7 @@ def _record(strains: xr.Dataset, compared: xr.Dataset | None = None) -> dict[str
 
 
 def _rows(strains: xr.Dataset, compared: xr.Dataset | None = None) -> list[list[Any]]:
-    """Histories as a table that `io.read_strains` reads again; of a comparison the measured, simulated and difference."""
+    """Histories as a table for `io.read_strains`; for a comparison the measured and simulated ones and their difference."""
     if compared is None:
         kept = [(name, values) for name, _, values in _curves(strains) if np.isfinite(values).all()]
         times = strains["time"].values
@@ -134,7 +134,7 @@ def gauges_picture(strains: xr.Dataset, compared: xr.Dataset | None, file: str |
 
     Raises
     ------
-    InputError : a suffix that is no picture's. StoreError : the file cannot be written.
+    InputError : not the suffix of a picture. StoreError : the file cannot be written.
     """
     from kinetruss.report.pictures.draw import SUFFIXES, draw, write
     from kinetruss.report.pictures.specs import Histories, Panel

@@ -1,4 +1,4 @@
-"""What tells runs apart, in a few words each."""
+"""Short labels that distinguish runs."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 __all__ = ["run_labels"]
 
 MOST = 2
-"""Differences named in a label; where models differ in more, the name of the run's folder says it better."""
+"""Largest number of differences in a label; if models differ more, the name of the run's folder is used."""
 
 
 def run_labels(runs: Sequence[RunResult]) -> list[str]:
-    """One label a run: the settings that differ, else what differs in the models, else the names of folders or runs."""
+    """One label per run: settings that differ, else differences of the models, else names of folders or runs."""
     if len(runs) == 1:
         return [runs[0].path.name if runs[0].path else runs[0].name]
     found = _by_values(runs, [run.settings for run in runs]) if all(run.settings for run in runs) else None
@@ -32,7 +32,7 @@ def run_labels(runs: Sequence[RunResult]) -> list[str]:
 
 
 def _by_values(runs: Sequence[RunResult], tables: Sequence[Mapping[str, Any]], most: int = 10) -> list[str] | None:
-    """Labels by the values that differ between tables; None where that does not tell the runs apart."""
+    """Labels from the values that differ between tables; None if they do not distinguish the runs."""
     if len({tuple(table) for table in tables}) > 1:
         return None
     differing = [path for path in tables[0] if len({str(table[path]) for table in tables}) > 1]
@@ -80,5 +80,5 @@ def _leaves(value: Any, path: str = "") -> dict[str, Any]:
 
 
 def _numbered(names: Sequence[str]) -> list[str]:
-    """Names, with a number where one comes more than once."""
+    """Names, with a number if one occurs more than once."""
     return [f"{name} ({k + 1})" if names.count(name) > 1 else name for k, name in enumerate(names)]

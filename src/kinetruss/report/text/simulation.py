@@ -1,4 +1,4 @@
-"""What the page of a run says of a simulation: how it was stepped, how well energy was kept, what happened."""
+"""The lines on a simulation in the page of a run: steps, energy, events."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["simulation_lines", "simulation_record"]
 
 SHOWN = 6
 NOTHING = 1e-20
-"""Kinetic energy (J), or part of the energy at the start, that is none."""
+"""Kinetic energy (J), or fraction of the initial energy, that counts as zero."""
 
 
 def simulation_record(run: RunResult) -> dict[str, Any] | None:
@@ -38,7 +38,7 @@ def simulation_record(run: RunResult) -> dict[str, Any] | None:
 
 
 def _energy(found: Simulation) -> dict[str, float]:
-    """Energy at start and end, and its largest change beside the work that was done, J."""
+    """Energy at start and end, and its largest change other than the work done, J."""
     energy, kinetic = found.data["energy"].values, found.data["kinetic_energy"].values
     most = float(kinetic.max())
     change = float(np.abs(energy - energy[0]).max())
@@ -46,7 +46,7 @@ def _energy(found: Simulation) -> dict[str, float]:
 
 
 def _motors(found: Simulation) -> list[dict[str, Any]]:
-    """What each motor was fed with and did: largest magnitudes with their signs (A, V, N m, rad/s), rad, J."""
+    """Inputs and outputs of each motor: values of largest magnitude (A, V, N m, rad/s), rad, J."""
     data = found.data
     if "motor" not in data.sizes:
         return []
@@ -63,7 +63,7 @@ def _motors(found: Simulation) -> list[dict[str, Any]]:
 
 
 LAST = {"turned": "motor_angle", "electrical_energy": "electrical_energy", "copper_energy": "copper_energy"}
-"""What is told of the end."""
+"""Values reported at the end."""
 
 
 def _fed(one: dict[str, Any]) -> str:
@@ -76,7 +76,7 @@ def _fed(one: dict[str, Any]) -> str:
 
 
 def simulation_lines(run: RunResult) -> Iterator[tuple[str, str]]:
-    """The same as names and what they are."""
+    """The same as names and texts."""
     record = simulation_record(run)
     if record is None or run.simulation is None:
         return
@@ -91,7 +91,7 @@ def simulation_lines(run: RunResult) -> Iterator[tuple[str, str]]:
 
 
 def _change(energy: dict[str, float]) -> str:
-    """By how much the energy changes, in parts of what moves where anything does."""
+    """Change of the energy, as a fraction of the largest kinetic energy if anything moves."""
     change, kinetic = energy["largest_change"], energy["largest_kinetic"]
     if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
         return f"nothing moves; changes by at most {quantity(change, 'J')}"

@@ -1,4 +1,4 @@
-"""A run in one page: how it ended, the worst members, the motors, and checks anyone can see."""
+"""The summary of a run: status, worst members, motors, and checks."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ __all__ = ["summary", "summary_record"]
 WORST = 8
 
 STILL = 1e-12
-"""Way in parts of the structure's size below which a motion is round-off."""
+"""Displacement, as a fraction of the structure's size, below which a motion is round-off."""
 
 FORCE_HEAD = ("member", "force", "of it by motion", "time", "load case")
 WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
@@ -32,12 +32,12 @@ MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "powe
 
 
 def summary(run: RunResult) -> Page:
-    """A run in one page."""
+    """The summary of a run as a page."""
     return Page(found=run, as_record=summary_record, as_text=_text)
 
 
 def summary_record(run: RunResult) -> dict[str, Any]:
-    """The page as plain data (numbers that are none become None)."""
+    """The page as plain data (NaN becomes None)."""
     time = run.motion.data["time"].values
     record = {
         "run": run.name,
@@ -101,8 +101,8 @@ def _head(run: RunResult) -> str:
     count = f"{run.good} of {run.samples} samples are good" if not run.whole else f"{run.samples} samples"
     state = {
         "finished": run.status.value,
-        "running": "Still running: this is not the whole run.",
-        "incomplete": f"Incomplete: it was interrupted. Go on with: kinetruss run --resume {run.path}",
+        "running": "Still running: this is only a part of the run.",
+        "incomplete": f"Incomplete: it was interrupted. Continue with: kinetruss run --resume {run.path}",
     }[run.state]
     lines = [one_line(run.model.title, 200) or "(no title)", f"run {run.name}: {state}"]
     if run.message:
@@ -115,9 +115,9 @@ def _head(run: RunResult) -> str:
 
 
 def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
-    """The members with the largest force of all load cases, largest first; bars that stand for a body are none of them.
+    """The members with the largest force of all load cases, largest first, without bars that represent bodies.
 
-    ``unique`` : False where the structure is redundant, and the share of the member a matter of stiffness or convention.
+    ``unique`` : False if the structure is redundant and the force of the member depends on stiffness or convention.
     """
     found: list[dict[str, Any]] = []
     for case, forces in run.forces.items():
@@ -211,7 +211,7 @@ def _nearest_limits(demand: Demand) -> dict[str, dict[str, Any]]:
 
 
 def checks(run: RunResult) -> dict[str, Any]:
-    """Energy balance, singularity gauge, members whose force is not unique, what the verdict on strength does not hold."""
+    """Energy balance, singularity measure, members whose force is not unique, missing strength checks."""
     gauge = run.motion.data["singularity"].values
     record: dict[str, Any] = {"singularity": None, "energy_balance": None, "not_unique": []}
     if len(gauge) and not np.isnan(gauge).all():
@@ -229,7 +229,7 @@ def checks(run: RunResult) -> dict[str, Any]:
 
 
 def _exchanged(run: RunResult) -> float:
-    """Largest power between kinetic and potential energy of a simulation, W; nothing else may move a mechanism let go."""
+    """Largest power between kinetic and potential energy of a simulation, W; a free mechanism may have no other power."""
     if run.simulation is None or run.simulation.data.sizes["time"] < 2:
         return 0.0
     data = run.simulation.data
@@ -237,7 +237,7 @@ def _exchanged(run: RunResult) -> float:
 
 
 def _stands_still(run: RunResult) -> bool:
-    """Whether nothing moves but by round-off, so that shares of the largest power say nothing."""
+    """True if all motion is round-off, so that fractions of the largest power have no meaning."""
     data = run.motion.data
     if not data["time"].size:
         return True
@@ -246,7 +246,7 @@ def _stands_still(run: RunResult) -> bool:
 
 
 def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
-    """Largest power that is not accounted for, and its share of the largest power."""
+    """Largest error of the power balance, and its ratio to the largest power."""
     data = forces.data
     miss = float(np.max(np.abs(data["energy_balance"].values)))
     largest = float(max(np.max(np.abs(data["power"].values)), np.max(np.abs(data["energy_rate"].values)), exchanged))
@@ -259,7 +259,7 @@ def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
         share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W")
         yield "energy balance", f"power of drives and loads = rate of energy to {share} of the largest power ({power})"
     if (gauge := found["singularity"]) is not None:
-        yield "singularity", f"smallest gauge {number(gauge['smallest'], 3)} at t = {instant(gauge['time'])} (0 is singular)"
+        yield "singularity", f"smallest measure {number(gauge['smallest'], 3)} at t = {instant(gauge['time'])} (0 is singular)"
     if run.forces:
         unique = found["not_unique"]
         yield "unique forces", "all" if not unique else f"all but {', '.join(unique)}"

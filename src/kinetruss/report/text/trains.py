@@ -1,4 +1,4 @@
-"""Drive trains of a run: torques side by side, what the data allow, every limit exceeded."""
+"""Drive trains of a run: torques, permitted data, all exceeded limits."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ HEAD = (
     "load case",
 )
 MOST = 12
-"""Exceeded limits that are printed."""
+"""Largest number of printed exceeded limits."""
 
 PEAKS = {
     "motor_torque": "motor_torque",
@@ -52,7 +52,9 @@ TOTALS = (
 
 
 def trains(run: RunResult) -> list[dict[str, Any]]:
-    """Of every motor and load case: largest torques (N m), root mean squares, energies (J), gear ratio, self-locking lead."""
+    """Data of every motor and load case: largest torques (N m), root mean squares, energies (J), gear ratio, self-locking
+    lead.
+    """
     found = []
     for case, demand in run.demand.items():
         data = demand.data
@@ -78,7 +80,7 @@ def exceeded(run: RunResult) -> list[dict[str, Any]]:
 
 
 def trains_text(run: RunResult) -> list[str]:
-    """The same as text: a table, and a list of what is exceeded."""
+    """The same as text: a table, and a list of exceeded limits."""
     parts = []
     if found := trains(run):
         parts.append(f"Drive trains (largest torques at the motor)\n{Table(HEAD, map(_cells, found)).text}")
@@ -99,7 +101,7 @@ def _exceeded(run: RunResult) -> list[tuple[str, Exceeded]]:
         for one in actuators.exceeded(demand)
     ]
     every.sort(key=lambda entry: -entry[1].value / entry[1].limit)
-    # a stroke is exceeded by a few percent where a torque is by a multiple: none may hide behind many of another kind
+    # strokes are exceeded by a few percent, torques by multiples: show the worst of each quantity first
     first = {one.quantity: k for k, (_, one) in reversed(list(enumerate(every)))}
     return [every[k] for k in sorted(range(len(every)), key=lambda k: (first[every[k][1].quantity] != k, k))]
 

@@ -1,4 +1,4 @@
-"""What became of the variants of a run, one line each."""
+"""The outcome of the variants of a run, one line each."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time")
 
 
 def variants(found: VariantRuns) -> Page:
-    """What became of each variant, in the order of the combinations, and where the runs are."""
+    """The outcome of each variant, in the order of the combinations, and the folders of the runs."""
     return Page(found=found, as_record=_records, as_text=_text)
 
 
 def _records(found: VariantRuns) -> list[dict[str, Any]]:
-    """One entry a variant, plain data, in the order of the combinations."""
+    """One entry per variant, plain data, in the order of the combinations."""
     records = []
     for name, settings in found.settings.items():
         worst = found.worst.get(name)
@@ -45,7 +45,7 @@ def _records(found: VariantRuns) -> list[dict[str, Any]]:
 
 
 def _text(found: VariantRuns) -> str:
-    """The same as a table, and where the runs are."""
+    """The same as a table, with the folders of the runs."""
     rows = []
     for record in _records(found):
         status = "refused" if record["refused"] else "done" if record["whole"] else record["status"].lower().replace("_", " ")

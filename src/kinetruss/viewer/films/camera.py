@@ -1,4 +1,4 @@
-"""Where the eye stands: presets, a distance at which everything is in the picture, where a point is seen."""
+"""The camera: presets, the distance at which everything is in the picture, and projection of points."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ PRESETS = {
     "side": (1.0, 0.0, 0.0),
     "top": (0.0, 0.0, 1.0),
 }
-"""From where the eye looks; ``corner`` is what the page calls ``iso``."""
+"""Directions of the presets; ``corner`` is ``iso`` in the page."""
 ANGLE = np.radians(24.0)
 MARGIN = 0.94
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Camera:
-    """An eye at `eye` (m) that looks at `target`; right, upward and backward are unit vectors; wide : width over height."""
+    """A camera at `eye` (m) that looks at `target`; right, upward and backward are unit vectors; wide : width over height."""
 
     eye: Array
     target: Array
@@ -42,7 +42,7 @@ class Camera:
     wide: float
 
     def seen(self, points: Array, width: int, height: int) -> Array:
-        """Pixels (n, 2), from the left and from the top, of points (n, 3)."""
+        """Pixel coordinates (n, 2), from the left and from the top, of points (n, 3)."""
         apart = points - self.eye
         depth = -(apart @ self.backward) * np.tan(ANGLE / 2)
         x, y = apart @ self.right / (depth * self.wide), apart @ self.upward / depth
@@ -50,7 +50,7 @@ class Camera:
 
 
 def aimed(camera: str | Sequence[float], points: Array, wide: float, dim: int) -> Camera:
-    """A camera in which all points (n, 3) are seen, as large as they can be.
+    """A camera that shows all points (n, 3) as large as possible.
 
     camera : a preset, or the direction from the structure to the eye.
 
@@ -66,7 +66,7 @@ def aimed(camera: str | Sequence[float], points: Array, wide: float, dim: int) -
     axes = np.stack([right, upward, backward])
     flat = points @ axes.T
     centre = (flat.min(axis=0) + flat.max(axis=0)) / 2
-    for _ in range(4):  # what is nearer looks larger, so that the middle of the picture is not that of the box
+    for _ in range(4):  # in perspective near points look larger, so that the middle of the picture is not that of the box
         x, y, w = (flat - centre).T
         steep = np.tan(ANGLE / 2) * MARGIN
         far = max(float(np.max(np.abs(x) / (steep * wide) + w)), float(np.max(np.abs(y) / steep + w)), 1e-6)
@@ -87,7 +87,7 @@ def _direction(camera: str | Sequence[float], dim: int) -> Array:
     if isinstance(camera, str):
         if camera not in PRESETS:
             raise InputError(f"No camera called {camera!r}. {nearest(camera, PRESETS)}")
-        # a plane structure is looked at from above its plane unless something else is asked for
+        # a plane structure is seen along the normal of its plane by default
         camera = (0.0, 0.0, 1.0) if dim == 2 and camera in ("iso", "corner") else PRESETS[camera]
     found = np.array(camera, float)
     if found.shape != (3,) or not np.isfinite(found).all() or not np.linalg.norm(found) > 0:

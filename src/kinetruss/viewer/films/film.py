@@ -1,4 +1,4 @@
-"""Frames to a file that is whole or not there."""
+"""Writes frames to a file that appears completely or not at all."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ __all__ = ["check_encoder", "rate_of", "write_film", "write_picture"]
 
 
 def rate_of(suffix: str, fps: float) -> float:
-    """Frames a second that the file can have: delays in a GIF are whole hundredths of a second, two at least."""
+    """Possible frames per second: delays in a GIF are whole hundredths of a second, at least two."""
     return fps if suffix == ".mp4" else 100.0 / max(2, round(100.0 / fps))
 
 
 def check_encoder(suffix: str) -> None:
-    """Say what is missing before anything is drawn.
+    """Raise an error for missing packages before anything is drawn.
 
     Raises
     ------
@@ -38,15 +38,15 @@ def check_encoder(suffix: str) -> None:
 
 
 def write_picture(picture: NDArray[np.uint8], path: Path) -> None:
-    """One PNG."""
+    """Write one PNG file."""
     with whole_file(path) as part:
         Image.fromarray(picture).save(part, format="PNG", dpi=(300, 300))
 
 
 def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, colours: NDArray[np.uint8]) -> None:
-    """Frames (height, width, 3) of 0 to 255 as MP4 (H.264, plays everywhere) or as GIF (endless).
+    """Write frames (height, width, 3), 0 to 255, as MP4 (H.264, plays everywhere) or as GIF (endless).
 
-    colours : (n, 3) that any frame may have; a GIF has one table of 255 for all frames, so that nothing flickers.
+    colours : (n, 3), all colours of the frames; a GIF has one table of 255 for all frames, to avoid flicker.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, co
 
 
 def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:
-    part.touch()  # where nothing can be written, this says it; ffmpeg would in twenty lines
+    part.touch()  # report here that the file cannot be written; ffmpeg takes twenty lines for it
     writer = _ffmpeg().write_frames(
         part,
         size,
@@ -81,7 +81,7 @@ def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:
 def _gif(frames: Frames, part: Path, fps: float, colours: NDArray[np.uint8]) -> None:
     pictures = (Image.fromarray(frame) for frame in frames)
     first = next(pictures)
-    # as much of the table to the colours in light and shade as to the first frame
+    # half of the table for the shaded colours, half for the first frame
     shades = (np.linspace(0.4, 1.0, 24)[:, None, None] * colours).astype(np.uint8)
     swatches = Image.fromarray(shades).resize((first.width, first.height // 2), Image.Resampling.NEAREST)
     sample = Image.new("RGB", (first.width, first.height + swatches.height))

@@ -1,4 +1,4 @@
-"""What is written around a picture: title, time, legend, axes. Letters by Pillow, in the font of all figures."""
+"""The text around a picture: title, time, legend, axes. Drawn by Pillow, in the font of all figures."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ AXES = (("x", (1.0, 0, 0), "#c0392b"), ("y", (0, 1.0, 0), "#2e8b57"), ("z", (0, 
 
 
 def strips(width: int, height: int) -> tuple[int, int, int]:
-    """Size of letters, and heights of the strips above and below the picture, pixels."""
+    """Font size, and heights of the strips above and below the picture, pixels."""
     letter = max(11, round(min(height / 36, width / 52)))
     return letter, round(1.9 * letter), round(4.6 * letter)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Frame:
-    """The strips around pictures of one size. title : above; note : in words, below it on the right."""
+    """The strips around pictures of one size. title : above; note : text below it on the right."""
 
     width: int
     height: int
@@ -69,7 +69,7 @@ class Frame:
 
     @cached_property
     def _sheet(self) -> Any:
-        """All that is the same at every instant."""
+        """The parts that are the same at every instant."""
         letter, _, below = strips(self.width, self.height)
         sheet = Image.new("RGB", (self.width, self.height), "white")
         draw = ImageDraw.Draw(sheet)
@@ -125,7 +125,7 @@ class Frame:
             draw.text((left + 1.5 * letter, level + 0.35 * letter), words, fill=INK, font=small, anchor="lm")
 
     def _axes(self, draw: Any, letter: int, top: int) -> None:
-        """The axes as the eye sees them, and beside them where gravity pulls."""
+        """The axes as the camera sees them, and next to them the direction of gravity."""
         camera = self.camera
         reach, level = 1.35 * letter, top + 2.3 * letter
         shown = [(name, np.array(axis, float), colour, self.width - 3.2 * letter) for name, axis, colour in AXES[: self.dim]]
@@ -156,7 +156,7 @@ def _arrow(draw: Any, start: tuple[float, float], along: NDArray[np.float64], co
 
 
 def _cut(text: str, font: Any, room: float) -> str:
-    """A text that fits."""
+    """The text, shortened to fit."""
     if font.getlength(text) <= room:
         return text
     while text and font.getlength(text + "…") > room:
@@ -166,7 +166,7 @@ def _cut(text: str, font: Any, room: float) -> str:
 
 @cache
 def _font(size: int, *, bold: bool = False) -> Any:
-    """DejaVu Sans, as all figures have it; it comes with Matplotlib, which is not loaded for it."""
+    """DejaVu Sans, as all figures have it; it comes with Matplotlib, which is not imported for it."""
     spec = find_spec("matplotlib")
     folder = Path((spec and spec.origin) or "").parent / "mpl-data" / "fonts" / "ttf"
     return ImageFont.truetype(folder / f"DejaVuSans{'-Bold' if bold else ''}.ttf", size)

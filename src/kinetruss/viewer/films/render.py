@@ -1,4 +1,4 @@
-"""Pictures in three dimensions and films, written without a screen."""
+"""Three-dimensional pictures and films, written without a display."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ __all__ = ["render"]
 
 SUFFIXES = (".png", ".mp4", ".gif")
 SWINGING = 2.5
-"""Time of one swing of a mode, s."""
+"""Period of an animated mode, s."""
 LEAST, MOST = (240, 180), (7680, 7680)
 
 
@@ -56,29 +56,29 @@ def render(
     bare: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Path:
-    """Write a lit picture (``.png``) or a film (``.mp4``, ``.gif``) of a model, a run, or another result with its model.
+    """Write a shaded picture (``.png``) or a film (``.mp4``, ``.gif``) of a model, a run, or another result with its model.
 
     Parameters
     ----------
-    colour : ``force``, ``stress``, ``utilisation``, ``buckling``, ``speed``, or ``kind``; by default axial force where forces
-        are known. Ends of the scale are those of the whole run, in every picture of it.
-    camera : ``iso``, ``front``, ``side``, ``top``, or the direction (x, y, z) from the structure to the eye.
-    size : width and height, pixels; even ones for MP4.
-    at : instant of a picture, s; by default the start. Shown is the computed sample that is nearest.
-    fps, speed : frames a second, and how much faster than in reality. Frames of a film show computed samples too.
-    case : load case, by default the first. mode : which mode or mechanism swings (0 the first); modes : others besides.
-    ghost : the start pose as thin lines. faces : of rigid triangles. paths : nodes whose way is drawn.
-    bare : nothing written around the picture.
-    progress : called with frames done and to be done.
+    colour : ``force``, ``stress``, ``utilisation``, ``buckling``, ``speed``, or ``kind``; by default axial force if forces
+    are known. The scale covers the whole run, in every picture of it.
+    camera : ``iso``, ``front``, ``side``, ``top``, or the direction (x, y, z) from the structure to the camera.
+    size : width and height, pixels; even numbers for MP4.
+    at : instant of a picture, s; by default the start. The nearest computed sample is shown.
+    fps, speed : frames per second, and how much faster than in reality. Films show the nearest computed samples too.
+    case : load case, by default the first. mode : the mode or mechanism to animate (0: the first); modes : additional ones.
+    ghost : the start pose as thin lines. faces : show rigid triangles as faces. paths : nodes whose path is drawn.
+    bare : no text around the picture.
+    progress : called with the number of frames done and of all frames.
 
     Returns
     -------
-    The path written. A film that is cut off leaves no file.
+    The path written. An interrupted film leaves no file.
 
     Raises
     ------
-    InputError : another suffix, size, colour, camera, instant or name than there is; a film of what stands still; PyVista,
-        ffmpeg or what draws without a screen is missing. StoreError : the file cannot be written.
+    InputError : an unknown suffix, size, colour, camera, instant or name; a film of a model without motion; PyVista, ffmpeg
+    or a library that draws without a display is missing. StoreError : the file cannot be written.
     """
     path = Path(file)
     _check(path, size, fps, speed)
@@ -91,7 +91,7 @@ def render(
     shots = _picture(shown, at, mode) if path.suffix == ".png" else _film(shown, path, at, mode, fps, speed)
     job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare)
     pictures = job.pictures(shots, progress)
-    first = next(pictures)  # what can go wrong has gone wrong before a file is begun
+    first = next(pictures)  # all input errors are raised before a file is started
     from kinetruss.viewer.films import film as files
 
     if path.suffix == ".png":
@@ -104,7 +104,7 @@ def render(
 
 @dataclass(frozen=True, slots=True)
 class _Shot:
-    """Frame of the scene, how far the mode has swung, and what is said of the instant."""
+    """Frame of the scene, phase of the mode, and text of the instant."""
 
     frame: int
     swing: float
@@ -121,7 +121,7 @@ class _Job:
     bare: bool
 
     def pictures(self, shots: Sequence[_Shot], progress: Callable[[int, int], None] | None) -> Iterator[NDArray[np.uint8]]:
-        """Each shot as it is drawn."""
+        """Draw each shot."""
         from kinetruss.viewer.films.frame import strips
         from kinetruss.viewer.films.stage import stage
 
@@ -140,13 +140,13 @@ class _Job:
                     progress(k + 1, len(shots))
 
     def eye(self, wide: float) -> Camera:
-        """The camera that sees all of every frame."""
+        """The camera that shows all of every frame."""
         points = np.concatenate([self.subject.places.reshape(-1, 3), self.subject.tips()])
         around = 2 * self.subject.ball * np.array([[-1, -1, -1], [1, 1, 1]])
         return aimed(self.camera, np.concatenate([points + one for one in around]), wide, self.subject.dim)
 
     def frame(self, camera: Camera) -> Any:
-        """What is written around."""
+        """The text around the picture."""
         from kinetruss.viewer.films.frame import Frame
 
         header, channel = self.subject.scene.header, self.channel
@@ -172,7 +172,7 @@ class _Job:
         )
 
     def palette(self) -> NDArray[np.uint8]:
-        """Colours that members may have."""
+        """All colours of members."""
         if self.channel is None:
             return np.array([rgb(one) for one in (*KINDS.values(), *SKINS.values())], np.uint8)
         colours = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits)
@@ -212,7 +212,7 @@ def _mode(shown: Scene, mode: int | None) -> int | None:
 
 
 def _channel(shown: Scene, colour: str | None) -> dict[str, Any] | None:
-    """What the members are coloured by; None: their kinds."""
+    """The channel that colours the members; None: their kinds."""
     known: dict[str, dict[str, Any]] = {str(one["id"]): one for one in shown.header["channels"]}
     if colour is None:
         return known.get("force", known.get("stress") if shown.header["skins"] else None)

@@ -1,4 +1,4 @@
-"""What is seen of a scene at one frame, as rods, balls, cones and faces: the same signs as in the page."""
+"""The geometry of a scene at one frame: rods, balls, cones and faces, the same as in the page."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
     "#d5dae0",
 )
 PRESSURE = 0.3
-"""Length of the arrows of pressure, of that of others: many stand beside each other."""
+"""Length of pressure arrows as a fraction of other arrows, since many are next to each other."""
 THIN = {"free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
 RING = np.column_stack([np.cos(np.arange(25) * np.pi / 12), np.sin(np.arange(25) * np.pi / 12), np.zeros(25)])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Copies:
-    """Copies of a turned shape: start (n, 3), end (n, 3), m; radius (n,), m; colour (n, 3), 0 to 255."""
+    """Copies of a shape of revolution: start (n, 3), end (n, 3), m; radius (n,), m; colour (n, 3), 0 to 255."""
 
     start: Array
     end: Array
@@ -49,7 +49,7 @@ class Copies:
 
     @classmethod
     def all(cls, several: Sequence[Copies]) -> Copies:
-        """One behind the other."""
+        """Several sets of copies, joined."""
         kept = [one for one in several if len(one.radius)]
         if not kept:
             return cls(start=np.zeros((0, 3)), end=np.zeros((0, 3)), radius=np.zeros(0), colour=np.zeros((0, 3), np.uint8))
@@ -57,7 +57,7 @@ class Copies:
 
 
 def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copies:
-    """Copies of one colour, or of one each."""
+    """Copies with one colour, or one colour each."""
     count = len(start)
     shade = np.array(rgb(colour) if isinstance(colour, str) else colour, np.uint8)
     return Copies(
@@ -70,7 +70,7 @@ def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copi
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Look:
-    """What to show besides the bars. mode : index of a shape to swing; paths : nodes whose way is drawn."""
+    """What to show in addition to the bars. mode : index of a shape to animate; paths : nodes whose path is drawn."""
 
     ghost: bool = False
     loads: bool = True
@@ -83,14 +83,14 @@ class Look:
 
 @dataclass(frozen=True)
 class Subject:
-    """A scene with what drawing asks of it; sizes as in the page."""
+    """A scene with the data for drawing; sizes as in the page."""
 
     scene: Scene
     look: Look
 
     @cached_property
     def places(self) -> Array:
-        """(frames, nodes, 3), m."""
+        """Node positions (frames, nodes, 3), m."""
         position = np.asarray(self.scene.arrays["position"], float)
         return position if position.shape[2] == 3 else np.pad(position, ((0, 0), (0, 0), (0, 1)))
 
@@ -101,12 +101,12 @@ class Subject:
 
     @cached_property
     def dim(self) -> int:
-        """2 or 3."""
+        """Number of dimensions, 2 or 3."""
         return int(self.scene.header["dim"])
 
     @cached_property
     def box(self) -> tuple[Array, Array]:
-        """The least and the largest coordinates of all frames, m."""
+        """Smallest and largest coordinates over all frames, m."""
         return self.places.min(axis=(0, 1)), self.places.max(axis=(0, 1))
 
     @cached_property
@@ -116,14 +116,14 @@ class Subject:
 
     @cached_property
     def usual(self) -> float:
-        """Usual length of a member, m."""
+        """Median length of a member, m."""
         p, q = self.places[0][self.ends.T]
         lengths = np.sort(np.linalg.norm(q - p, axis=1))
         return float(lengths[len(lengths) // 2]) if len(lengths) and lengths[len(lengths) // 2] else self.size / 4
 
     @cached_property
     def radius(self) -> Array:
-        """How thick each member is drawn: its section, but never too thin to be seen."""
+        """Radius of each drawn member: that of its section, but thick enough to be visible."""
         found: Array = np.clip(np.nan_to_num(self.scene.arrays["radius"]), 0.011 * self.usual, 0.05 * self.usual)
         return found
 
@@ -133,7 +133,7 @@ class Subject:
         return 1.55 * float(self.radius.min(initial=0.02 * self.usual))
 
     def points(self, frame: int, swing: float = 0.0) -> Array:
-        """Nodes (n, 3) at a frame, moved by the mode that swings (-1 to 1)."""
+        """Nodes (n, 3) at a frame, displaced by the mode (phase -1 to 1)."""
         found: Array = self.places[frame].copy()
         if self.look.mode is not None:
             shape = np.asarray(self.scene.arrays[f"mode_{self.look.mode}"], float)
@@ -141,7 +141,7 @@ class Subject:
         return found
 
     def values(self, channel: dict[str, Any]) -> Array:
-        """A channel's values (frames, members); the worst of the run at every frame where a large scene has only these."""
+        """A channel's values (frames, members); for a large scene the worst values of the run at every frame."""
         if "array" in channel:
             found = np.asarray(self.scene.arrays.get(channel["array"], np.full(len(self.ends), np.nan)), float)
         else:
@@ -155,12 +155,12 @@ class Subject:
         return np.asarray(self.scene.arrays.get("skin", np.zeros((0, 3))), np.int64)
 
     def shown_values(self, channel: dict[str, Any]) -> Array:
-        """All values that a channel gives to members and faces, flat."""
+        """All values of a channel for members and faces, flat."""
         faces = self.scene.arrays.get(str(channel.get("faces")), np.zeros(0))
         return np.concatenate([self.values(channel).ravel(), np.asarray(faces, float).ravel()])
 
     def skin_colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
-        """(f, 3) of 0 to 255: by value where the channel has some of faces, else by kind."""
+        """Colours of faces (f, 3), 0 to 255: by value if the channel has values of faces, else by kind."""
         values = None if channel is None else self.scene.arrays.get(str(channel.get("faces")))
         if values is not None and channel is not None:
             return colours_of(channel["scale"], np.asarray(values[frame], float), limits)
@@ -169,14 +169,14 @@ class Subject:
 
     @cached_property
     def _sizes(self) -> Array:
-        """Size of each node's ball: nodes of a mesh that no member joins are small, or nothing where they are many."""
+        """Size of each node's ball: nodes of a mesh without members are small, or omitted if there are many."""
         found: Array = np.full(len(self.scene.header["nodes"]), self.ball)
         mesh = np.unique(self.skin)
         found[np.setdiff1d(mesh, self.ends)] *= 0.0 if len(mesh) > 300 else 0.6
         return found
 
     def colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
-        """(members, 3) of 0 to 255; without a channel those of the kinds."""
+        """Colours of members (members, 3), 0 to 255; without a channel by kind."""
         if channel is None:
             return np.array([rgb(KINDS[kind]) for kind in self.scene.header["kinds"]], np.uint8).reshape(-1, 3)
         found = colours_of(channel["scale"], self.values(channel)[frame], limits)
@@ -191,7 +191,7 @@ class Subject:
         return [index[name] for name in self.scene.header["not_unique"] if name in index]
 
     def rods(self, frame: int, x: Array, colours: NDArray[np.uint8]) -> Copies:
-        """Bars, what marks their kinds, shafts of arrows, rings of motors."""
+        """Bars, marks of their kinds, shafts of arrows, rings of motors."""
         found = [*self._bars(x, colours), *self._marks(x)]
         shafts, _ = self._arrows(frame, x)
         return Copies.all([*found, shafts, self._rings(x)])
@@ -211,7 +211,7 @@ class Subject:
         return Copies.all([copies(at, at + size[:, None] * up, size, colour) for at, size, colour in found])
 
     def triangles(self, x: Array) -> Array:
-        """Corners (n, 3, 3) of planar bodies and, where wanted, of triangles of rigid bars."""
+        """Corners (n, 3, 3) of planar bodies and, if requested, of triangles of rigid bars."""
         members = [body["member"] for body in self.scene.header["bodies"]]
         p, q = x[self.ends[members].T] if members else np.zeros((2, 0, 3))
         found = np.stack([p, q, self._centres(x)], axis=1)
@@ -222,7 +222,7 @@ class Subject:
         return found
 
     def tips(self) -> Array:
-        """Points beyond the nodes that have to be in the picture too (n, 3), over all frames."""
+        """Points other than nodes that must be in the picture (n, 3), over all frames."""
         found = []
         if self.look.loads and self._loads:
             node, force = self._loads
@@ -250,7 +250,7 @@ class Subject:
         return found
 
     def _marks(self, x: Array) -> list[Copies]:
-        """Collars of actuators at the nut, of driven bars in the middle; bands of springs."""
+        """Collars of actuators at the free end of the tube, of driven bars in the middle; bands of springs."""
         p, q = x[self.ends.T]
         length, kinds = np.linalg.norm(q - p, axis=1), self.scene.header["kinds"]
         two = set(self.scene.header["two_rods"])
@@ -271,7 +271,7 @@ class Subject:
 
     @cached_property
     def _held(self) -> tuple[NDArray[np.int64], Array]:
-        """Nodes held, and the directions in which their cones point: upright where all axes are held."""
+        """Supported nodes, and the directions of their cones: vertical if all axes are fixed."""
         upright = 1 if self.dim == 2 else 2
         middle = (self.box[0] + self.box[1])[upright] / 2
         node, towards = [], []
@@ -301,7 +301,7 @@ class Subject:
         return node, part[:, None] * force * (0.16 * self.size / largest if largest else 0.0)
 
     def _arrows(self, frame: int, x: Array) -> tuple[Copies, Copies]:
-        """Shafts and heads of loads and of prescribed coordinates; too short ones have no thickness."""
+        """Shafts and heads of loads and of prescribed coordinates; very short ones get radius 0."""
         from_, vector, radius, colour = [np.zeros((0, 3))], [np.zeros((0, 3))], [np.zeros(0)], [np.zeros((0, 3))]
         if self.look.loads and self._loads:
             node, force = self._loads
@@ -320,7 +320,7 @@ class Subject:
         return copies(start, neck, r, c), copies(neck, start + along, 2.4 * r, c)
 
     def _rings(self, x: Array) -> Copies:
-        """A ring about the axis of each motor: at the first end of the bar that it turns, in the middle of a hinge."""
+        """A ring about the axis of each motor: at the first end of its bar, or in the middle of its hinge."""
         found = []
         for drive in self.scene.header["drives"]:
             if drive["kind"] == "angle":
@@ -346,7 +346,7 @@ class Subject:
         return found
 
     def lines(self) -> Copies:
-        """What does not move: ghost of the start pose, paths of nodes, the grid on the ground."""
+        """Lines that do not move: the start pose, paths of nodes, the grid on the ground."""
         found = []
         fine = 0.001 * self.size
         if self.look.ghost:
@@ -363,12 +363,12 @@ class Subject:
 
     @cached_property
     def step(self) -> float:
-        """Distance of the lines of the grid, m: 1, 2 or 5 times a power of ten."""
+        """Spacing of the grid lines, m: 1, 2 or 5 times a power of ten."""
         power = 10.0 ** np.floor(np.log10(self.size / 8))
         return float(power * max(one for one in (1, 2, 5) if one * power <= self.size / 8 * (1 + 1e-9)))
 
     def grid(self) -> tuple[Array, Array]:
-        """Lines below the structure, behind it in the plane, at round places: starts and ends (n, 3)."""
+        """Grid lines below the structure (behind it in the plane) at round coordinates: starts and ends (n, 3)."""
         low, high = self.box
         below = max(0.03 * ((high - low)[2] or self.size), 0.1 * self.usual if len(self._held[0]) else 0.0)
         level = -0.08 * self.usual if self.dim == 2 else low[2] - below
@@ -386,11 +386,11 @@ class Subject:
 
 
 SWING = 0.08
-"""Amplitude of a mode, of the size of the structure."""
+"""Amplitude of a mode as a fraction of the size of the structure."""
 
 
 def _toward(p: Array, q: Array, size: Array) -> Array:
-    """Points at a distance from p towards q, not beyond it."""
+    """Points at a distance from p towards q, at most q."""
     length = np.linalg.norm(q - p, axis=1)
     part = np.minimum(size / np.where(length > 0, length, 1.0), 1.0)
     found: Array = p + part[:, None] * (q - p)

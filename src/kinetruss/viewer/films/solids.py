@@ -1,4 +1,4 @@
-"""Rods, balls and cones by the thousand: copies of one turned shape, placed and coloured as arrays."""
+"""Thousands of rods, balls and cones: copies of one shape of revolution, placed and coloured as arrays."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ __all__ = ["Turned", "across", "ball", "cone", "rod"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Turned:
-    """A shape turned about its own axis: points (k, 3) and normals (k, 3), last component along the axis; quads (m, 4)."""
+    """A shape of revolution: points (k, 3) and normals (k, 3), last component along the axis; quads (m, 4)."""
 
     points: Array
     normals: Array
     quads: NDArray[np.int64]
 
     def faces(self, count: int) -> NDArray[np.int64]:
-        """Faces of `count` copies, flat, each led by its number of corners."""
+        """Faces of `count` copies, flat, each preceded by its number of corners."""
         quads = (self.quads[None] + len(self.points) * np.arange(count)[:, None, None]).reshape(-1, 4)
         return np.column_stack([np.full(len(quads), 4), quads]).ravel()
 
@@ -38,12 +38,12 @@ class Turned:
         return points.reshape(-1, 3), normals.reshape(-1, 3)
 
     def spread(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Values of the copies (copies, ..) repeated for their points."""
+        """Values of copies (copies, ..), repeated for their points."""
         return np.repeat(values, len(self.points), axis=0)
 
 
 def across(along: Array) -> tuple[Array, Array, Array]:
-    """Two unit vectors across each direction (n, 3), and its own; any where it has no length."""
+    """Two unit vectors normal to each direction (n, 3), and its own unit vector; arbitrary if it has no length."""
     size = np.linalg.norm(along, axis=1, keepdims=True)
     w = np.divide(along, size, out=np.tile([0.0, 0.0, 1.0], (len(along), 1)), where=size > 0)
     helper = np.where(np.abs(w[:, :1]) > 0.7, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
@@ -53,7 +53,7 @@ def across(along: Array) -> tuple[Array, Array, Array]:
 
 
 def rod(sides: int) -> Turned:
-    """A cylinder with its ends closed."""
+    """A closed cylinder."""
     return _turned([(0, 0), (1, 0), (1, 0), (1, 1), (1, 1), (0, 1)], [(0, -1), (0, -1), (1, 0), (1, 0), (0, 1), (0, 1)], sides)
 
 
@@ -64,14 +64,14 @@ def cone(sides: int) -> Turned:
 
 
 def ball(sides: int) -> Turned:
-    """A ball about its start; its end lies one radius off, in any direction."""
+    """A ball about its start; its end is one radius away, in any direction."""
     angle = np.linspace(0, np.pi, sides // 2 + 1)
     ring = np.column_stack([np.sin(angle), -np.cos(angle)])
     return _turned(ring, ring, sides)
 
 
 def _turned(profile: Any, normals: Any, sides: int) -> Turned:
-    """Points of a profile (r, z) turned in steps."""
+    """Points of a profile (r, z), rotated about z in steps."""
     turn = np.arange(sides) * 2 * np.pi / sides
     rings = np.array(profile, float), np.array(normals, float)
     points, outward = (

@@ -1,4 +1,4 @@
-"""The lit picture of a scene, drawn by VTK without a screen."""
+"""The shaded picture of a scene, drawn by VTK without a display."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ __all__ = ["Stage", "stage"]
 
 WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
 LARGEST = 8192
-"""Pixels of a window in one direction that everything draws."""
+"""Largest width and height of a window that all systems support, pixels."""
 SEVERAL = 800
-"""Members above which rods have fewer sides."""
+"""Number of members above which rods have fewer sides."""
 FACE, EDGE = "#7f93a8", "#2b333b"
 FINE = 20_000
-"""Faces of a mesh above which the edges of its elements are not drawn."""
+"""Number of faces above which element edges are not drawn."""
 
 
 class Stage:
-    """A window nobody sees; `shoot` gives what would be seen in it."""
+    """An off-screen window; `shoot` returns its picture."""
 
     def __init__(self, pyvista: Any, subject: Subject, width: int, height: int, fine: int) -> None:
         self._pv = pyvista
-        # drawn larger and made smaller: smoother than what VTK offers where there is no graphics card, in half the time
+        # drawn larger and reduced: smoother than VTK's own methods without a graphics card, in half the time
         self._fine = max(1, min(fine, LARGEST // max(width, height)))
         self._subject = subject
         self.plotter = pyvista.Plotter(off_screen=True, window_size=(self._fine * width, self._fine * height), lighting="none")
@@ -53,7 +53,7 @@ class Stage:
         self._put("lines", subject.lines(), lit=False)
 
     def look_from(self, camera: Camera, angle: float) -> None:
-        """Put the eye in its place."""
+        """Set the camera."""
         eye = self.plotter.camera
         eye.position, eye.focal_point, eye.up = (tuple(map(float, one)) for one in (camera.eye, camera.target, camera.upward))
         eye.view_angle = float(np.degrees(angle))
@@ -115,18 +115,18 @@ class Stage:
 
 
 def _matt(actor: Any, lit: float = 0.58, *, flat: bool = False) -> None:
-    """No glare: what faces the eye has its own colour."""
+    """Set a matt surface: faces towards the camera have their own colour."""
     actor.prop.interpolation = "Flat" if flat else "Phong"
     actor.prop.ambient, actor.prop.diffuse, actor.prop.specular = 1 - lit, lit, 0.0
 
 
 @contextmanager
 def stage(subject: Subject, width: int, height: int, fine: int) -> Iterator[Stage]:
-    """A stage for a while. fine : pixels drawn for one seen, in each direction.
+    """A temporary stage. fine : number of drawn pixels per final pixel, in each direction.
 
     Raises
     ------
-    InputError : PyVista is not installed; the machine has nothing that draws.
+    InputError : PyVista is not installed, or the machine has no library that draws.
     """
     pyvista = _pyvista()
     with _window():
@@ -150,7 +150,7 @@ def _pyvista() -> Any:
 
 @contextmanager
 def _window() -> Iterator[None]:
-    """On Linux choose what draws without a screen; a library that is missing would end the process inside VTK."""
+    """Choose an off-screen library on Linux; a missing library would end the process inside VTK."""
     if not sys.platform.startswith("linux"):
         yield
         return
@@ -164,7 +164,7 @@ def _window() -> Iterator[None]:
 
 
 def _drawing(libraries: Sequence[str]) -> str:
-    """The window class of VTK for the first library that is there."""
+    """The window class of VTK for the first available library."""
     for library in libraries:
         with suppress(OSError):
             ctypes.CDLL(library)

@@ -4,7 +4,7 @@ bytes   = MAGIC, n (uint32), n bytes of zlib stream 1, zlib stream 2
 stream 1 = header length (uint32), header, plain arrays; stream 2 = histories. An array begins at ``at`` of its stream
     (in stream 1 counted from the end of the header).
 plain   = an array as it is in memory.
-history = an array over time. Its bytes stand in planes: all lowest bytes, then the next, .., of
+history = an array over time. Its bytes are in planes: all lowest bytes, then the next, .., of
     ``float32``  words w: w[k] - w[k-1] (mod 2^32)                             exact to float32
     ``rounded``  q = round(value/2^e) - base, by column (e int8, base int32): differences over time of the given
                  ``order`` (mod 2^16), zigzag coded
@@ -29,15 +29,15 @@ __all__ = ["FEW", "LEVELS", "MAGIC", "pack", "unpack"]
 
 MAGIC = b"KTSCENE1"
 LEVELS = {"position": 2**16, "member_force": 2**16}
-"""Steps over the range of each curve in a rounded scene; other histories get `FEW`."""
+"""Rounding steps over the range of each curve in a rounded scene; other histories get `FEW`."""
 FEW = 2**12
 FINEST = 2.0**-30
-"""Least step over the largest value of all curves of a kind: below it is round-off, which compresses badly."""
+"""Smallest step relative to the largest value of a kind of curve: smaller differences are round-off, which compresses badly."""
 ORDERS = (1, 2, 3)
 
 
 def pack(scene: Scene) -> bytes:
-    """A scene as bytes, about as small as its content allows."""
+    """A scene as compressed bytes."""
     rounded = bool(scene.header["rounded"])
     table: dict[str, dict[str, Any]] = {}
     plain: list[bytes] = []
@@ -56,7 +56,7 @@ def pack(scene: Scene) -> bytes:
             blocks.append(_words(values))
     header = json.dumps({**scene.header, "arrays": table}, ensure_ascii=False, allow_nan=False).encode()
     first = zlib.compress(b"".join([len(header).to_bytes(4, "little"), header, *plain]), 6)
-    # the noise of rounded curves has no repetitions to look for: only runs of zeros, and byte counts
+    # rounded curves have no repeated strings: use run lengths and Huffman codes only
     squeeze = zlib.compressobj(1, zlib.DEFLATED, 15, 9, zlib.Z_RLE) if rounded else zlib.compressobj(9)
     second = [squeeze.compress(block) for block in histories]
     return b"".join([MAGIC, len(first).to_bytes(4, "little"), first, *second, squeeze.flush()])
@@ -67,7 +67,7 @@ def unpack(data: bytes) -> Scene:
 
     Raises
     ------
-    InputError : no scene, or one of another version.
+    InputError : not a scene, or of another version.
     """
     if not data.startswith(MAGIC):
         raise InputError("These bytes are no kinetruss scene.")
@@ -107,7 +107,7 @@ def _rounded(values: NDArray[Any], entry: dict[str, Any], levels: int) -> list[b
 
 
 def _differences(q: NDArray[Any]) -> tuple[int, NDArray[Any]]:
-    """The order of differences over time that leaves least, judged by some columns, and those differences (int16)."""
+    """The order of differences over time with the smallest remainder, judged by some columns, and those differences (int16)."""
     some = q[:, :: max(1, q.shape[1] // 200)]
     left = [int(np.abs(_differenced(some.copy(), order).astype(int)).sum()) for order in ORDERS]
     order = ORDERS[left.index(min(left))]

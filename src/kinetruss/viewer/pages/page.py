@@ -1,4 +1,4 @@
-"""One page that holds everything: scenes, the program that shows them, its licence. Nothing is loaded from anywhere."""
+"""One self-contained page: scenes, the program that shows them, its licence. Nothing is loaded from elsewhere."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str
 
     Parameters
     ----------
-    labels : what to call each of several scenes. title : of the page; by default that of the first scene.
+    labels : names of several scenes. title : of the page; by default that of the first scene.
 
     Raises
     ------
@@ -64,9 +64,9 @@ def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str
 
 
 def live_page(title: str, hosts: Sequence[str] = ()) -> str:
-    """The same page without a scene: it asks whoever serves it (a websocket beside it, or the frame around it).
+    """The same page without a scene: it gets its scene from a websocket of its server, or from the frame around it.
 
-    hosts : ``127.0.0.1:8000`` and the like, the only places that the page may connect to.
+    hosts : e.g. ``127.0.0.1:8000``, the only hosts to which the page may connect.
     """
     policy = f"{POLICY}; connect-src {' '.join(f'ws://{host}' for host in hosts)}" if hosts else POLICY
     return _document(title or "kinetruss", "", policy, ' data-live="socket"' if hosts else ' data-live="frame"')

@@ -1,4 +1,4 @@
-"""Words and numbers of a legend, as in the page."""
+"""Text and numbers of a legend, as in the page."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ __all__ = ["ends", "heading", "ticks"]
 
 
 def heading(channel: dict[str, Any], limits: Sequence[float]) -> str:
-    """What is coloured, with its unit."""
+    """The heading: the coloured quantity with its unit."""
     unit = scale(limits[1], channel["unit"])[1]
     return f"{channel['label']}{f' ({unit})' if unit else ''}"
 
 
 def ticks(channel: dict[str, Any], limits: Sequence[float]) -> list[str]:
-    """Five numbers from the low to the high end; margins of stability are 1/utilisation - 1."""
+    """Five numbers from the low to the high end; buckling margins are 1/utilisation - 1."""
     low, high = limits
     values = [low + part * (high - low) for part in (0, 0.25, 0.5, 0.75, 1)]
     if channel["scale"] == "margin":
@@ -28,7 +28,7 @@ def ticks(channel: dict[str, Any], limits: Sequence[float]) -> list[str]:
 
 
 def ends(channel: dict[str, Any], limits: Sequence[float], single: bool = False) -> tuple[str, str]:
-    """Words at the two ends. single : of one instant alone."""
+    """Texts at the two ends. single : the scale is of one instant only."""
     high = channel["high"]
     if single and high == "largest of the run":
         high = "largest"

@@ -36,8 +36,8 @@ def write(
 
     Parameters
     ----------
-    beside : a second one, shown beside the first with the same camera, time and colours.
-    labels : what to call the two. model, case, frames, modes : as for `scene`; modes are those of the first.
+    beside : a second one, shown next to the first with the same camera, time and colours.
+    labels : names of the two. model, case, frames, modes : as for `scene`; modes are those of the first.
 
     Raises
     ------

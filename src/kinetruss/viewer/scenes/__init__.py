@@ -1,4 +1,4 @@
-"""Scenes as plain data: what is seen of a model, a motion or a run."""
+"""Scenes of a model, a motion or a run, as plain data."""
 
 from __future__ import annotations
 

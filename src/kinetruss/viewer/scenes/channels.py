@@ -1,4 +1,4 @@
-"""What colours the members: values in time, or where a scene is large the worst of the whole run."""
+"""Channels that colour members: values over time, or for a large scene the worst of the whole run."""
 
 from __future__ import annotations
 
@@ -16,4 +16,4 @@ CHANNELS: dict[str, dict[str, str]] = {
     "speed": {"label": "Speed of the middle", "unit": "m/s", "scale": "sequential", "low": "at rest",
               "high": "largest of the run"},
 }  # fmt: skip
-"""Channels a scene may have. ``array`` is missing where the page forms it from others; ``faces`` colours faces."""
+"""Channels a scene may have. ``array`` is absent if the page computes it from others; ``faces`` colours faces."""

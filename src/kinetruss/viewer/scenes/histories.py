@@ -1,4 +1,4 @@
-"""What of a scene changes in time: motion, forces of the load cases, what colours the members."""
+"""The parts of a scene that change in time: motion, forces of the load cases, channels."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 __all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving"]
 
 EXACT = 600_000
-"""Numbers over time up to which a scene keeps all of them as float32; beyond it curves are rounded."""
+"""Largest count of numbers over time that a scene keeps as float32; above it curves are rounded."""
 
 ARROWS = 200
-"""Arrows of pressure at most."""
+"""Largest number of pressure arrows."""
 
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
@@ -44,7 +44,7 @@ def moving(
     """Header fields and arrays of a motion and of the forces along it, one entry of `forces` a load case.
 
     The arrays of the first load case have their plain names, those of the next begin with ``1:``, ``2:``, .. ``cases`` holds
-    the header fields of each: as many as fit without rounding, one at least.
+    the header fields of each: as many as fit without rounding, at least one.
     """
     count = int(motion.data.sizes["time"])
     keep = _kept(count, most, motion.data["time"].values, run, instants)
@@ -55,7 +55,7 @@ def moving(
     names = ("time", "position", "velocity", "acceleration", "drive_position")
     found = {name: motion.data[name].values for name in names if name in motion.data.variables}
     if scalars := [i for i, node in enumerate(model.nodes.values()) if node.scalar]:
-        # a scalar is no place: it is drawn where the first node is
+        # a scalar coordinate has no position: it is drawn at the first node
         found["position"] = found["position"].copy()
         found["position"][:, scalars] = found["position"][:, :1]
     moved, each = 3 * found["position"].size, len(time) * len(model.members) * (4 + 2 * model.dim)
@@ -84,7 +84,7 @@ def moving(
 
 
 def _not_held(run: RunResult | None) -> list[str]:
-    """What the verdict of a run could not hold bars to, in sentences."""
+    """Sentences on the checks that the verdict of a run could not make."""
     return [] if run is None or run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
 
 
@@ -95,7 +95,7 @@ def _unchecked(model: Model) -> dict[str, str]:
 
 
 def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:
-    """Header fields of what can colour, of the arrays there are; without members only what colours faces."""
+    """Header fields of the channels for the given arrays; without members only channels of faces."""
     return [
         {"id": name, **channel, "over_run": False}
         for name, channel in CHANNELS.items()
@@ -104,7 +104,7 @@ def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:
 
 
 def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """``skin_stress`` of membranes and solids, where it is quickly had."""
+    """``skin_stress`` of membranes and solids, if it is fast to compute."""
     if not model.membranes and not model.solids:
         return {}
     from kinetruss.strength.members import skin_stress
@@ -121,7 +121,7 @@ def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:
 def _forces(
     model: Model, forces: Forces, run: RunResult | None, rounded: bool
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
-    """Header fields, arrays, and names of those that are the worst of the run (in a large scene), of one load case."""
+    """Header fields and arrays of one load case, and names of arrays with the worst of the run (in a large scene)."""
     from kinetruss.strength.verdict import strength_histories, worst_of
 
     data = forces.data
@@ -147,12 +147,12 @@ def _forces(
 
 
 def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
-    """What acts on members beside their weight: whence and on which, and its arrays; `mean` where mean forces hold it."""
+    """Actions on members other than weight: sources, members and arrays; `mean` if mean forces include them."""
     return _told_actions(model, forces.data)
 
 
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
-    """The same of an equilibrium; it does not tell the forces of its couplings, so what these do is no number."""
+    """The same for an equilibrium. It has no forces of couplings, so their actions are NaN."""
     from kinetruss.dynamics.actions import acting_along, action_coordinates, action_variables
     from kinetruss.kernels.structure.structure import States
     from kinetruss.mechanics import compile
@@ -190,7 +190,7 @@ def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]],
 def loads_of(
     model: Model, time: NDArray[Any], case: str | None, position: NDArray[np.float64] | None = None
 ) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
-    """Nodal forces of a load case: where, and (times, loads, dim) N, with nodes at position (times, n, dim)."""
+    """Nodal forces of a load case: nodes, and forces (times, loads, dim), N, with nodes at position (times, n, dim)."""
     from kinetruss.mechanics import compile
     from kinetruss.mechanics.assembly import case_loads
 
@@ -202,7 +202,7 @@ def loads_of(
     pressing = np.array([isinstance(model.loads[name], Pressure) for name in loads.loads], np.bool_)
     single = np.flatnonzero(~pressing)
     where = [{"name": loads.loads[k], "node": int(loads.node[k])} for k in single]
-    # pressure: one arrow a node for all faces about it, and no more arrows than can be seen
+    # pressure: one arrow per node for all faces at it, and at most as many arrows as can be distinguished
     nodes, of = np.unique(loads.node[pressing], return_inverse=True)
     about = (np.arange(len(nodes))[:, None] == of).astype(float)
     force = np.einsum("nk,tki->tni", about, loads.force[:, pressing])
@@ -212,7 +212,7 @@ def loads_of(
 
 
 def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None, instants: Sequence[float]) -> NDArray[np.int64]:
-    """Indices of the samples to show."""
+    """Indices of the samples that are kept."""
     if most < 2:
         raise InputError(f"frames={most}: give at least 2.")
     if count <= most:

@@ -1,4 +1,4 @@
-"""Shapes that swing: mechanisms of a model, vibration modes of a linearisation."""
+"""Animated shapes: mechanisms of a model, vibration modes of a linearisation."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
 __all__ = ["mechanisms", "vibrations"]
 
 DENSE = 300
-"""Nodes up to which mechanisms are looked for: they need a dense rank decision."""
+"""Number of nodes up to which mechanisms are computed, since they need a dense rank decision."""
 
 MOST = 24
-"""Shapes that a person looks through."""
+"""Largest number of shapes in a scene."""
 
 
 def mechanisms(model: Model) -> list[Mode]:
-    """What can move with all drives held; of larger models none are looked for."""
+    """Mechanisms with all drives fixed; none for larger models."""
     from kinetruss.kinematics import mobility
 
     if len(model.nodes) > DENSE:

@@ -1,4 +1,4 @@
-"""The scene: everything a viewer shows, as plain data."""
+"""The scene: all data of a viewer, as plain data."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ __all__ = ["FORMAT", "VERSION", "Mode", "Scene"]
 
 FORMAT = "kinetruss.scene"
 VERSION = 1
-"""Raised when a reader of the present version would show a newer scene wrongly; additions do not raise it."""
+"""Version of the format; it increases if old readers would show new scenes wrongly, but not for additions."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Mode:
-    """A shape to be shown swinging: a mechanism, a vibration mode.
+    """An animated shape: a mechanism, a vibration mode.
 
-    name : what is shown. shape : (n_nodes, dim) displacements, any scale. frequency : Hz, or None for a mechanism.
+    name : text shown. shape : (n_nodes, dim) displacements, any scale. frequency : Hz, or None for a mechanism.
     """
 
     name: str
@@ -32,7 +32,7 @@ class Mode:
 class Scene:
     """A model, alone or along a motion, as plain data.
 
-    header : what JSON can hold: names, kinds, supports, units of the arrays, channels; ``format`` and ``version`` name its
+    header : JSON data: names, kinds, supports, units of the arrays, channels; ``format`` and ``version`` name its
         form. The keys are listed in the documentation of the viewer.
     arrays : by name. Over time first, then nodes or members, then axes, as in results.
     """

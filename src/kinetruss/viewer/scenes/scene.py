@@ -1,4 +1,4 @@
-"""From a model, a motion, forces or a run to a scene."""
+"""Makes a scene from a model, a motion, forces or a run."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ __all__ = ["scene"]
 
 @dataclass(frozen=True, kw_only=True)
 class _Subject:
-    """What is shown, whatever it came from."""
+    """The data of a scene, from any source."""
 
     model: Model
     kind: str
@@ -49,26 +49,26 @@ def scene(
     modes: Sequence[Mode] = (),
     instants: Sequence[float] = (),
 ) -> Scene:
-    """Everything a viewer shows of a model, a motion, forces, a simulation, an equilibrium, a linearisation or a run.
+    """The scene of a model, a motion, forces, a simulation, an equilibrium, a linearisation or a run.
 
     Parameters
     ----------
-    model : of what is neither a model nor a run; those have theirs.
-    case : the only load case of a run to be shown; by default all of them, to choose from in the page.
-    frames : samples kept at most, equally spaced, and those where a member is worst besides. What is shown is always a
-        sample that was computed, never a state between two.
+    model : required except for a model or a run, which have their own.
+    case : the only load case of a run to show; by default all, selectable in the page.
+    frames : largest number of samples, equally spaced, in addition to the worst of each member. All states shown are computed
+    samples, never interpolated.
     instants : times, s, whose nearest samples are kept in any case.
-    modes : shapes to be shown swinging; the mechanisms of a model and the modes of a linearisation come by themselves.
+    modes : shapes to animate; the mechanisms of a model and the modes of a linearisation are included without it.
 
     Raises
     ------
-    InputError : a result without its model, a load case that is not there, a run without a good sample.
+    InputError : a result without its model, an unknown load case, a run without a good sample.
 
     Notes
     -----
     Up to 600,000 numbers are kept as float32, of as many load cases as fit. In a larger scene each curve is rounded to
-    1/65534 (positions, member forces) or 1/4094 of its range, only one load case is kept, joint forces are left to be formed
-    from accelerations, and stress, utilisation and buckling are the worst of the run; ``rounded`` in the header says so.
+    1/65534 (positions, member forces) or 1/4094 of its range, only one load case is kept, the page computes joint forces from
+    accelerations, and stress, utilisation and buckling are the worst of the run; ``rounded`` in the header is then true.
     """
     subject = _subject(what, model, case)
     header, arrays = topology(subject.model)
@@ -125,7 +125,7 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
 
 
 def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """A model as it stands, or the state of a linearisation: one frame with its loads at the start."""
+    """A model in its own pose, or the state of a linearisation: one frame with its loads at the start."""
     from kinetruss.kinematics import assemble
 
     model = subject.model

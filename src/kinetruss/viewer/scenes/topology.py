@@ -1,4 +1,4 @@
-"""What of a scene does not change in time: names, ends, kinds, sizes, supports, drives, parts."""
+"""The parts of a scene that do not change in time: names, ends, kinds, sizes, supports, drives, parts."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ __all__ = ["topology"]
 def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Header fields and arrays of a model.
 
-    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that with the bar
-    spans its plane 1-3, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member``
-    (parts,); ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa;
-    ``lump`` (n,) kg; where there are membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
+    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that spans the plane
+    1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member`` (parts,);
+    ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump``
+    (n,) kg; with membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
     """
     system, parts, skin = compile(model), parts_of(model), skin_of(model)
     members = model.members
@@ -66,7 +66,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
 
 
 def _pressures(model: Model) -> dict[str, float] | None:
-    """How many faces are under a pressure, and the least and largest of those that stay, Pa."""
+    """Number of faces under pressure, and the smallest and largest constant pressure, Pa."""
     found = [load.pressure for load in model.loads.values() if isinstance(load, Pressure) and load.pressure is not None]
     return {"count": len(found), "least": min(found), "largest": max(found)} if found else None
 
@@ -75,7 +75,7 @@ def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], end
     found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m"}
     if isinstance(drive, HingeDrive):
         found |= {"axis": [nodes[one] for one in drive.axis], "start": nodes[drive.start], "end": nodes[drive.end]}
-        # told with a member that it turns, where one goes from the axis to `end`
+        # reported with a member that it turns, if one goes from the axis to `end`
         turned = [k for k, pair in enumerate(ends) if drive.end in pair and set(pair) & set(drive.axis)]
         return found | ({"member": turned[0]} if turned else {})
     if isinstance(drive, CoordinateDrive):
@@ -86,13 +86,13 @@ def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], end
 
 
 def _body(member: int, bar: Bar) -> dict[str, Any]:
-    """The planar body that a bar stands for: its centre (m) along the bar and to its left, and its mass (kg)."""
+    """The planar body that a bar represents: its centre (m) along the bar and to its left, and its mass (kg)."""
     assert bar.body is not None  # noqa: S101 - told to mypy
     return {"member": member, "center": [float(x) for x in bar.body.center], "mass": float(bar.body.mass)}
 
 
 def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
-    """The same of bodies of the plane that two nodes carry."""
+    """The same for planar bodies defined by two nodes."""
     if not model.bodies or model.dim == 3:
         return
     members = {frozenset(one.ends): k for k, one in enumerate(model.members.values())}
@@ -109,7 +109,7 @@ def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
 
 
 def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
-    """Nodes of all triangles of rigid bars: what moves as one face."""
+    """Nodes of all triangles of rigid bars, which move as one face."""
     near: dict[int, set[int]] = {}
     for bar in model.bars.values():
         if bar.kind == "rigid":

@@ -1,4 +1,4 @@
-"""Checks that a reviewer can repeat: what can move, and whether all bars kept the lengths they should have."""
+"""Checks that a reviewer can repeat: mobility, and the lengths of all bars."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 __all__ = ["closure", "mobility_record"]
 
 LARGEST = 300
-"""Nodes up to which a report lists mechanisms and states of self-stress: of more, nobody reads them."""
+"""Number of nodes up to which a report lists mechanisms and states of self-stress."""
 
 
 def mobility_record(model: Model) -> dict[str, Any] | None:
-    """Freedoms, mechanisms and states of self-stress of the model as it stands; None of larger models."""
+    """Degrees of freedom, mechanisms and states of self-stress of the model in its own pose; None for larger models."""
     if len(model.nodes) > LARGEST:
         return None
     from kinetruss.kinematics import mobility
@@ -44,9 +44,9 @@ def mobility_record(model: Model) -> dict[str, Any] | None:
 
 
 def closure(run: RunResult) -> dict[str, Any] | None:
-    """How far bars are from the lengths that they should have, m, found anew from the node positions; the worst one.
+    """Largest error of a bar length, m, recomputed from the node positions.
 
-    Rigid bars against their given or first length, driven ones against the drive. None without such bars or samples.
+    Rigid bars are compared with their given or first length, driven ones with the drive. None without such bars or samples.
     """
     data = run.motion.data
     if not data.sizes["time"]:
@@ -66,7 +66,7 @@ def closure(run: RunResult) -> dict[str, Any] | None:
 
 
 def _wanted(run: RunResult) -> list[tuple[str, NDArray[np.float64] | float | None]]:
-    """Members that must keep a length: over time, or one for all times (None: that of the start)."""
+    """Members with a required length: over time, or one for all times (None: that of the start)."""
     data = run.motion.data
     driven = {drive.bar: name for name, drive in run.model.all_drives.items() if isinstance(drive, LengthDrive)}
     columns = {str(name): k for k, name in enumerate(data["drive"].values)} if "drive" in data.coords else {}

@@ -1,4 +1,4 @@
-"""Demand against capacity: strength of members, limits of actuators."""
+"""Demand and capacity: strength of members, limits of actuators."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ TORQUES = {
 
 
 def strength(record: Record) -> list[Markup]:
-    """The worst entry of each part, and what was not checked."""
+    """The worst entry of each part, and the entries that were not checked."""
     rows = record["strength"]
     first: dict[str, Record] = {}
     for row in rows:
@@ -54,7 +54,7 @@ def strength(record: Record) -> list[Markup]:
 
 
 def drives(record: Record) -> list[Markup]:
-    """Demands on actuators against their limits; torques, energies; every limit exceeded."""
+    """Demands on actuators and their limits; torques, energies; all exceeded limits."""
     return [*_limits(record["limits"]), *_motors(record["motors"]), *_trains(record["trains"]), *_exceeded(record["exceeded"])]
 
 
@@ -126,7 +126,7 @@ def _exceeded(found: Sequence[Record]) -> list[Markup]:
 
 
 def _held(row: Record, drawn: Markup) -> tuple[Any, ...]:
-    """What is held against what, as cells."""
+    """Demand and limit as table cells."""
     used, unit = row["utilisation"], row["unit"]
     value, limit = (quantity(value_of(row[key]), unit) for key in ("value", "limit"))
     return row["part"], row["rule"], drawn, share_of(used), value, limit, margin_of(row)

@@ -1,4 +1,4 @@
-"""The least and the largest over a whole run: of member forces, reactions, drives."""
+"""Minima and maxima over a whole run: member forces, reactions, drives."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["drive_spans", "envelopes", "reactions"]
 
 
 def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
-    """By load case and member, largest magnitude first: least and largest mean axial force (N), each with its time (s).
+    """Smallest and largest mean axial force (N), with times (s), by load case and member, largest magnitude first.
 
     ``at_rest`` is the force in the same pose at rest at the time of the larger of the two.
     """
@@ -48,7 +48,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
 
 
 def reactions(run: RunResult) -> list[dict[str, Any]]:
-    """Of every support and load case the force of largest magnitude on the structure (N), its time (s), its parts by axis."""
+    """Force of largest magnitude on the structure (N), its time (s) and its components, by support and load case."""
     found = []
     for case, forces in run.forces.items():
         data = forces.data
@@ -73,7 +73,7 @@ def reactions(run: RunResult) -> list[dict[str, Any]]:
 
 
 def drive_spans(run: RunResult) -> list[dict[str, Any]]:
-    """Of every drive least and largest position, rate and acceleration of largest magnitude; m or rad, s; limits of travel."""
+    """Smallest and largest position, largest rate and acceleration of every drive; m or rad, s; limits of travel."""
     data = run.motion.data
     if not data.sizes["time"] or "drive" not in data.sizes:
         return []

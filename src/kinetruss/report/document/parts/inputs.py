@@ -1,4 +1,4 @@
-"""What was analysed: the run, the structure, its supports and loads, its materials, sections and drive trains, in tables."""
+"""Tables of the inputs: run, structure, supports and loads, materials, sections and drive trains."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ if TYPE_CHECKING:
 __all__ = ["inputs", "sources", "worded"]
 
 MOST = 30
-"""Rows of a table of inputs; the model itself is in the page, whole."""
+"""Largest number of rows of an input table; the page includes the whole model."""
 NAMES = 8
 ANALYSES = {
-    "dynamics.inverse": "inverse dynamics: a given motion, and every force that it takes",
+    "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
     "kinematics.follow": "kinematics: a given motion, without forces",
-    "dynamics.simulate": "forward dynamics: the motion that weight, loads, springs and motors make, and its forces",
+    "dynamics.simulate": "forward dynamics: the motion caused by weight, loads, springs and motors, and its forces",
 }
 
 
 def inputs(run: RunResult) -> list[Markup]:
-    """The tables, those with nothing in them left out."""
+    """The tables that are not empty."""
     model = run.model
     found = [
         Table(("", ""), _run_rows(run), "What was computed").html,
@@ -57,7 +57,7 @@ def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
     if told.t_end is not None:
         yield "simulated time", quantity(told.t_end, "s")
         yield "method", _method(run, told)
-    yield "samples", f"{run.samples} asked for, {run.good} good"
+    yield "samples", f"{run.samples} requested, {run.good} good"
     if run.forces:
         yield "load cases", ", ".join("all loads" if case == "all" else case for case in run.forces)
         yield "stations along members", str(told.stations)
@@ -66,7 +66,7 @@ def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
 
 
 def _method(run: RunResult, told: Run) -> str:
-    """The method that was taken with all its options, or its name where the run was written without them."""
+    """The method used, with all its options, or its name if the run was stored without them."""
     taken = {} if run.simulation is None else run.simulation.data.attrs
     if "method_options" in taken:
         told = told.with_(method=json.loads(taken["method_options"]))
@@ -133,7 +133,7 @@ def _named(records: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 
 
 def worded(record: Any, whole: bool = False) -> str:
-    """A record in words: its fields that are not at their defaults (all with `whole`), with units.
+    """A record as text: its fields without defaults (with `whole`, all fields), with units.
 
     >>> import kinetruss as kt
     >>> worded(kt.Tube(outer=0.019, inner=0.016))
@@ -184,7 +184,7 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def sources(model: Model) -> list[str]:
-    """Where numbers of the model come from, as their records say; each once."""
+    """Sources of the model's numbers, as given in their records, without duplicates."""
     return list(dict.fromkeys(_sources(model.model_dump())))
 
 

@@ -1,4 +1,4 @@
-"""How the numbers came about, as far as a run used it, and where that is published."""
+"""The methods that a run used, and their publications."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["methods"]
 
 GIVEN = (
     "Motion",
-    "Node positions solve the lengths and angles that bars and drives prescribe, by Newton's method on the blocks "
+    "Node positions satisfy the lengths and angles that bars and drives prescribe, by Newton's method on the blocks "
     "into which the structure falls, from sample to sample with steps cut so that the configuration stays the one "
     "connected to the start. Velocities and accelerations follow from the same matrix; nothing is differenced in "
     "time.",

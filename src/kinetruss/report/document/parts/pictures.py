@@ -1,4 +1,4 @@
-"""Pictures of a run inside the page: vector drawings that take the page's colours, none larger than a page can bear."""
+"""Pictures of a run inside the page: vector drawings in the page's colours, of limited size."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 __all__ = ["picture"]
 
 FINE = 4000
-"""Samples of a curve up to which all are drawn; beyond it the least and largest of each of `BUCKETS` stretches."""
+"""Number of samples up to which a curve is drawn completely; else minima and maxima of `BUCKETS` intervals are drawn."""
 BUCKETS = 700
 MEMBERS = 400
-"""Members up to which a shape is drawn in lines; beyond it in pixels."""
+"""Number of members up to which a shape is drawn in lines; above it in pixels."""
 
 COLOURS = {
     "#ffffff": "--paper",
@@ -33,14 +33,14 @@ COLOURS = {
     "#dde3ea": "--band",
     "#e6e6e6": "--rule",
 }
-"""What of the house style is ink and paper: the page says what they are, in light and dark."""
+"""Colours of text and background in the house style; the page replaces them for light and dark mode."""
 
 
 def picture(figure: Figure, number: int, caption: str) -> Markup:
-    """A figure with its caption; `number` keeps its names apart from those of other figures in the page."""
+    """A figure with its caption; `number` makes its element names unique in the page."""
     from kinetruss.report.pictures.draw import draw
 
-    bare = replace(figure, title="")  # it stands in the caption
+    bare = replace(figure, title="")  # the title is in the caption
     drawn = draw(thinned(bare) if isinstance(bare, Histories) else bare)
     heavy = isinstance(figure, Shape) and len(figure.ends) > MEMBERS
     inside = _pixels(drawn, caption) if heavy else _lines(drawn, number, caption)
@@ -50,7 +50,7 @@ def picture(figure: Figure, number: int, caption: str) -> Markup:
 
 
 def thinned(figure: Histories) -> Histories:
-    """The same curves with fewer samples, every peak kept: of each stretch of time the least and the largest value."""
+    """The same curves with fewer samples, without losing peaks: minimum and maximum of each time interval."""
     if max((len(one) for one in _times(figure)), default=0) <= FINE:
         return figure
     edges = [edge for panel in figure.panels if panel.band is not None for edge in panel.band]
@@ -77,7 +77,7 @@ def _thinned(panel: Panel, time: NDArray[np.float64], common: NDArray[np.int64])
 
 
 def _kept(curves: list[NDArray[np.float64]], count: int) -> NDArray[np.int64]:
-    """Indices of the ends, and of the least and largest value of each curve in each stretch."""
+    """Indices of the ends, and of the minimum and maximum of each curve in each interval."""
     size = -(-count // BUCKETS)
     places = np.minimum(np.arange(-(-count // size) * size), count - 1).reshape(-1, size)  # the last one repeated
     rows = np.arange(len(places))
@@ -90,7 +90,7 @@ def _kept(curves: list[NDArray[np.float64]], count: int) -> NDArray[np.int64]:
 
 
 def _lines(drawn: Any, number: int, words: str) -> Markup:
-    """SVG text fit to stand in a page: own names, no style that reaches out of it, the page's ink and paper."""
+    """SVG text for a page: unique names, no global style, the page's colours."""
     import matplotlib as mpl
 
     from kinetruss.report.pictures.style import RC

@@ -1,4 +1,4 @@
-"""What a reviewer needs to compute a run again: the model itself, its hash, versions, commands."""
+"""Data to repeat a run: the model, its hash, versions, commands."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 __all__ = ["recompute"]
 
 PRINTED = 400
-"""Lines of a model file that go on paper; of a longer one the page alone shows them."""
+"""Number of lines up to which a model file is printed; a longer one is shown only in the page."""
 SHOWN = 300_000
-"""Signs of a model file that are shown; a larger one is only kept, to be saved."""
+"""Number of characters up to which a model file is shown; a larger one can only be saved."""
 
 
 def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
-    """Versions and hash, what to type, and the model file."""
+    """Versions and hash, commands, and the model file."""
     given = {key: value for key, value in record["provenance"].items() if key not in ("title", "model", "run")}
     rows: list[tuple[str, Any]] = [("run folder", record["out"])] if record["out"] else []
     rows += [("versions", ", ".join(f"{key} {value}" for key, value in given.items()))]
@@ -40,7 +40,7 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
 
 
 def _motion(run: RunResult) -> list[tuple[str, Any]]:
-    """The hash of the file that the motion came from, as it is now."""
+    """The present hash of the motion's file."""
     given = run.model.runs[run.name].motion
     if given is None:
         return []
@@ -51,7 +51,7 @@ def _motion(run: RunResult) -> list[tuple[str, Any]]:
 
 
 def _listing(model: Model) -> list[Markup]:
-    """The model in the form that people read."""
+    """The model as YAML text."""
     from kinetruss.io.formats import plain_model, to_yaml
 
     text = to_yaml(plain_model(model))
@@ -59,7 +59,7 @@ def _listing(model: Model) -> list[Markup]:
         return [element("p", "The model is too long to be shown here; save it to read it.", class_="note")]
     long = text.count("\n") > PRINTED
     note = element("p", "The model file is printed in the page only: it is long.", class_="paper note") if long else None
-    words = element("h3", "The model, as a file (SI units; what has its default is left out)")
+    words = element("h3", "The model, as a file (SI units; default values are omitted)")
     return [
         words,
         *([note] if note else []),

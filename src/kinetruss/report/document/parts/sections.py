@@ -1,4 +1,4 @@
-"""The parts of a report, one function a part: each gives nothing where a run has nothing of its kind."""
+"""The parts of a report, one function per part; each returns nothing if the run has no such results."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ __all__ = ["checked", "forces", "method", "mobility", "motion", "simulated"]
 
 
 def mobility(record: Record) -> list[Markup]:
-    """What can move, and what is held twice, as the model stands."""
+    """Mechanisms and states of self-stress of the model in its own pose."""
     found = record["mobility"]
     if found is None:
-        words = "The model has too many nodes for a rank decision in a report; kinetruss info tells it of the model file."
+        words = "The model has too many nodes for a rank decision in a report; use kinetruss info on the model file."
         return [element("p", words)]
     rows = [
         ("coordinates", f"{found['coordinates']}, of them {found['fixed']} fixed"),
@@ -43,7 +43,7 @@ def mobility(record: Record) -> list[Markup]:
 
 
 def motion(record: Record) -> list[Markup]:
-    """How far and how fast the drives go."""
+    """Range, rate and acceleration of the drives."""
     heads = ("drive", "kind", "least", "largest", "largest rate", "largest acceleration", "travel allowed")
     rows = [_drive(one) for one in record["drives"][:MOST]]
     return [Table(heads, rows, "Drives: range, rate, acceleration", left_out(record["drives"])).html] if rows else []
@@ -57,7 +57,7 @@ def _drive(one: Record) -> tuple[str, ...]:
 
 
 def simulated(run: RunResult, record: Record) -> list[Markup]:
-    """How a simulation was stepped, and what happened on its way."""
+    """Method and steps of a simulation, and its events."""
     found = record["simulation"]
     if found is None or run.simulation is None:
         return []
@@ -137,12 +137,12 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
         f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: at the larger of the two."
-    ) + ("" if all(one["unique"] for one in entries) else " † Not unique: a share by stiffness or convention.")
+    ) + ("" if all(one["unique"] for one in entries) else " † Not unique: depends on stiffness or convention.")
     return Table(heads, rows, f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note).html
 
 
 def checked(run: RunResult, record: Record) -> list[Markup]:
-    """Checks, each with its number and what it should be."""
+    """Checks, each with its result and the exact value."""
     rows = [*_numeric(run, record), _model(record)]
     return [Table(("check", "result", "what it says"), rows, "What was checked, and how it came out").html]
 
@@ -171,17 +171,17 @@ def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
 
 
 def _model(record: Record) -> tuple[str, str, str]:
-    """Whether the model in the page is the one that was run."""
+    """Check that the model in the page is the one of the run."""
     short = record["model_sha256"][:16]
     noted = str(record["provenance"].get("model", short))
     words = f"SHA-256 {short}… of the model below"
     if noted == short:
         return "model", "unchanged", words
-    return "model", "not the one that was run", f"{words}; the run noted {noted}…"
+    return "model", "not the one that was run", f"{words}; the run has {noted}…"
 
 
 def method(run: RunResult) -> list[Markup]:
-    """What was done, and where it is published."""
+    """The methods and their publications."""
     parts = []
     for name, words, published in methods(run):
         cited = element("cite", f" {published}.") if published else None

@@ -1,4 +1,4 @@
-"""What is read first: the title, whether the run is whole, the result in a few numbers, warnings."""
+"""The top of the report: title, state of the run, main results, warnings."""
 
 from __future__ import annotations
 
@@ -34,26 +34,26 @@ def top(run: RunResult, record: Record, title: str, date: str) -> list[Markup]:
 
 
 def _span(record: Record) -> str:
-    """From when to when, in how many samples."""
+    """Time range and number of samples."""
     span = record["time"]
     return f"t = {number(span[0])} to {instant(span[1])}, {record['samples']['good']} samples" if span else "no good sample"
 
 
 def _not_whole(run: RunResult) -> Markup:
-    """On top of a run that is not whole: what it lacks, and how to go on."""
+    """The note on a run that is not complete, with the command to resume it."""
     name = "RUN" if run.path is None else run.path.resolve().name
     what, mend = {
         "running": ("It is still being computed.", "Make the report again when it has ended."),
-        "incomplete": ("It was interrupted.", f"Go on with: kinetruss run --resume {name}"),
+        "incomplete": ("It was interrupted.", f"Continue with: kinetruss run --resume {name}"),
         "finished": (run.status.value, ""),
     }[run.state]
-    count = f"{run.good} of {run.samples} samples are good, and all that this report tells is of these alone."
+    count = f"{run.good} of {run.samples} samples are good, and this report uses only these."
     words = " ".join(word for word in (what, count, run.message, mend) if word)
-    return element("div", element("strong", "This run is not whole. "), words, class_="alarm", role="alert")
+    return element("div", element("strong", "This run is not complete. "), words, class_="alarm", role="alert")
 
 
 def _tiles(record: Record) -> Iterator[Markup]:
-    """The few numbers that are looked at first."""
+    """The main results."""
     for one in record["worst"][:1]:
         words = f"{one['part']}, {one['rule']}, t = {at(one['time'])}"
         yield _tile("Highest utilisation", share_of(one["utilisation"]), words, is_over(one))
@@ -80,12 +80,12 @@ def _tile(name: str, value: str, words: str, alarming: bool = False) -> Markup:
 
 
 def _held(record: Record) -> list[Record]:
-    """Entries of strength and drives that were checked against a limit."""
+    """Entries of strength and drives with a limit."""
     return [row for row in (*record["strength"], *record["limits"]) if row["utilisation"] is not None]
 
 
 def _verdict(record: Record) -> Markup:
-    """One sentence on limits: of what was checked, and no more."""
+    """One sentence on the limits that were checked."""
     held = _held(record)
     over = sum(map(is_over, held))
     scope = "" if record["whole"] else " in the part that was computed"

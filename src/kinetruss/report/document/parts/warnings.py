@@ -1,4 +1,4 @@
-"""What a reader must not overlook, in sentences."""
+"""Warnings as sentences."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
 __all__ = ["warnings"]
 
 POOR_BALANCE = 1e-6
-"""Share of the largest power; motions that were computed here close to round-off."""
+"""Largest relative error of the energy balance without a warning; for computed motions it is near round-off."""
 NEAR_SINGULAR = 0.01
 MOST = 12
 
 
 def warnings(run: RunResult) -> list[str]:
-    """Sentences, gravest first; empty where there is nothing to warn of."""
+    """The warnings, most serious first."""
     return [*_ending(run), *_limits(run), *_unsure(run), *_incomplete(run)]
 
 
 def _ending(run: RunResult) -> Iterator[str]:
-    if run.whole and run.message:  # of a run that is not whole the top of the report says it
+    if run.whole and run.message:  # the top of the report says it if a run is not complete
         yield run.message
 
 
@@ -46,7 +46,7 @@ def _limits(run: RunResult) -> Iterator[str]:
     for one in found[:MOST]:
         yield f"{one['sentence']} (load case {one['load_case']})"
     if len(found) > MOST:
-        yield f"Limits of drives are exceeded in {len(found) - MOST} more stretches of time."
+        yield f"Limits of drives are exceeded in {len(found) - MOST} more intervals."
 
 
 def _unsure(run: RunResult) -> Iterator[str]:
@@ -59,22 +59,22 @@ def _unsure(run: RunResult) -> Iterator[str]:
         )
     if gauge is not None and gauge["smallest"] < NEAR_SINGULAR:
         yield (
-            f"The structure comes near a singular position: gauge {number(gauge['smallest'], 3)} at t = "
+            f"The structure comes near a singular position: measure {number(gauge['smallest'], 3)} at t = "
             f"{instant(gauge['time'])} (0 is singular). Forces there are large and sensitive."
         )
     if found["not_unique"]:
         yield (
-            f"The force is not unique in {', '.join(found['not_unique'])}: the structure is redundant, and the share of each "
-            "depends on stiffness or on convention."
+            f"The force is not unique in {', '.join(found['not_unique'])}: the structure is redundant, and the distribution "
+            "depends on stiffness or convention."
         )
     for one in () if run.simulation is None else run.simulation.passages:
         if not one.certain:
-            yield f"At the singular position passed at {one} the tolerance cannot tell the branches apart."
+            yield f"At the singular position passed at {one} the tolerance cannot distinguish the branches."
 
 
 def _incomplete(run: RunResult) -> Iterator[str]:
     if run.good and run.forces and run.verdict is None:
-        yield "Strength was not judged: utilisation is known only when a run has ended."
+        yield "Strength was not checked: utilisation is known only when a run has ended."
     if run.verdict is not None:
         yield from run.verdict.data.attrs.get("not_held", [])
         parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)

@@ -1,4 +1,4 @@
-"""Cells of tables in words."""
+"""Text of table cells."""
 
 from __future__ import annotations
 
@@ -25,52 +25,52 @@ __all__ = [
 ]
 
 MOST = 40
-"""Rows of a table; the data in the page hold all."""
+"""Largest number of rows of a table; the data in the page have all."""
 BEYOND = 1.5
 ROUND_OFF = 1e-9
-"""Utilisation that is none."""
+"""Utilisation below which it counts as zero."""
 
 
 def named(case: str) -> str:
-    """A load case in words."""
+    """A load case as text."""
     return "all loads" if case == "all" else case
 
 
 def at(time: float | None) -> str:
-    """An instant."""
+    """An instant as text."""
     return instant(time)
 
 
 def station_of(row: dict[str, Any]) -> str:
-    """Where along the member."""
+    """Station along the member as text."""
     position = value_of(row["position"])
     return quantity(position, "m")
 
 
 def value_of(value: Any) -> float:
-    """A number of a record as it was: NaN from None, infinity from its text."""
+    """A number from a record: NaN for None, infinity for its text."""
     return math.nan if value is None else float(value)
 
 
 def share_of(value: Any) -> str:
-    """A utilisation; an infinite one is beyond the buckling load."""
+    """A utilisation as text; an infinite one is above the buckling load."""
     share = value_of(value)
     return quantity(0.0 if abs(share) < ROUND_OFF else share, "%")
 
 
 def margin_of(row: dict[str, Any]) -> str:
-    """A margin, where there is a demand at all."""
+    """A margin as text, if there is a demand."""
     used = value_of(row["utilisation"])
     return "-" if used < ROUND_OFF else number(value_of(row["margin"]), 3)
 
 
 def is_over(row: dict[str, Any]) -> bool:
-    """True where a limit is exceeded."""
+    """True if a limit is exceeded."""
     return value_of(row["utilisation"]) > 1
 
 
 def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
-    """Utilisations as bars, all to one scale: to the limit, or to half as much again where one is beyond it."""
+    """Utilisations as bars on one scale: up to the limit, or 1.5 times the limit if one exceeds it."""
     shares = [value_of(row["utilisation"]) for row in rows]
     most = BEYOND if any(share > 1 for share in shares) else 1.0
     return [bar(share, most) for share in shares]
@@ -82,11 +82,11 @@ def long(value: float, unit: str) -> str:
 
 
 def counted(count: int, noun: str) -> str:
-    """How many of a thing."""
+    """A count with its noun."""
     return f"{count or 'no'} {noun}{'' if count == 1 else 's'}"
 
 
 def left_out(entries: Sized) -> str:
-    """What a table does not show."""
+    """The note on rows that a table does not show."""
     left = len(entries) - MOST
     return f"{left} more are in the data of this page. " if left > 0 else ""
