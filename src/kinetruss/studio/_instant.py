@@ -107,7 +107,7 @@ def number(value: Any) -> float | None:
 
 
 def framed(header: dict[str, Any], *blocks: bytes) -> bytes:
-    """One binary message: length of the header (uint32), the header in JSON filled up to four bytes, then the blocks."""
+    """One binary message: length of the header (uint32), the header in JSON padded to four bytes, then the blocks."""
     text = json.dumps(header, ensure_ascii=False, allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
     return b"".join([len(text).to_bytes(4, "little"), text, *blocks])

@@ -1,6 +1,6 @@
-"""The field's verification manual, always run: published and exact references against what the product computes.
+"""The verification suite: compares results of kinetruss with published and exact references.
 
-Every entry has a class, a key of `CLAIMS`, that says what its agreement shows.
+Every entry has a class, a key of `CLAIMS`, which says what its agreement shows.
 """
 
 from kinetruss.verification._case import Entry, Report

@@ -1,4 +1,4 @@
-"""A verification case, its outcome, and the report of them all."""
+"""A verification case, its result, and the report of all cases."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class Entry:
     """One scalar compared, SI.
 
     kind : its class, a key of `CLAIMS`, which says what agreement shows.
-    source, note, inferred : where the expected value is from, how to read it, and the inputs that are not the printed ones.
-    product : what the product itself gives, where `computed` repeats formulas or inputs of the source that are wrong.
+    source, note, inferred : source of the expected value, how to read it, and the inputs that differ from the printed ones.
+    product : the product's own result, if `computed` repeats wrong formulas or inputs of the source.
     tolerance : the largest allowed `relative_difference`.
     """
 
@@ -63,22 +63,22 @@ class Report:
 
     @property
     def passed(self) -> int:
-        """How many entries agree."""
+        """Number of entries that agree."""
         return sum(entry.passed for entry in self.entries)
 
     @property
     def failed(self) -> int:
-        """How many do not."""
+        """Number of entries that do not agree."""
         return len(self.entries) - self.passed
 
     @property
     def verified(self) -> int:
-        """How many agree without the checks of inputs, which are true by construction."""
+        """Number of entries that agree, without checks of inputs, which are true by construction."""
         return sum(entry.passed for entry in self.entries if entry.kind != INPUT_CHECK)
 
     @property
     def classes(self) -> dict[Kind, tuple[int, int]]:
-        """Entries, and how many of them agree, of every class that occurs."""
+        """Number of entries, and of those that agree, by class."""
         found = {kind: [entry.passed for entry in self.entries if entry.kind == kind] for kind in CLAIMS}
         return {kind: (len(agrees), sum(agrees)) for kind, agrees in found.items() if agrees}
 
@@ -98,11 +98,12 @@ class Report:
 
 @dataclass(frozen=True)
 class Case:
-    """An expected value and what computes the one to compare.
+    """An expected value and the function that computes the value to compare.
 
-    make, arguments : function, ``"group.module.function"`` below this package, and what it is given; key : its number there.
-    scale : 0, or the largest component of the vector that the value belongs to, so that a component that is zero by
-        symmetry is measured against the vector rather than against itself.
+    make, arguments : function, ``"group.module.function"`` below this package, and its arguments; key : name of the number
+    in its result.
+    scale : 0, or the largest component of the vector of the value, so that a component that is zero by symmetry is compared
+    relative to the vector instead of itself.
     """
 
     id: str
@@ -115,7 +116,7 @@ class Case:
     scale: float = 0.0
 
     def entry(self, found: Mapping[str, float]) -> Entry:
-        """Compare with the numbers of the function by name; ``KEY.product`` is the product's own, if there is one."""
+        """Compare with the numbers of the function, by name; ``KEY.product`` is the product's own result, if there is one."""
         computed, ref = float(found[self.key]), self.reference
         difference = relative_difference(computed, self.expected, self.scale)
         return Entry(
@@ -134,7 +135,7 @@ class Case:
 
 
 def relative_difference(computed: float, expected: float, scale: float = 0.0) -> float:
-    """|c - e|/max(|e|, scale); 0 where both are equal.
+    """|c - e|/max(|e|, scale); 0 if both are equal.
 
     >>> relative_difference(1.01, 1.0)
     0.010000000000000009

@@ -1,11 +1,11 @@
 """The cases as data: ``cases.yaml`` of every group, and the numbers that its functions compute.
 
-A file has `references`, which the groups behind it may use too, each with `class` (a key of `CLAIMS`), `source` and, where
+A file has `references`, which later groups may use too, each with `class` (a key of `CLAIMS`), `source` and, where
 needed, `note` and `inferred`; `exact`, values with which functions compare whole histories; and `cases`, a list of records:
 
 id : of each case; ``{name}`` stands for the name of a value, ``{given}`` for the first argument.
-compute : ``module.function`` of the group; given : its arguments; each : first arguments, for each of which the cases hold.
-reference, tolerance : what all values of the record share; scale : see `Case`.
+compute : ``module.function`` of the group; given : its arguments; each : first arguments, with cases for each of them.
+reference, tolerance : common to all values of the record; scale : see `Case`.
 values : name -> expected; or ``[expected, scale]``; or ``{x: .., y: ..}``, components of a vector, whose scale is the largest.
 """
 
@@ -30,14 +30,14 @@ _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 @cache
 def stored(group: str) -> dict[str, Any]:
-    """The data file of a group, read once; nobody changes it."""
+    """The data file of a group, read once and never changed."""
     text = (files("kinetruss.verification") / group / "cases.yaml").read_text(encoding="utf-8")
     data: dict[str, Any] = yaml.load(text, Loader=_LOADER)
     return data
 
 
 def cases() -> Iterator[Case]:
-    """All cases, nothing computed yet."""
+    """All cases, before any computation."""
     references: dict[str, Reference] = {}
     for group in GROUPS:
         data = stored(group)
@@ -74,7 +74,7 @@ def _values(values: Mapping[str, Any], scale: float) -> Iterator[tuple[str, floa
 
 
 def numbers(make: str, arguments: tuple[Any, ...]) -> dict[str, float]:
-    """What a function computes, by dotted names."""
+    """The results of a function, by dotted names."""
     module, function = make.rsplit(".", 1)
     return dict(_flat(getattr(importlib.import_module(f"kinetruss.verification.{module}"), function)(*arguments)))
 

@@ -1,4 +1,4 @@
-"""What several groups measure or build alike."""
+"""Measures and models used by several groups."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ __all__ = ["cylinder", "drift", "off"]
 
 
 def off(found: Any, exact: Any) -> float:
-    """Largest difference, of the largest exact value."""
+    """Largest difference, relative to the largest exact value."""
     return float(np.abs(found - exact).max() / np.abs(exact).max())
 
 
 def drift(run: kt.results.Simulation) -> float:
-    """Largest change of the energy, of the largest kinetic one."""
+    """Largest change of the energy, relative to the largest kinetic energy."""
     whole = run.kinetic_energy.values + run.potential_energy.values
     return float(np.abs(whole - whole[0]).max() / run.kinetic_energy.values.max())
 
 
 def cylinder(train: kt.DriveTrain, mass: float, push: float = 0.0) -> kt.Model:
-    """An active member on a line, 1 m long, pushes a mass (kg) against a force (N)."""
+    """An active member on a line, 1 m long, that moves a mass (kg) against a force (N)."""
     member = kt.Active(
         ends=("A", "B"),
         base=kt.Part(length=0.6, mass=2.0),

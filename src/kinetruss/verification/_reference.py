@@ -1,4 +1,4 @@
-"""Where an expected value is from, and what its agreement shows."""
+"""Sources of expected values, and what agreement shows."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ CLAIMS: dict[Kind, str] = {
     "closed-form": "A formula, evaluated apart from the analysis that is tested.",
     "independent": "A number from a separate computation that shares no analysis with the product.",
     "count": "A whole number, or an order of convergence, that theory or a publication gives for any sizes.",
-    "identity": "A law that must hold: energy, momentum, equilibrium, a constraint. The expected value is what may be left: 0.",
-    "agreement": "Two ways of the product to one number, or there and back. It shows that they agree, not that both are right.",
+    "identity": "A law that must hold: energy, momentum, equilibrium, a constraint. The expected value is the residual: 0.",
+    "agreement": "Two ways of the product to one number. It shows that they agree, not that both are right.",
     "input-check": "A number that went into the model. It shows that the model is the one meant; not counted as verified.",
 }
-"""What an entry of each class claims."""
+"""The claim of an entry, by class."""
 
 
 @dataclass(frozen=True)
@@ -44,8 +44,8 @@ class Reference:
     """The source of an expected value.
 
     kind : its class, one of `CLAIMS`.
-    note : how the number is to be read, and which of two conflicting statements of the source was taken.
-    inferred : inputs that are not the printed ones, each with the printed one.
+    note : how to read the number, and which of two conflicting statements of the source is used.
+    inferred : inputs that differ from the printed ones, each with the printed one.
     """
 
     kind: Kind

@@ -11,12 +11,12 @@ __all__ = ["verify"]
 
 
 def verify(filter: str | None = None) -> Report:
-    """Compare the product with every reference that it claims.
+    """Compare kinetruss with all its references.
 
-    Every entry says by its class what its agreement shows, and names the inputs that are not the printed ones. Computed
+    The class of an entry says what its agreement shows; inputs that differ from the printed ones are named. Computed
     values come from the public API; those of the class "thesis-formulas" from the thesis' own formulas, along a motion
-    from the public API. A case agrees where |computed - expected|/max(|expected|, scale) is within the tolerance, which
-    is what the reference itself is good for: 1e-8 for exact values of ten digits, 1e-6 for maxima on a grid, more for
+    from the public API. A case agrees if |computed - expected|/max(|expected|, scale) is within the tolerance, which is the
+    accuracy of the reference itself: 1e-8 for exact values of ten digits, 1e-6 for maxima on a grid, more for
     printed tables.
 
     Parameters
@@ -25,7 +25,7 @@ def verify(filter: str | None = None) -> Report:
 
     Returns
     -------
-    Report, one entry a scalar; `classes` counts them.
+    Report, with one entry per scalar; `classes` counts them.
     """
     wanted = (filter or "").casefold()
     made: dict[str, dict[str, float]] = {}

@@ -13,7 +13,7 @@ GEAR = kt.Gear(ratio=12.0, efficiency=0.85, inertia=3e-6)
 MOTOR = kt.Motor(inertia=2e-5, resistance=1.3, torque_constant=0.06, emf_constant=0.06, friction_torque=0.004)
 MASS, ARM, G, START, WAY, DURATION = 1.7, 0.4, 9.81, 0.2, 2.4, 1.5
 INSTANTS = {"driving": 90, "driven": 240}
-"""Samples of 301: the motor lifts the crank, and behind the top the crank drives the motor."""
+"""Indices of samples (of 301): the motor lifts the crank, and after the top the crank drives the motor."""
 
 
 def crank() -> dict[str, Any]:
@@ -34,7 +34,9 @@ def crank() -> dict[str, Any]:
 
 
 def robot() -> dict[str, float]:
-    """Power of the three motors of a Delta robot without their losses and stores, beside the rate of its energy."""
+    """Power of the three motors of a Delta robot without their losses and stored energy, compared with the rate of its
+    energy.
+    """
     plain = kt.library.mechanisms.delta(at=(0.0, 0.0, -0.7))
     drives = {name: drive.with_(gear=GEAR, motor=MOTOR) for name, drive in plain.drives.items()}
     model = plain.with_(drives=drives, gravity=(0.0, 0.0, -G))

@@ -37,7 +37,7 @@ def locking() -> dict[str, float]:
 
 
 def energy() -> dict[str, float]:
-    """What is not accounted for, as a share: forwards of the energy, backwards of the largest power."""
+    """Errors of the balance: forwards as a fraction of the energy, backwards of the largest power."""
     found = {}
     for name, train in (("self_locking", LOSSY), ("driven_back", STEEP)):
         run = kt.actuators.simulate_drive(
@@ -53,7 +53,7 @@ def energy() -> dict[str, float]:
 
 
 def round_trip() -> dict[str, float]:
-    """Largest differences of voltage and current, as shares of the largest: sample by sample, and through a whole model."""
+    """Largest differences of voltage and current, as fractions of the largest: sample by sample, and through a whole model."""
     train = drives.TRAIN_LACY
     history = kt.ExponentialInput(voltage=(0.0, 12.0), time_constant=0.3)
     run = kt.actuators.simulate_drive(
@@ -77,7 +77,9 @@ def round_trip() -> dict[str, float]:
 
 
 def poles() -> dict[str, float]:
-    """Lengths of a loop without friction behind a step of 1 mm, in mm of the step: a current and a voltage amplifier."""
+    """Lengths of a position loop without friction after a step of 1 mm, as a fraction of the step: a current and a voltage
+    amplifier.
+    """
     found: dict[str, float] = {}
     for name, amplifier in (("current", kt.Amplifier(current_gain=1.8)), ("voltage", kt.Amplifier(voltage_gain=3.0))):
         train = drives.TRAIN_LACY.with_(

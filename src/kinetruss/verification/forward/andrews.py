@@ -26,7 +26,7 @@ TURNS = {
 """Sums of angles that are directions of bars, first to second letter."""
 
 QUARTER = ("gamma", "Phi+delta", "epsilon")
-"""Directions (sin, -cos) of their angle: a quarter turn behind."""
+"""Bars with directions (sin, -cos) of their angle: a quarter turn less."""
 
 KINDS = ("angle", "rate", "acceleration")
 

@@ -86,7 +86,7 @@ def hinged() -> kt.Model:
 
 
 def conserved(name: str) -> dict[str, float]:
-    """Changes over 10 s: of energy as share of the largest kinetic one, of momenta as share of their size."""
+    """Changes over 10 s: of energy as a fraction of the largest kinetic one, of momenta as a fraction of their size."""
     run = kt.dynamics.simulate(hinged(), 10.0, samples=201, method=METHODS[name])
     found = {"energy": drift(run)}
     for key in ("momentum", "angular_momentum"):

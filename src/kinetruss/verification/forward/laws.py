@@ -16,7 +16,7 @@ FALL = {"k": 2000.0, "m": 2.0, "g": 9.81, "drop": 0.6}
 """A mass 0.4 m under the hook of a cable of 1 m falls 0.6 m before it is caught."""
 TIGHT, W = math.sqrt(2 * FALL["drop"] / FALL["g"]), math.sqrt(FALL["k"] / FALL["m"])
 SLACK = TIGHT + 2 * (math.pi - math.atan(TIGHT * W)) / W
-"""s: the stretch s = g/w^2 (1 - cos) + g t/w sin is zero again at tan(w tau/2) = -w t."""
+"""s: the elongation s = g/w^2 (1 - cos) + g t/w sin is zero again at tan(w tau/2) = -w t."""
 
 
 def swing(law: str) -> dict[str, float]:

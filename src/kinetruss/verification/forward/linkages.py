@@ -1,4 +1,4 @@
-"""Linkages let go: rows of four-bars through their singular positions, a bar twice, a slider-crank in space."""
+"""Free linkages: rows of four-bars through their singular positions, a bar twice, a slider-crank in space."""
 
 from __future__ import annotations
 

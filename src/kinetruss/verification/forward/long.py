@@ -12,7 +12,9 @@ LONG = 1000.0
 
 
 def chaotic() -> dict[str, float]:
-    """Change of energy, of the largest kinetic one, and stretch of the bars, of a double pendulum from high up."""
+    """Change of energy, relative to the largest kinetic one, and elongation of the bars, of a double pendulum released from a
+    high position.
+    """
     model = kt.library.mechanisms.double_pendulum(angles=(2.0, 2.5))
     run = kt.dynamics.simulate(model, LONG, samples=2001, method=kt.EnergyMomentum(0.01))
     return {"energy": drift(run), "length": float(np.abs(run.motion.length.values - 1).max())}

@@ -1,4 +1,4 @@
-"""A force that pushes; motors in a structure: closed forms, drive trains alone, inverse dynamics of what they did, energy."""
+"""A given force; motors in a structure: closed forms, drive trains alone, inverse dynamics of what they did, energy."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def pushed() -> dict[str, float]:
 
 
 def default() -> dict[str, float]:
-    """Largest difference of lengths behind a motor by default settings, as share of the stroke."""
+    """Largest difference of lengths with a motor by default settings, as a fraction of the stroke."""
     task = kt.StepInput(voltage=6.0)
     run = kt.dynamics.simulate(cylinder(LACY, 12.0), 1.0, samples=101, tasks={"M": task})
     same = kt.actuators.simulate_drive(LACY, task, load=kt.DriveLoad(mass=12.5), length=1.0, duration=1.0, samples=101)
@@ -47,7 +47,7 @@ def default() -> dict[str, float]:
 
 
 def run_up() -> dict[str, float]:
-    """Largest difference of lengths from the closed form, as share of the stroke."""
+    """Largest difference of lengths from the closed form, as a fraction of the stroke."""
     train = LACY.with_(screw=SCREW.with_(friction=0.0))
     motor, per_metre, voltage = train.motor, train.gear.ratio / SCREW.lead, 10.0
     run = kt.dynamics.simulate(
@@ -62,7 +62,7 @@ def run_up() -> dict[str, float]:
 
 
 def alone() -> dict[str, float]:
-    """Largest differences of lengths, as shares of the stroke, and of currents, of the largest."""
+    """Largest differences of lengths, as fractions of the stroke, and of currents, of the largest."""
     found = {}
     for name, (train, history) in TRAINS.items():
         run = kt.dynamics.simulate(cylinder(train, MASS - 0.5, PUSH), 0.5, samples=26, tasks={"M": history}, method=METHOD)

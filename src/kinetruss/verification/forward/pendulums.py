@@ -1,4 +1,4 @@
-"""Pendulums let go: elliptic functions, Lagrange's equations in angles."""
+"""Free pendulums: elliptic functions, Lagrange's equations in angles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def pendulum(method: str) -> dict[str, float]:
 
 
 def tension() -> dict[str, float]:
-    """Pull of the bar at whole seconds over its closed form 3 m g cos(angle)."""
+    """Tension of the bar at whole seconds divided by its closed form 3 m g cos(angle)."""
     run = kt.dynamics.simulate(kt.library.mechanisms.pendulum(angle=-math.pi / 2), 10.0, samples=11, method=METHODS["dop853"])
     pull = run.forces.member_force.sel(member="link1").values
     y = run.motion.position.sel(node="P1", axis="y").values

@@ -44,7 +44,7 @@ def turning(kind: str, gear: kt.Gear, motor: kt.Motor) -> kt.Model:
 
 
 def run_up() -> dict[str, float]:
-    """Largest differences of angle, rate, current and torque on the crank from the closed form, as shares of the largest."""
+    """Largest differences of angle, rate, current and torque on the crank from the closed form, as fractions of the largest."""
     n, R, K = IDEAL.ratio, MOTOR.resistance, MOTOR.torque_constant
     inertia = INERTIA + (MOTOR.inertia + IDEAL.inertia) * n**2
     tau, last, found = R * inertia / (K * n) ** 2, VOLTAGE / (K * n), {}
@@ -65,7 +65,7 @@ def run_up() -> dict[str, float]:
 
 
 def loop() -> dict[str, float]:
-    """A position loop turns a hinge: largest difference from the closed form, as share of the target."""
+    """A position loop turns a hinge: largest difference from the closed form, as a fraction of the target."""
     asked = kt.PositionLoop(target=1.2, settling_time=0.4)
     run = kt.dynamics.simulate(turning("hinge", IDEAL, MOTOR), 0.8, samples=41, tasks={"turn": asked}, method=METHOD)
     w, zeta, t = asked.natural_frequency, asked.damping, run.motion.time.values
@@ -75,7 +75,9 @@ def loop() -> dict[str, float]:
 
 
 def alone() -> dict[str, float]:
-    """Largest differences of angles and currents from the train alone, as shares of their ranges; energy not accounted for."""
+    """Largest differences of angles and currents from the train alone, as fractions of their ranges; error of the energy
+    balance.
+    """
     found = {}
     for name, (gear, motor, history) in TRAINS.items():
         model = turning("angle", gear, motor)

@@ -43,7 +43,7 @@ def pair(name: str) -> kt.Model:
 
 
 def freedoms(name: str) -> dict[str, float]:
-    """Relative freedoms by rank, and bars that are one too many."""
+    """Relative degrees of freedom by rank, and number of redundant bars."""
     model = pair(name)
     found = kt.kinematics.mobility(model)
     return {"freedoms": found.degrees_of_freedom - (3 if model.dim == 2 else 6), "redundant": found.self_stress}

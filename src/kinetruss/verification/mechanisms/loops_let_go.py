@@ -1,4 +1,6 @@
-"""Overconstrained loops let go for seconds: closed forms of their angles, energy, and the equation of their one freedom."""
+"""Free motion of overconstrained loops for seconds: closed forms of their angles, energy, and the equation of their one
+freedom.
+"""
 
 from __future__ import annotations
 
@@ -42,7 +44,7 @@ def hinge_angles(model: kt.Model, position: Any, count: int) -> NDArray[np.float
 
 
 def history(name: str, time: float) -> dict[str, float]:
-    """Change of the energy of the largest kinetic one, and what the closed form of the angles leaves."""
+    """Change of the energy of the largest kinetic one, and the residual of the closed form of the angles."""
     run = let_go(name, time)
     found = {"energy": drift(run)}
     if name == "bricard":

@@ -84,7 +84,7 @@ def fallen() -> Any:
 
 
 def legs() -> dict[str, float]:
-    """Leg lengths that the inverse finds for a pose, m; how far the forward way ends from it, m."""
+    """Leg lengths of the inverse kinematics for a pose, m; distance of the forward kinematics from it, m."""
     model = kt.library.mechanisms.stewart()
     heads = [name for name in model.nodes if name.startswith("P")]
     pose = {"x": 0.05, "y": -0.04, "z": 0.08, "roll": 0.1, "pitch": -0.15, "yaw": 0.25}

@@ -161,7 +161,7 @@ def turned() -> dict[str, float]:
 
 
 def stiff(follows: bool) -> dict[str, float]:
-    """Square of the frequency, 1/s^2, of a rod of 3 kg and 2 m that hangs and is pulled along by 20 N at its end."""
+    """Square of the frequency, 1/s^2, of a rod of 3 kg and 2 m that hangs under an axial tension of 20 N at its end."""
     load = kt.BodyForce(body="b", at=(2.0, 0.0), force=(0.0, -20.0), follows=follows)
     model = kt.Model(
         nodes={"A": (0.0, 0.0), "B": (0.0, -2.0)},

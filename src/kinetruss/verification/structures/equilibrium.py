@@ -22,7 +22,7 @@ def rhombus() -> dict[str, float]:
 
 
 def leaning(strain: Strain, load: float) -> kt.Model:
-    """The von Mises truss under a load, N."""
+    """Model of the von Mises truss under a load, N."""
     return kt.library.mechanisms.von_mises(rise=RISE, load=load, strain=strain)
 
 

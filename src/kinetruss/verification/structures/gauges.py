@@ -1,4 +1,4 @@
-"""Strain gauges against the measured poses of Lacy (1991) and against the closed form of a level bar."""
+"""Strain gauges against the measured poses of Lacy (1991) and against the closed form of a horizontal bar."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def table_5_5(pose: str) -> dict[str, float]:
 
 
 def level_bar() -> dict[str, float]:
-    """Readings of gauges on a level bar that is pulled and bends under its weight."""
+    """Readings of gauges on a horizontal bar in tension that bends under its weight."""
     turns = {"top": 0.0, "side": math.pi / 2, "low": math.pi}
     model = kt.Model(
         nodes={"A": (0, 0, 0), "B": (SPAN, 0, 0)},
