@@ -10,7 +10,8 @@ from scipy.integrate import DOP853, Radau
 
 import kinetruss as kt
 from kinetruss.actuators import motor_demand, place_poles, screw_torque, simulate_drive, train_of
-from kinetruss.actuators.forward.steps import Interpolant, finite_rates
+from kinetruss.actuators.forward.events import Interpolant
+from kinetruss.actuators.forward.steps import finite_rates
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.library.drives import MOTOR_LACY, TRAIN_LACY, TRAIN_LACY_SLEWING

@@ -10,6 +10,7 @@ looked at in `LOOKS` places of a step.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,11 +19,9 @@ from scipy.optimize import brentq
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.actuators.forward.steps import Interpolant
-
     Floats = NDArray[np.float64]
 
-__all__ = ["ModeEvent", "Values", "crossed", "first_change"]
+__all__ = ["Interpolant", "ModeEvent", "Values", "crossed", "first_change"]
 
 LOOKS = 4
 """Places within a step at which the sign of a value is looked at."""
@@ -33,6 +32,47 @@ BAND = 1e-10
 """Distance from its value at which a quantity counts as being there, in parts of its size."""
 
 Values = Callable[[float, Any], Any]
+
+
+class Interpolant:
+    """A step of SciPy's as one product: y(x) = y_0 + sum_i w_i(x) row_i, x from 0 to 1 between `t_min` and `t_max` (s).
+
+    w_i of DOP853: x, x (1 - x), x^2 (1 - x), x^2 (1 - x)^2, ... (Hairer, Norsett & Wanner, Solving ODEs I, II.6); of Radau:
+    x, x^2, x^3. SciPy's own call takes as long as several evaluations of a drive.
+    """
+
+    def __init__(self, dense: Any) -> None:
+        self.t_min, self.t_max = float(dense.t_min), float(dense.t_max)
+        self.start, self._length = dense.y_old, float(dense.h)
+        self.nested = hasattr(dense, "F")
+        self.rows = dense.F if self.nested else dense.Q.T
+
+    def __call__(self, t: float) -> Floats:
+        """The state (size,) at t (s)."""
+        found: Floats = self.start + np.array(_weights((t - self.t_min) / self._length, self.nested)) @ self.rows
+        return found
+
+    def bernstein(self) -> Floats:
+        """Coefficients (13, size) of the state in Bernstein's basis, of which every value is a mean."""
+        found: Floats = self.start + _to_bernstein(self.nested) @ self.rows
+        return found
+
+
+def _weights(x: Any, nested: bool) -> tuple[Any, ...]:
+    if not nested:
+        return x, x * x, x * x * x
+    y = 1.0 - x
+    a = x * y
+    b, c = a * x, a * a
+    return x, a, b, c, c * x, c * a, c * b
+
+
+@cache
+def _to_bernstein(nested: bool) -> Floats:
+    from kinetruss.kernels.integrate.roots import NODES, TO_BERNSTEIN
+
+    found: Floats = TO_BERNSTEIN @ np.array(_weights(NODES, nested)).T
+    return found
 
 
 class ModeEvent(NamedTuple):

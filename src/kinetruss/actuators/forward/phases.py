@@ -18,9 +18,8 @@ from kinetruss.errors import AnalysisError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.actuators.forward.events import ModeEvent
+    from kinetruss.actuators.forward.events import Interpolant, ModeEvent
     from kinetruss.actuators.forward.modes import Instant, MotorModes
-    from kinetruss.actuators.forward.steps import Interpolant
 
     Floats = NDArray[np.float64]
 
