@@ -259,7 +259,7 @@ def test_a_run_that_ended_early_says_so_on_top():
     assert "∞" in page.cells  # past the buckling load: no number
     assert "Infinity" in {one["utilisation"] for one in embedded(text)["strength"]}
     assert re.search(
-        r"NOT WHOLE", re.sub(r"\\([0-9a-f]+) ", lambda found: chr(int(found[1], 16)), text)
+        r"NOT COMPLETE", re.sub(r"\\([0-9a-f]+) ", lambda found: chr(int(found[1], 16)), text)
     )  # the foot of each page
 
 

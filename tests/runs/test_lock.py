@@ -355,7 +355,7 @@ def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, num
     assert "2 of 6 samples are kept in it and good" in str(told.value)
     assert words in str(told.value)
     (tmp_path / "run" / "model.json").unlink()  # what is said to be kept is looked at
-    with pytest.raises(StoreError, match=r"no longer in it as it was written.* Run it again"):
+    with pytest.raises(StoreError, match=r"was changed by another program.* Run it again"):
         writer.append(rows(2))
     writer.release()
 
