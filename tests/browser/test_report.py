@@ -163,4 +163,4 @@ def test_a_run_that_is_not_whole_says_so_on_every_page(tmp_path, lift):
     early = RunResult(model=lift.model, name="lift", motion=half, samples=41, status=Status.SINGULAR, message="It was flat.")
     done = report.write_document(early, tmp_path)
     for one in PdfReader(done.paper).pages:
-        assert "NOT WHOLE" in one.extract_text()
+        assert "NOT COMPLETE" in one.extract_text()

@@ -109,7 +109,7 @@ def test_faults_are_told_of_the_setting_that_has_them(values, message):
         ({LIFT: []}, "has no list of values"),
         ({LIFT: "345"}, "has no list of values"),
         ({LIFT: [3, "3"]}, "has a value twice"),
-        ({"library.bays": [1, 2]}, "only be set of a model file"),
+        ({"library.bays": [1, 2]}, "be set only for a model file"),
     ],
 )
 def test_settings_that_say_nothing(values, message):
