@@ -142,7 +142,8 @@ def test_faults_come_in_the_order_of_the_file(put):
 
 numbers = st.integers(-(10**20), 10**20) | st.floats(allow_nan=False, allow_infinity=False)
 scalars = st.none() | st.booleans() | numbers | st.text()
-trees = st.recursive(scalars, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4))
+names = st.text(max_size=80)  # escaped at most 960 characters long; longer ones are refused
+trees = st.recursive(scalars, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(names, inner, max_size=4))
 
 
 @given(trees, st.sampled_from([None, 1, "\t"]))
@@ -151,6 +152,13 @@ def test_json_is_read_as_the_standard_library_reads_it(tree, indent):
     found, told = parse_json(text)
     assert plain(found) == json.loads(text)
     assert told == []
+
+
+@pytest.mark.parametrize("name", ["n" * 1100, "\u0301" * 200, '\\"' * 600])
+def test_names_in_json_that_are_too_long_are_refused(name):
+    with pytest.raises(kt.ModelError, match="has a name of .* characters. Write at most 1000"):
+        parse_json(json.dumps({"nodes": {name: [0, 0]}}))
+    assert plain(parse_json(json.dumps({"text": name, "more": [name]}))[0]) == {"text": name, "more": [name]}
 
 
 def test_what_json_forbids_and_yaml_has():

@@ -111,7 +111,7 @@ def test_samples_from_elsewhere_that_are_too_far_apart_are_refused():
             assert "whole turns" not in motion.message
             continue
         assert "whole turns" in motion.message and "turn" in motion.message
-        with pytest.raises(InputError, match=r"whole turns cannot be counted. Give samples no more than"):
+        with pytest.raises(InputError, match=r"whole turns cannot be counted. Give samples at most"):
             pose(model, motion, ("A", "B"))
         with pytest.raises(InputError, match="whole turns"):
             joint(model, motion, ("A", "B"), ("B", "D"))

@@ -311,7 +311,7 @@ def test_the_command(tmp_path, monkeypatch):
     assert call("render free.yaml -o c.gif --mode 1 --fps 5 --size 320x240").exit_code == 0
     for text, words in (
         ("render out -o x.png --size big", "not a size"),
-        ("render out -o x.png --camera 1,a,2", "no direction"),
+        ("render out -o x.png --camera 1,a,2", "is not a direction"),
         ("render out -o x.png --at 3kg", "not a time"),
         ("render out -o x.gif --mode 1", "--mode goes with"),
         ("render out -o x.bmp", "films in .mp4"),

@@ -25,6 +25,9 @@ _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?")
 _WORDS = {"true": True, "false": False, "null": None}
 _DIGITS = 300  # a longer whole number is read as a float: it is too large for any quantity
 _PAIR = re.compile(r"(?<!\\)((?:\\\\)*)\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})")
+LONGEST_NAME = 1000
+"""Characters of a name in JSON, escapes included: the parser of YAML looks no farther for the colon behind it."""
+_LONG_NAME = re.compile(rf'"(?:[^"\\\n]|\\.){{{LONGEST_NAME},}}"(?=\s*:)')
 
 # problem as the parser names it -> fix
 _MENDS = {
@@ -61,6 +64,10 @@ def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
 
 def parse_json(text: str) -> tuple[Tree | None, list[Fault]]:
     """The same for JSON; comments and a comma after the last entry are allowed."""
+    if long := _LONG_NAME.search(text):
+        raise refuse(
+            f"has a name of {len(long[0])} characters.", f"Write at most {LONGEST_NAME}.", _place_of(text, long.start())
+        )
     return _parsed(_PAIR.sub(_joined, text), _Builder(_json), "JSON")
 
 
