@@ -3,7 +3,6 @@
 import numpy as np
 
 import kinetruss as kt
-from kinetruss.mechanics import compile
 
 STEEL = {"section": kt.Rod(diameter=0.02), "material": kt.library.materials.STEEL_S235}
 
@@ -220,6 +219,8 @@ WAYS = (
 
 def moved(model, rng, samples=4):
     """A motion of all drives by up to a tenth, and its forces."""
+    from kinetruss.mechanics import compile  # here: the models above serve revisions that have it elsewhere
+
     start = compile(model).drive_start
     moves = {name: (start[k], start[k] + 0.1 * rng.uniform(-1, 1)) for k, name in enumerate(model.all_drives)}
     motion = kt.kinematics.follow(model, kt.Quintic(moves=moves, duration=0.4), samples=samples)
