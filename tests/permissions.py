@@ -11,7 +11,7 @@ __all__ = ["bound"]
 def bound() -> list[str]:
     """What a command begins with so that modes of files and folders hold for it; skips the test where that cannot be had."""
     if not hasattr(os, "geteuid"):
-        pytest.skip("no modes of files here")
+        pytest.skip("the test needs POSIX modes of files, which this system lacks")
     if os.geteuid() != 0:
         return []
     if shutil.which("setpriv") is None:

@@ -7,7 +7,7 @@ import pytest
 from campaigns import cache, two_writers
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="no copies of processes here")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the test needs os.fork, which this system lacks")
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of copies beside threads; none of theirs is used
 def test_two_writers(tmp_path):
     found = two_writers.campaign(tmp_path, rounds=5, seed=3)
@@ -15,7 +15,7 @@ def test_two_writers(tmp_path):
     assert found.counts["read: read"] > 0
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="modes of files are those of POSIX")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the test changes POSIX modes of files, which this system lacks")
 def test_cache(tmp_path):
     found = cache.campaign(tmp_path / "cache", rounds=2, starts=2, seed=3)
     assert found.faults == []

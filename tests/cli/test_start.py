@@ -37,7 +37,7 @@ def test_the_command_begins_where_ctrl_c_is_told():
     assert project["project"]["scripts"] == {"kinetruss": "kinetruss.cli._start:start"}
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no such signals")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot send these signals to a process")
 @pytest.mark.parametrize(
     ("module", "words"),
     [
@@ -124,7 +124,7 @@ def test_the_runs_that_are_compiled_for_are_there():
         assert name in kt.read(kt.library.example_files()[example][0]).runs
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no such signals")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot send these signals to a process")
 def test_in_the_background_tests_hear_ctrl_c_all_the_same():
     code = "import signal, conftest; raise SystemExit(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"
 

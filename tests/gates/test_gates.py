@@ -134,7 +134,7 @@ def test_the_bundle_compared_with_its_sources_catches_another_one(tmp_path):
     if node is None or not modules.exists():
         assert not os.environ.get("CI"), "CI sets viewer-src up before the tests"
         # the page's sources need node, which `make test` does not ask for
-        pytest.skip("viewer-src is not set up on this machine (make viewer)")
+        pytest.skip("needs the packages of viewer-src (make viewer installs them; CI does)")
     sources = tmp_path / "viewer-src"
     shutil.copytree(ROOT / "viewer-src", sources, ignore=shutil.ignore_patterns("node_modules"))
     (sources / "node_modules").symlink_to(modules)

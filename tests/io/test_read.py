@@ -161,6 +161,11 @@ def test_names_in_json_that_are_too_long_are_refused(name):
     assert plain(parse_json(json.dumps({"text": name, "more": [name]}))[0]) == {"text": name, "more": [name]}
 
 
+def test_long_rows_between_texts_in_json_are_no_names():
+    tree = {"a": [0.125] * 400, ":b": [1], "c": [*range(500), ": text"]}
+    assert plain(parse_json(json.dumps(tree))[0]) == tree
+
+
 def test_what_json_forbids_and_yaml_has():
     found, told = parse_json('{"a": [1, 2.50,], # a remark\n "b": "\\ud83d\\ude00 \\\\ud83d", "c": null}')
     assert (plain(found), told) == ({"a": [1, 2.5], "b": "\U0001f600 \\ud83d", "c": None}, [])

@@ -156,7 +156,7 @@ def test_threads_meet_one_kernel():
     assert sorted(found) == [0.0, 1.0, 2.0, 3.0]
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no such signals")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot send these signals to a process")
 def test_ctrl_c_while_it_is_compiled_is_heard_behind_the_call(monkeypatch):
     @kernel_late
     def slow(x: F1) -> float:

@@ -456,7 +456,7 @@ def overwritten(path: Path, packed: bool, last: int) -> bool:
     os._exit(1)
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="no copies of processes here")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the test needs os.fork, which this system lacks")
 @pytest.mark.parametrize("packed", [False, True])
 def test_a_kill_at_any_step_of_an_overwrite_leaves_the_old_run_or_says_that_there_is_none(stored, tmp_path, packed):
     seen, killed, last = set(), True, 0

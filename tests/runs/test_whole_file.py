@@ -37,7 +37,7 @@ def test_a_place_that_cannot_be_written_is_told_with_the_mend(tmp_path):
         draft.write_text("never")
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names here")
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the test needs os.mkfifo, which this system lacks")
 def test_a_pipe_is_written_to_and_stays_a_pipe(tmp_path):
     pipe = tmp_path / "pipe.csv"
     os.mkfifo(pipe)

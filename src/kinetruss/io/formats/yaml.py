@@ -27,7 +27,7 @@ _DIGITS = 300  # a longer whole number is read as a float: it is too large for a
 _PAIR = re.compile(r"(?<!\\)((?:\\\\)*)\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})")
 LONGEST_NAME = 1000
 """Characters of a name in JSON, escapes included: the parser of YAML looks no farther for the colon behind it."""
-_LONG_NAME = re.compile(rf'"(?:[^"\\\n]|\\.){{{LONGEST_NAME},}}"(?=\s*:)')
+_STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"(\s*:)?')
 
 # problem as the parser names it -> fix
 _MENDS = {
@@ -64,10 +64,9 @@ def parse_yaml(text: str) -> tuple[Tree | None, list[Fault]]:
 
 def parse_json(text: str) -> tuple[Tree | None, list[Fault]]:
     """The same for JSON; comments and a comma after the last entry are allowed."""
-    if long := _LONG_NAME.search(text):
-        raise refuse(
-            f"has a name of {len(long[0])} characters.", f"Write at most {LONGEST_NAME}.", _place_of(text, long.start())
-        )
+    for found in _STRING.finditer(text):  # string by string: what lies between two of them is no name
+        if found[1] and (size := len(found[0]) - len(found[1]) - 2) > LONGEST_NAME:
+            raise refuse(f"has a name of {size} characters.", f"Write at most {LONGEST_NAME}.", _place_of(text, found.start()))
     return _parsed(_PAIR.sub(_joined, text), _Builder(_json), "JSON")
 
 
