@@ -21,7 +21,7 @@ __all__ = ["integrate_radau"]
 def integrate_radau(
     eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
 ) -> tuple[int, int]:
-    """Go on from `memory` and fill the samples, in at most `budget` steps. Reiterations a code and how many are filled.
+    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
 
     The run in any number of calls is bit for bit that in one.
     """
