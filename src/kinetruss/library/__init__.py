@@ -8,6 +8,7 @@ __all__ = [
     "bodies",
     "build",
     "builders",
+    "cells",
     "drives",
     "example_files",
     "joints",
@@ -24,5 +25,5 @@ __getattr__, __dir__ = late(
         "_build": "build builders",
         "_examples": "example_files",
     },
-    modules="bodies drives joints materials mechanisms meshes sections vgt",
+    modules="bodies cells drives joints materials mechanisms meshes sections vgt",
 )

@@ -13,7 +13,7 @@ from kinetruss.model import Model, Record
 
 __all__ = ["build", "builders"]
 
-MODULES = ("mechanisms", "vgt")
+MODULES = ("cells", "mechanisms", "vgt")
 
 
 def builders() -> dict[str, type[Record]]:

@@ -20,10 +20,14 @@ from kinetruss.model._record import (
     Of,
     Point,
     PositiveLength,
+    PositiveNumber,
     PositiveTime,
     Record,
     Series,
+    Whole,
+    short_form,
 )
+from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults
@@ -187,9 +191,15 @@ __all__ = [
     "Of",
     "Point",
     "PositiveLength",
+    "PositiveNumber",
     "PositiveTime",
     "Series",
     "FORMAT",
     "Lost",
     "rests_on",
+    "Whole",
+    "short_form",
+    "Filled",
+    "ReadOnly",
+    "Table",
 ]

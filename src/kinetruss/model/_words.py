@@ -179,6 +179,9 @@ def _below(one: Any, part: str | int) -> Iterator[Any]:
             yield one
     elif get_origin(one) is dict:
         yield from _leaves(get_args(one)[1])
+    elif get_origin(one) is tuple and isinstance(part, int):
+        entries = get_args(one)
+        yield from _leaves(entries[min(part, len(entries) - 1 - (Ellipsis in entries))])
 
 
 def _leaves(annotation: Any) -> Iterator[Any]:

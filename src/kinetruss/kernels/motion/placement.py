@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.record import Floats
 
-__all__ = ["base_triangle", "place_bay", "place_chain", "reach"]
+__all__ = ["base_triangle", "equal_share", "place_bay", "place_chain", "reach", "tilt"]
 
 
 EDGES = ((2, 0), (1, 2), (0, 1))
@@ -54,6 +54,30 @@ def place_bay(base: float, longeron: float, beta: float, gamma: float, height: f
     return np.vstack([low, mid, top[[0, 2, 1]]])
 
 
+def tilt(beta: float, gamma: float) -> tuple[Floats, Floats]:
+    """Unit vector u halfway between z and a tilted normal, (3,), and the frame turned into it without twist, (3, 3).
+
+    R = (1 - 2 u u')(1 - 2 z z'), columns: axes of the tilted frame.
+    """
+    u = _mid_normal(beta, gamma)
+    return u, (np.eye(3) - 2.0 * np.outer(u, u)) @ np.diag([1.0, 1.0, -1.0])
+
+
+def equal_share(beta: Floats, gamma: Floats, height: Floats, bays: int) -> tuple[Floats, Floats, Floats]:
+    """beta, gamma, height of each of `bays` bays in equal poses that together give this pose of the top; arrays of one shape.
+
+    Turns without twist about one horizontal axis add up, so each bay tilts by the same fraction a of the whole tilt about it;
+    the steps h u from centroid to centroid lie on a circle, and their sum is h sin(bays a/2)/sin(a/2).
+    """
+    x, y, z = -np.sin(gamma), -np.sin(beta) * np.cos(gamma), np.cos(beta) * np.cos(gamma)
+    side = np.hypot(x, y)
+    a = np.arctan2(side, z) / bays
+    with np.errstate(invalid="ignore"):
+        x, y = (np.where(side > 0, np.sin(a) * part / side, 0.0) for part in (x, y))
+    stretch = bays * np.sinc(bays * a / (2 * np.pi)) / np.sinc(a / (2 * np.pi))
+    return np.arctan2(-y, np.cos(a)), np.arcsin(-x), height / stretch
+
+
 def _rim(base: float, longeron: float) -> float:
     """Radius on which a mid node swings about its base edge, m."""
     return float(np.sqrt(longeron**2 - base**2 / 4))
@@ -79,8 +103,7 @@ def place_chain(base: float, longeron: float, beta: float, gamma: float, height:
     R = (1 - 2 u u')(1 - 2 z z') in the base frame, without twist, its origin at height u.
     """
     one = place_bay(base, longeron, beta, gamma, height)
-    u = _mid_normal(beta, gamma)
-    turn = (np.eye(3) - 2.0 * np.outer(u, u)) @ np.diag([1.0, 1.0, -1.0])
+    u, turn = tilt(beta, gamma)
     origin, frame = np.zeros(3), np.eye(3)
     placed = [one[:3]]
     # frame of each bay from the top of the one below

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any
 
 from pydantic import Field
 
-from kinetruss.errors import Fault, ModelError
-from kinetruss.kernels.motion.placement import place_chain, reach
 from kinetruss.library._arguments import own_arguments
-from kinetruss.library._builder import builder, named
-from kinetruss.library.drives import GEARS, MOTORS, SCREWS
-from kinetruss.library.materials import ALUMINIUM_LACY, MATERIALS
-from kinetruss.library.sections import SECTIONS, TUBE_LACY_SPATIAL
+from kinetruss.library._builder import builder
+from kinetruss.library.cells import Rods, double_octahedron, stacked
+from kinetruss.library.materials import ALUMINIUM_LACY
+from kinetruss.library.sections import TUBE_LACY_SPATIAL
 from kinetruss.limits import MOST_ENTRIES, whole
 from kinetruss.model import (
-    Active,
     Angle,
-    Bar,
     Count,
     Flag,
     ForceVector,
     Gear,
-    GimbalPose,
     GravityVector,
     LeadScrew,
     Mass,
@@ -32,8 +26,6 @@ from kinetruss.model import (
     Motor,
     Name,
     NodalForce,
-    Node,
-    Part,
     PositiveLength,
     PositiveTime,
     Quintic,
@@ -43,34 +35,9 @@ from kinetruss.model.parts import EndCondition, Section
 
 __all__ = ["double_octahedral", "slew"]
 
-BARS = {
-    "M1": (6, 2, 1),
-    "M2": (6, 1, 2),
-    "M3": (4, 1, 3),
-    "M4": (4, 3, 1),
-    "M5": (5, 3, 2),
-    "M6": (5, 2, 3),
-    "M13": (6, 9, 7),
-    "M14": (6, 7, 9),
-    "M15": (4, 7, 8),
-    "M16": (4, 8, 7),
-    "M17": (5, 8, 9),
-    "M18": (5, 9, 8),
-    "M19": (7, 9, 8),
-    "M20": (8, 7, 9),
-    "M21": (8, 9, 7),
-}
-"""First node, second node, third node of a face the bar bounds. Ends: Lacy (1991), table 4.1, with M19 from 7 to 9."""
+TOP = ("N7", "N8", "N9")
 
-ACTIVE = {"M7": (4, 5, 6), "M9": (5, 6, 4), "M11": (4, 6, 5)}
-"""Node of the base rod, node of the tube, third node of the middle triangle."""
-
-BELOW = {1: 7, 2: 9, 3: 8}
-"""Top node of the bay below that is the same as a base node."""
-
-TOP = (7, 8, 9)
-
-MOST_BAYS = MOST_ENTRIES // (len(BARS) + len(ACTIVE))
+MOST_BAYS = MOST_ENTRIES // 18
 Bays = Annotated[Count, Field(le=MOST_BAYS)]
 
 
@@ -145,35 +112,35 @@ def double_octahedral(
     >>> len(model.nodes), len(model.members), [round(x, 6) for x in model.nodes["N8"].at]
     (9, 18, [0.0, 0.790985, 0.995325])
     """
-    height = _height(base, longeron, beta, gamma, height, active_length)
-    tube_section = section if tube_section is None else tube_section
-    sections = {"bar": (section, "section"), "tube": (tube_section, "tube_section"), "base": (base_section, "base_section")}
-    train = {"screw": named(SCREWS, screw, "screw"), "gear": named(GEARS, gear, "gear"), "motor": named(MOTORS, motor, "motor")}
-    bar: dict[str, Any] = {"section": "bar", "material": "bar", "rotary_inertia": rotary_inertia, "buckling": buckling}
-    active: dict[str, Any] = {
-        "base": Part(length=base_length, mass=base_mass, section=None if base_section is None else "base"),
-        "tube": Part(length=tube_length, mass=tube_mass, section="tube", material="bar", rotary_inertia=rotary_inertia),
-        "limits": limits,
-        "buckling": buckling,
-    } | {kind: kind for kind, record in train.items() if record is not None}
-    top = {k: f"{_prefix(bays, bays)}N{k}" for k in TOP}
-    load = {} if payload_mass == 0 else {node: {"mass": payload_mass, "gravity": payload_gravity} for node in top.values()}
-    placed = zip(_node_names(bays), place_chain(base, longeron, beta, gamma, height, bays).tolist(), strict=True)
-    return Model(
+    hardware = Rods(
+        section=section,
+        material=material,
+        rotary_inertia=rotary_inertia,
+        buckling=buckling,
+        base_mass=base_mass,
+        base_length=base_length,
+        base_section=base_section,
+        tube_length=tube_length,
+        tube_mass=tube_mass,
+        tube_section=tube_section,
+        screw=screw,
+        gear=gear,
+        motor=motor,
+        limits=limits,
+    )
+    pose: Any = {"beta": beta, "gamma": gamma, "height": height}
+    bay = double_octahedron(base=base, longeron=longeron, active_length=active_length, **pose, **hardware)
+    last = bay
+    if payload_mass:
+        load = {"mass": payload_mass, "gravity": payload_gravity}
+        last = bay.with_(nodes={name: node.with_(**load) if name in TOP else node for name, node in bay.nodes.items()})
+    top = {name: name if bays == 1 else f"B{bays}.{name}" for name in TOP}
+    chain = stacked([bay] * (bays - 1) + [last], "B")
+    return chain.model(
         title=title or f"Double-octahedral truss, {bays} bay{'s' if bays > 1 else ''}",
-        nodes={name: Node(at=at, **load.get(name, {})) for name, at in placed},
-        fixed=_node_names(bays)[:3],
-        sections={name: named(SECTIONS, *one) for name, one in sections.items() if one[0] is not None},
-        materials={"bar": named(MATERIALS, material, "material")},
-        **{f"{kind}s": {kind: record} for kind, record in train.items() if record is not None},
-        bars={name: Bar(ends=ends, orientation=third, **bar) for name, ends, third in _members(bays, BARS)},
-        active={name: Active(ends=ends, orientation=third, **active) for name, ends, third in _members(bays, ACTIVE)},
+        fixed=list(chain.places)[:3],
         gravity=gravity,
-        loads={} if tip_force is None else {f"tip_N{k}": NodalForce(node=node, force=tip_force) for k, node in top.items()},
-        poses={
-            name: GimbalPose(base=base, longeron=longeron, drives=tuple(f"{_prefix(k, bays)}{member}" for member in ACTIVE))
-            for k, name in enumerate(_pose_names(bays), start=1)
-        },
+        loads={} if tip_force is None else {f"tip_{k}": NodalForce(node=node, force=tip_force) for k, node in top.items()},
         safety=safety,
     )
 
@@ -205,53 +172,5 @@ def slew(
     return Quintic(moves=moves, duration=duration)
 
 
-def _height(base: float, longeron: float, beta: float, gamma: float, height: float | None, active_length: float) -> float:
-    """The height, given or for equal active lengths when upright; ModelError if the pose is impossible."""
-    if longeron <= base / 2:
-        mend = f"Make it longer than half the base, {base / 2:g} m."
-        raise ModelError([Fault(("longeron",), f"{longeron:g} m cannot span the base edge of {base:g} m.", mend)])
-    rim, inner = math.sqrt(longeron**2 - base**2 / 4), base / (2 * math.sqrt(3))
-    if height is None:
-        cosine = (active_length / math.sqrt(3) - inner) / rim
-        if not -1 < cosine < 1:
-            least, most = math.sqrt(3) * max(inner - rim, 0.0), math.sqrt(3) * (inner + rim)
-            mend = f"With this base and longeron it must lie between {least:.4g} m and {most:.4g} m."
-            raise ModelError([Fault(("active_length",), f"{active_length:g} m does not close the bay.", mend)])
-        height = 2.0 * rim * math.sqrt(1.0 - cosine**2)
-    if height >= 2.0 * rim:
-        raise ModelError([Fault(("height",), f"{height:g} m is out of reach.", f"Stay below {2 * rim:.6g} m.")])
-    if not reach(base, longeron, beta, gamma, height) > 0:
-        text = f"the pose {math.degrees(beta):.4g} deg, {math.degrees(gamma):.4g} deg is out of reach at height {height:.6g} m."
-        raise ModelError([Fault(("beta",), text, "Tilt less, or lower the height.")])
-    return height
-
-
-def _prefix(bay: int, bays: int) -> str:
-    return "" if bays == 1 else f"B{bay}."
-
-
 def _pose_names(bays: int) -> list[str]:
     return ["bay"] if bays == 1 else [f"B{k}" for k in range(1, bays + 1)]
-
-
-def _node_name(bay: int, number: int, bays: int) -> str:
-    """Name of node `number` of a bay; its base nodes belong to the bay below."""
-    if bay > 1 and number in BELOW:
-        bay, number = bay - 1, BELOW[number]
-    return f"{_prefix(bay, bays)}N{number}"
-
-
-def _node_names(bays: int) -> list[str]:
-    """In the order of `place_chain`."""
-    own = [f"{_prefix(bay, bays)}N{k}" for bay in range(1, bays + 1) for k in range(4, 10)]
-    return [f"{_prefix(1, bays)}N{k}" for k in (1, 2, 3)] + own
-
-
-def _members(bays: int, table: dict[str, tuple[int, int, int]]) -> list[tuple[str, tuple[str, str], str]]:
-    """Name, ends and third node of the members of all bays."""
-    found = []
-    for bay in range(1, bays + 1):
-        for name, numbers in table.items():
-            first, second, third = (_node_name(bay, number, bays) for number in numbers)
-            found.append((f"{_prefix(bay, bays)}{name}", (first, second), third))
-    return found

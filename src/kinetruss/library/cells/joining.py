@@ -1,0 +1,287 @@
+"""Cells joined face to face: places, one set of nodes and members, names with the cell before the dot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinetruss.errors import Fault, ModelError, shown
+from kinetruss.library.cells.fits import check_fit, closing_fault, corners_of, fitting_turn, frame_of, heading, is_base
+from kinetruss.library.cells.records import Cell, Face, changed
+from kinetruss.model import Active, Bar, GimbalPose, Model, Node, nearest
+
+__all__ = ["Joined", "joined"]
+
+Floats = NDArray[np.float64]
+Members = dict[str, Bar] | dict[str, Active]
+TABLES = ("sections", "materials", "screws", "gears", "motors")
+NAMED = {"section": "sections", "material": "materials", "screw": "screws", "gear": "gears", "motor": "motors"}
+
+
+@dataclass
+class Joined:
+    """Cells in their places: tables of the whole by name, and what is known of each cell."""
+
+    cells: Mapping[str, Cell]
+    on: Mapping[str, str]
+    """Cell -> the face that it stands on; the others stand on none."""
+    nodes: dict[str, str] = field(default_factory=dict)
+    """Name of a node as ``CELL.NODE`` -> its name in the whole, which is that of the cell that had it first."""
+    places: dict[str, Floats] = field(default_factory=dict)
+    frames: dict[str, tuple[Floats, Floats]] = field(default_factory=dict)
+
+    def prefix(self, cell: str) -> str:
+        """What stands before the names of a cell: nothing if it has the empty name."""
+        return f"{cell}." if cell else ""
+
+    def corners(self, cell: str, names: tuple[str, ...]) -> list[str]:
+        """Names in the whole of nodes of a cell."""
+        return [self.nodes[self.prefix(cell) + name] for name in names]
+
+    def at(self, names: list[str]) -> Floats:
+        """Places of nodes of the whole, (n, dim), m."""
+        return np.array([self.places[name] for name in names])
+
+    def roots(self) -> list[str]:
+        """Cells that stand on no other."""
+        return [name for name in self.cells if name not in self.on]
+
+    def face(self, given: str, path: tuple[str, ...], placed: Any = None) -> tuple[str, str]:
+        """Cell and face of ``CELL.FACE``, or of ``CELL``, which stands for its top.
+
+        Raises
+        ------
+        ModelError : no such cell before this one, or no such face.
+        """
+        known = self.cells if placed is None else placed
+        for name in sorted((one for one in known if one == given or given.startswith(self.prefix(one))), key=len, reverse=True):
+            face = given[len(self.prefix(name)) :] or "top"
+            if face in self.cells[name].faces:
+                return name, face
+        ends = [self.prefix(name) + face for name in known for face in self.cells[name].faces]
+        raise ModelError([Fault(path, f"there is no face {shown(given)} among the cells before.", nearest(given, ends))])
+
+    def tables(self) -> dict[str, Any]:
+        """Fields of a `Model` by name."""
+        return _Merging(self).tables()
+
+    def cell(self) -> Cell:
+        """The whole as a cell: faces ``base`` of the first and ``top`` of the last cell, ``CELL.FACE`` of all others."""
+        first, last = next(iter(self.cells)), list(self.cells)[-1]
+        faces = {}
+        for name, cell in self.cells.items():
+            for key, face in cell.faces.items():
+                whole = Face(nodes=self.corners(name, face.nodes), **self._framed(name, face))
+                faces[self.prefix(name) + key] = whole
+                if (name, key) in ((first, "base"), (last, "top")):
+                    faces[key] = whole
+        return Cell(**self.tables(), faces=faces)
+
+    def model(self, **fields: Any) -> Model:
+        """The whole as a model with more fields, e.g. ``gravity``."""
+        return Model(**self.tables(), **fields)
+
+    def _framed(self, name: str, face: Face) -> dict[str, Any]:
+        if face.origin is None or face.axes is None:
+            return {}
+        origin, axes = self.frames[name]
+        return {"origin": origin + axes @ np.array(face.origin), "axes": (axes @ np.array(face.axes)).tolist()}
+
+
+def joined(
+    cells: Mapping[str, Cell],
+    *,
+    on: Mapping[str, str] | None = None,
+    close: Mapping[str, str] | None = None,
+    tolerance: float = 1e-6,
+) -> Joined:
+    """The cells in their places, in the given order.
+
+    on : cell -> face that it stands on, for cells that name none themselves.
+    close : faces of two cells that lie on each other when all are in place, as the last and the first of a ring.
+    tolerance : largest difference of two edges that are joined, and gap of two faces that meet, as a fraction of the edge.
+
+    Raises
+    ------
+    ModelError : cells that do not fit, with where, got, expected, and the mend.
+    """
+    whole = Joined(cells, {**(on or {}), **{name: cell.on for name, cell in cells.items() if cell.on is not None}})
+    for name, cell in cells.items():
+        if cell.dim != next(iter(cells.values())).dim:
+            raise ModelError(
+                [
+                    Fault(
+                        ("cells", name),
+                        f"has {cell.dim} dimensions; the first cell has another number.",
+                        "Join cells of the plane, or cells of space.",
+                    )
+                ]
+            )
+        _place(whole, name, cell, tolerance)
+    for first, second in (close or {}).items():
+        _close(whole, first, second, tolerance)
+    return whole
+
+
+def _place(whole: Joined, name: str, cell: Cell, tolerance: float) -> None:
+    """Give one cell its place and its nodes their names."""
+    own = {node: np.array(record.at) for node, record in cell.nodes.items()}
+    shared: dict[str, str] = {}
+    if name not in whole.on:
+        origin, axes = np.zeros(cell.dim) if cell.at is None else np.array(cell.at), heading(cell)
+    else:
+        path = ("cells", name)
+        below, key = whole.face(whole.on[name], path, whole.frames)
+        under, mine = whole.cells[below].faces[key], cell.faces.get(cell.by)
+        if mine is None:
+            raise ModelError(
+                [Fault(("cells", name), f"has no face {shown(cell.by)} to stand by.", nearest(cell.by, cell.faces))]
+            )
+        corners = whole.corners(below, corners_of(key, under, outside=True))
+        ours = corners_of(cell.by, mine, outside=False)
+        places = whole.at(corners), np.array([own[node] for node in ours])
+        check_fit(path, (whole.prefix(below) + key, f"{name}.{cell.by}"), places, cell.turn, tolerance)
+        ours = ours[-cell.turn % len(ours) :] + ours[: -cell.turn % len(ours)]
+        shared = dict(zip(ours, corners, strict=True))
+        there = _standing(whole, below, under) if not is_base(key) else None
+        here = (np.array(mine.origin), np.array(mine.axes)) if mine.axes and is_base(cell.by) and not cell.turn else None
+        if there is None or here is None:
+            there, here = frame_of(places[0]), frame_of(np.array([own[node] for node in ours]))
+        axes = there[1] @ here[1].T
+        origin = there[0] - axes @ here[0]
+    free = [node for node in own if node not in shared]
+    whole.frames[name] = origin, axes
+    prefix = whole.prefix(name)
+    for node, place in zip(free, origin + np.array([own[node] for node in free]).reshape(-1, cell.dim) @ axes.T, strict=True):
+        if prefix + node in whole.places:
+            raise ModelError(
+                [Fault(("cells", name), f"there would be two nodes called {shown(prefix + node)}.", "Rename the cell.")]
+            )
+        whole.nodes[prefix + node] = prefix + node
+        whole.places[prefix + node] = place
+    whole.nodes |= {prefix + node: there for node, there in shared.items()}
+
+
+def _standing(whole: Joined, cell: str, face: Face) -> tuple[Floats, Floats] | None:
+    """The frame of a face in the whole, if it is known in closed form."""
+    if face.origin is None or face.axes is None:
+        return None
+    origin, axes = whole.frames[cell]
+    return origin + axes @ np.array(face.origin), axes @ np.array(face.axes)
+
+
+def _close(whole: Joined, first: str, second: str, tolerance: float) -> None:
+    """Let two faces that lie on each other have the same nodes: those of the second."""
+    path = ("close", first)
+    (one, key), (other, face) = whole.face(first, path), whole.face(second, path)
+    ours = whole.corners(one, corners_of(key, whole.cells[one].faces[key], outside=True))
+    theirs = whole.corners(other, corners_of(face, whole.cells[other].faces[face], outside=False))
+    turn = fitting_turn(whole.at(theirs), whole.at(ours), tolerance)
+    if turn is None:
+        raise ModelError([closing_fault(path, (first, second), whole.at(ours), whole.at(theirs))])
+    alias = dict(zip(ours, theirs[turn:] + theirs[:turn], strict=True))
+    whole.nodes = {node: alias.get(name, name) for node, name in whole.nodes.items()}
+    for gone, kept in alias.items():
+        if gone != kept:
+            del whole.places[gone]
+
+
+class _Merging:
+    """Collects the tables of all cells under their names in the whole."""
+
+    def __init__(self, whole: Joined) -> None:
+        self.whole = whole
+        self.found: dict[str, dict[str, Any]] = {key: {} for key in ("nodes", "bars", "active", *TABLES, "poses")}
+        self.between: dict[frozenset[str], tuple[str, str]] = {}
+        """Two nodes -> the cell whose member joins them, and that member."""
+
+    def tables(self) -> dict[str, Any]:
+        for name, cell in self.whole.cells.items():
+            self._nodes(name, cell)
+            renamed = {table: self._records(name, table, getattr(cell, table)) for table in TABLES}
+            members = self._members(name, cell, renamed)
+            self._poses(name, cell, members)
+        return {key: table for key, table in self.found.items() if table}
+
+    def _nodes(self, name: str, cell: Cell) -> None:
+        prefix, nodes = self.whole.prefix(name), self.found["nodes"]
+        for node, record in cell.nodes.items():
+            known = self.whole.nodes[prefix + node]
+            if known not in nodes:
+                nodes[known] = changed(record, at=tuple(self.whole.places[known].tolist()))
+            elif record.mass:
+                nodes[known] = _heavier(nodes[known], record, ("cells", name, "nodes", node))
+
+    def _records(self, name: str, table: str, own: Mapping[str, Any]) -> dict[str, str]:
+        """Names of the records of a cell in the whole: equal ones are shared, others get the name of the cell before theirs."""
+        found, names = self.found[table], {}
+        for key, record in own.items():
+            names[key] = key if found.get(key, record) == record else self.whole.prefix(name) + key
+            found[names[key]] = record
+        return names
+
+    def _members(self, name: str, cell: Cell, renamed: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
+        prefix, names = self.whole.prefix(name), {}
+        for table in ("bars", "active"):
+            for key, member in getattr(cell, table).items():
+                first, second, *third = self.whole.corners(name, (*member.ends, *filter(None, (member.orientation,))))
+                pair = frozenset((first, second))
+                owner, known = self.between.get(pair, (name, ""))
+                if owner != name:  # the cell that was there first has this member
+                    self._not_lost(name, table, key, known)
+                    names[key] = known
+                    continue
+                names[key] = prefix + key
+                self._free(names[key], ("cells", name, table, key))
+                self.between[pair] = name, names[key]
+                self.found[table][names[key]] = _renamed(member, (first, second), third, renamed)
+        return names
+
+    def _not_lost(self, name: str, table: str, key: str, known: str) -> None:
+        moves = [table == "active" or self.whole.cells[name].bars[key].kind == "driven"]
+        moves += [known in self.found["active"] or self.found["bars"][known].kind == "driven"]
+        if moves[0] and not moves[1]:
+            text = f"is active, but lies on {known}, which is not and stays."
+            raise ModelError([Fault(("cells", name, table, key), text, f"Make {known} active instead.")])
+
+    def _free(self, name: str, path: tuple[str, ...]) -> None:
+        if name in self.found["bars"] or name in self.found["active"]:
+            raise ModelError([Fault(path, f"there would be two members called {shown(name)}.", "Rename the cell.")])
+
+    def _poses(self, name: str, cell: Cell, members: Mapping[str, str]) -> None:
+        for key, pose in cell.poses.items():
+            called = key if not name else name if len(cell.poses) == 1 else self.whole.prefix(name) + key
+            drives = tuple(members[drive] for drive in pose.drives)
+            self.found["poses"][called] = GimbalPose(base=pose.base, longeron=pose.longeron, drives=drives)
+
+
+def _renamed(member: Bar | Active, ends: tuple[str, str], third: list[str], renamed: Mapping[str, Mapping[str, str]]) -> Any:
+    """A member with the names of the whole."""
+    changes: dict[str, Any] = {"ends": ends} | ({"orientation": third[0]} if third else {})
+    changes |= _names(member, renamed)
+    if isinstance(member, Active):
+        for part in ("base", "tube"):
+            if names := _names(getattr(member, part), renamed):
+                changes[part] = changed(getattr(member, part), **names)
+    return changed(member, **changes)
+
+
+def _names(record: Any, renamed: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
+    """Fields of a record that name another one whose name is different in the whole."""
+    found = {}
+    for key, table in NAMED.items():
+        given = getattr(record, key, None)
+        if isinstance(given, str) and renamed[table].get(given, given) != given:
+            found[key] = renamed[table][given]
+    return found
+
+
+def _heavier(node: Node, more: Node, path: tuple[str, ...]) -> Node:
+    """A node that has the masses of two cells."""
+    if node.mass and node.gravity != more.gravity:
+        raise ModelError([Fault(path, "has a mass with another gravity than the cell below.", "Give both the same gravity.")])
+    return changed(node, mass=node.mass + more.mass, gravity=more.gravity)
