@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.gimbal import gimbal_inverse
-from kinetruss.kernels.motion.placement import place_bay, place_chain, reach
+from kinetruss.kernels.motion.placement import place_bay, reach
 from kinetruss.kinematics import gimbal_lengths, gimbal_pose
+from kinetruss.library.vgt import double_octahedral
 
 BASE, LONGERON, HEIGHT = 48 * 0.0254, 35 * 0.0254, 1.1218253458835146
 PAIRS = ((4, 5), (5, 6), (4, 6))
@@ -94,8 +95,14 @@ def test_accelerations_are_the_slopes_of_rates():
     assert jets(pose(t))[:, :, 1:] == pytest.approx(slope[:, :, :2], abs=1e-11)
 
 
+def chain_of_three(beta, gamma):
+    """N1, N2, N3 of the first bay, then N4..N9 of each."""
+    model = double_octahedral(3, base=BASE, longeron=LONGERON, beta=beta, gamma=gamma, height=HEIGHT)
+    return np.array([node.at for node in model.nodes.values()])
+
+
 def test_a_second_bay_stands_on_the_first():
-    nodes = place_chain(BASE, LONGERON, 0.1, 0.15, HEIGHT, 3)
+    nodes = chain_of_three(0.1, 0.15)
     first, second = nodes[:9], nodes[[6, 8, 7, *range(9, 15)]]
     apart = [np.linalg.norm(bay[:, None] - bay[None], axis=2) for bay in (first, second)]
     assert apart[0] == pytest.approx(apart[1], abs=1e-14)
@@ -103,7 +110,7 @@ def test_a_second_bay_stands_on_the_first():
 
 def test_chain_of_three_ends_where_the_stored_one_does():
     # independent computation at beta = gamma = 5 deg, the middle of the two-axis motion
-    nodes = place_chain(BASE, LONGERON, *np.radians([5, 5]), HEIGHT, 3)
+    nodes = chain_of_three(*np.radians([5, 5]))
     assert nodes[-2] == pytest.approx([-0.4601834246, 0.2454731604, 3.470942637], abs=1e-9)
     assert nodes[-3] == pytest.approx([-1.013350558, -0.7541668894, 3.045296618], abs=1e-9)
 

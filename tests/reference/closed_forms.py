@@ -289,6 +289,19 @@ def von_mises() -> Numbers:
     return found | {"equilibrium.von_mises.snapped.height": -0.35}
 
 
+def equal_turns() -> Numbers:
+    """A third of the tilt to 30 and 30 degrees: the unit vector a third of the way along the great circle from z (slerp)."""
+    a = math.radians(30)
+    normal = (-math.sin(a), -math.sin(a) * math.cos(a), math.cos(a) ** 2)
+    tilt = math.acos(normal[2])
+    x, y, z = (
+        (math.sin(2 * tilt / 3) * up + math.sin(tilt / 3) * n) / math.sin(tilt)
+        for up, n in zip((0.0, 0.0, 1.0), normal, strict=True)
+    )
+    name = "cells.share.three_bays"
+    return {f"{name}.beta": math.degrees(math.atan2(-y, z)), f"{name}.gamma": math.degrees(math.asin(-x))}
+
+
 def small_motions() -> Numbers:
     """Hanging pendulums, an oscillator on a moving base, links that buckle, a prism, feedback of least cost."""
     r, z = 2.0, 0.1
@@ -324,5 +337,6 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     drive_trains,
     statics,
     von_mises,
+    equal_turns,
     small_motions,
 )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from kinetruss.io._schema import schema, schema_file
 from kinetruss.io.formats.text import MAX_SIZE
 from kinetruss.io.models.catalogue import read_catalogue
+from kinetruss.io.models.cells import read_cell
 from kinetruss.io.models.check import check
 from kinetruss.io.models.mission import read_mission
 from kinetruss.io.models.read import placed, read
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
     from kinetruss.io.tables.export import export
 
 __all__ = [
-    "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "placed", "read", "read_catalogue", "read_history",
-    "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
+    "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "placed", "read", "read_catalogue", "read_cell",
+    "read_history", "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
 ]  # fmt: skip
 
 # reading a model needs no run store

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.path.assemble import assemble
     from kinetruss.kinematics.path.follow import follow
     from kinetruss.kinematics.path.sample import Sampled, sample
+    from kinetruss.kinematics.poses.chain import chain_lengths, chain_pose
     from kinetruss.kinematics.poses.gimbal import gimbal_lengths, gimbal_pose
     from kinetruss.kinematics.poses.joint import joint
     from kinetruss.kinematics.poses.platform import platform
@@ -33,9 +34,10 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.freedom import Mobility, mobility
 
 __all__ = [
-    "Mobility", "Sampled", "assemble", "assembly_modes", "check", "conditioning", "first_order", "follow", "freedoms",
-    "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse", "jacobian", "joint", "member_rates", "mobility",
-    "notes", "platform", "platform_jacobian", "pose", "sample", "transfer_functions", "workspace",
+    "Mobility", "Sampled", "assemble", "assembly_modes", "chain_lengths", "chain_pose", "check", "conditioning",
+    "first_order", "follow", "freedoms", "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse", "jacobian",
+    "joint", "member_rates", "mobility", "notes", "platform", "platform_jacobian", "pose", "sample", "transfer_functions",
+    "workspace",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -50,6 +52,7 @@ __getattr__, __dir__ = late(
         "path.assemble": "assemble",
         "path.follow": "follow",
         "path.sample": "Sampled sample",
+        "poses.chain": "chain_lengths chain_pose",
         "poses.gimbal": "gimbal_lengths gimbal_pose",
         "poses.joint": "joint",
         "poses.platform": "platform",

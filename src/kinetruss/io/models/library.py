@@ -5,16 +5,20 @@ from __future__ import annotations
 import importlib
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError
+from kinetruss.io.models.cells import with_parts
 from kinetruss.io.models.merge import merged
 
 __all__ = ["on_library_model", "with_parameters"]
 
 
-def on_library_model(data: dict[str, Any]) -> dict[str, Any]:
+def on_library_model(data: dict[str, Any], folder: Path, max_size: int) -> dict[str, Any]:
     """The data of the library model named under ``library``, changed by the data of the file.
+
+    folder : of the file, where the tables of its cells are. max_size : of a table, bytes.
 
     Raises
     ------
@@ -29,7 +33,8 @@ def on_library_model(data: dict[str, Any]) -> dict[str, Any]:
         raise ModelError([Fault(("library",), "does not name a library model.", mend)])
     library = importlib.import_module("kinetruss.library")
     try:
-        model = library.build(wanted["name"], {key: value for key, value in wanted.items() if key != "name"})
+        given = with_parts({key: value for key, value in wanted.items() if key != "name"}, folder, max_size)
+        model = library.build(wanted["name"], given)
     except ModelError as error:
         raise ModelError([_in_library(fault, wanted["name"]) for fault in error.faults]) from None
     return merged(model, own)

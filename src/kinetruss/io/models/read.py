@@ -80,7 +80,7 @@ def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: in
     lost = Lost()
     if "library" in data:
         try:
-            data = on_library_model(data)
+            data = on_library_model(data, folder, max_size)
         except ModelError as error:
             faults = faults + error.faults
             data = {key: value for key, value in data.items() if key != "library"}

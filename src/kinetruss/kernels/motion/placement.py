@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.record import Floats
 
-__all__ = ["base_triangle", "equal_share", "place_bay", "place_chain", "reach", "tilt"]
+__all__ = ["base_triangle", "equal_share", "place_bay", "reach", "tilt"]
 
 
 EDGES = ((2, 0), (1, 2), (0, 1))
@@ -94,20 +94,3 @@ def _hinges(base: float) -> list[tuple[Floats, Floats]]:
     low = base_triangle(base)
     middles = [(low[i] + low[j]) / 2 for i, j in EDGES]
     return [(m, m / np.sqrt(m @ m)) for m in middles]
-
-
-def place_chain(base: float, longeron: float, beta: float, gamma: float, height: float, bays: int) -> Floats:
-    """Nodes of a chain of equal bays in equal poses, (3 + 6 bays, 3): N1, N2, N3 of the first, then N4..N9 of each.
-
-    Each bay stands on the top of the one below, N1, N2, N3 on its N7, N9, N8: Lacy (1991), chapter 6. The top frame is
-    R = (1 - 2 u u')(1 - 2 z z') in the base frame, without twist, its origin at height u.
-    """
-    one = place_bay(base, longeron, beta, gamma, height)
-    u, turn = tilt(beta, gamma)
-    origin, frame = np.zeros(3), np.eye(3)
-    placed = [one[:3]]
-    # frame of each bay from the top of the one below
-    for _ in range(bays):
-        placed.append(origin + one[3:] @ frame.T)
-        origin, frame = origin + frame @ (height * u), frame @ turn
-    return np.vstack(placed)

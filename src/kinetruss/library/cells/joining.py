@@ -58,9 +58,9 @@ class Joined:
         ModelError : no such cell before this one, or no such face.
         """
         known = self.cells if placed is None else placed
-        for name in sorted((one for one in known if one == given or given.startswith(self.prefix(one))), key=len, reverse=True):
-            face = given[len(self.prefix(name)) :] or "top"
-            if face in self.cells[name].faces:
+        places = [len(given), *(k for k in range(len(given) - 1, 0, -1) if given[k] == "."), 0]
+        for name, face in ((given[:k], given[k:].removeprefix(".") or "top") for k in places):
+            if name in known and face in self.cells[name].faces:
                 return name, face
         ends = [self.prefix(name) + face for name in known for face in self.cells[name].faces]
         raise ModelError([Fault(path, f"there is no face {shown(given)} among the cells before.", nearest(given, ends))])
@@ -217,11 +217,12 @@ class _Merging:
                 nodes[known] = _heavier(nodes[known], record, ("cells", name, "nodes", node))
 
     def _records(self, name: str, table: str, own: Mapping[str, Any]) -> dict[str, str]:
-        """Names of the records of a cell in the whole: equal ones are shared, others get the name of the cell before theirs."""
+        """New names of records of a cell: equal ones are shared, others get the name of the cell before theirs."""
         found, names = self.found[table], {}
         for key, record in own.items():
-            names[key] = key if found.get(key, record) == record else self.whole.prefix(name) + key
-            found[names[key]] = record
+            if found.setdefault(key, record) != record:
+                names[key] = self.whole.prefix(name) + key
+                found[names[key]] = record
         return names
 
     def _members(self, name: str, cell: Cell, renamed: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
@@ -262,8 +263,9 @@ class _Merging:
 def _renamed(member: Bar | Active, ends: tuple[str, str], third: list[str], renamed: Mapping[str, Mapping[str, str]]) -> Any:
     """A member with the names of the whole."""
     changes: dict[str, Any] = {"ends": ends} | ({"orientation": third[0]} if third else {})
-    changes |= _names(member, renamed)
-    if isinstance(member, Active):
+    if any(renamed.values()):
+        changes |= _names(member, renamed)
+    if isinstance(member, Active) and any(renamed.values()):
         for part in ("base", "tube"):
             if names := _names(getattr(member, part), renamed):
                 changes[part] = changed(getattr(member, part), **names)
@@ -275,7 +277,7 @@ def _names(record: Any, renamed: Mapping[str, Mapping[str, str]]) -> dict[str, s
     found = {}
     for key, table in NAMED.items():
         given = getattr(record, key, None)
-        if isinstance(given, str) and renamed[table].get(given, given) != given:
+        if isinstance(given, str) and given in renamed[table]:
             found[key] = renamed[table][given]
     return found
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, Unpack
 
 import numpy as np
 
+from kinetruss.errors import ModelError
 from kinetruss.kernels.motion.placement import base_triangle, equal_share, place_bay, reach, tilt
 from kinetruss.library._builder import named
 from kinetruss.library._placing import point, refuse
@@ -155,8 +157,8 @@ def quadruple_octahedron(
     Parameters
     ----------
     base, longeron, active_length : of both halves, m, as of `double_octahedron`.
-    beta, gamma, height : gimbal angles of the top, rad, and distance of its centroid from that of the base, m; by default such
-        that upright halves have `active_length`. `kinematics.chain_lengths` is the same closed form for arrays.
+    beta, gamma, height : gimbal angles of the top, rad, and distance of its centroid from that of the base, m; by default that
+        of halves as high as upright ones of `active_length`. `kinematics.chain_lengths` is the same closed form for arrays.
     fittings : see `Fittings`.
 
     Raises
@@ -166,23 +168,18 @@ def quadruple_octahedron(
     Examples
     --------
     >>> cell = quadruple_octahedron(beta="20 deg")
-    >>> len(cell.nodes), len(cell.bars), list(cell.active), round(math.degrees(0.1745329), 3)
-    (15, 30, ['H1.M7', 'H1.M9', 'H1.M11', 'H2.M7', 'H2.M9', 'H2.M11'], 10.0)
+    >>> len(cell.nodes), len(cell.bars), list(cell.active), list(cell.poses)
+    (15, 30, ['H1.M7', 'H1.M9', 'H1.M11', 'H2.M7', 'H2.M9', 'H2.M11'], ['H1', 'H2'])
     """
-    if height is None:
-        height = 2 * _height(base, longeron, 0.0, 0.0, None, active_length)
-    share = equal_share(np.array(beta), np.array(gamma), np.array(height), 2)
+    share = equal_share(np.array(beta), np.array(gamma), np.array(1.0 if height is None else height), 2)
     half_beta, half_gamma, half_height = (float(part) for part in share)
     inner: Any = {key: value for key, value in fittings.items() if key not in Placing.__annotations__}
     outer = {key: value for key, value in fittings.items() if key in Placing.__annotations__}
-    half = double_octahedron(
-        base=base,
-        longeron=longeron,
-        beta=half_beta,
-        gamma=half_gamma,
-        height=half_height,
-        **inner,
-    )
+    pose: Any = {"beta": half_beta, "gamma": half_gamma, "height": None if height is None else half_height}
+    try:
+        half = double_octahedron(base=base, longeron=longeron, active_length=active_length, **pose, **inner)
+    except ModelError as error:
+        raise ModelError([replace(one, message=f"in each half, {one.message}") for one in error.faults]) from None
     return placed(joined({"H1": half, "H2": half}, on={"H2": "H1.top"}).cell(), outer)
 
 
