@@ -21,7 +21,8 @@ brace,A,D,active,
 PANEL = cells.cell(
     nodes={"A": (0, 0), "B": (1, 0), "C": {"at": (0, 0.8), "mass": 1.5}, "D": (1, 0.8)},
     bars={
-        "left": ("A", "C"), "right": {"ends": ("B", "D"), "section": "tube_lacy_planar"}, "top": ("C", "D"), "brace": ("A", "D"),
+        "left": ("A", "C"), "right": {"ends": ("B", "D"), "section": "tube_lacy_planar"},
+        "top": ("C", "D"), "brace": ("A", "D"),
     },
     faces={"base": ["A", "B"], "top": ["C", "D"]},
     active=["brace"],
