@@ -12,7 +12,7 @@ from kinetruss.arrays import array_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.placement import equal_share, tilt
 from kinetruss.kinematics.poses.gimbal import gimbal_lengths, gimbal_pose
-from kinetruss.limits import MOST_COUNT, whole
+from kinetruss.limits import MOST_ENTRIES, whole
 
 __all__ = ["chain_lengths", "chain_pose"]
 
@@ -49,7 +49,7 @@ def chain_lengths(base: float, longeron: float, beta: ArrayLike, gamma: ArrayLik
     >>> chain_lengths(1.2192, 0.889, np.radians(20), 0, 2.2).round(6).tolist()
     [1.099526, 1.230366, 1.230366, 1.099526, 1.230366, 1.230366]
     """
-    bays = whole(bays, "bays", most=MOST_COUNT)
+    bays = whole(bays, "bays", most=MOST_ENTRIES)
     given = ((beta, "beta", "rad"), (gamma, "gamma", "rad"), (height, "height", "m"))
     asked = np.broadcast_arrays(*(array_of(value, name, unit=unit) for value, name, unit in given))
     one, other, rise = equal_share(asked[0], asked[1], asked[2], bays)

@@ -158,4 +158,4 @@ def _rods(pattern: str, actuator: Actuator, bar: Bar) -> Active:
 def _no_train(pattern: str, actuator: Actuator) -> None:
     if odd := [key for key in ("screw", "gear", "motor", "limits") if getattr(actuator, key) is not None]:
         mend = "Give its two rods: base: {length: .., mass: ..}, tube: {length: ..}."
-        raise ModelError([Fault(("active", pattern), f"has a {odd[0]}, but no rods.", mend)])
+        raise ModelError([Fault(("active", pattern), f"has {odd[0]}, but no rods.", mend)])

@@ -110,17 +110,11 @@ def joined(
     ModelError : cells that do not fit, with where, got, expected, and the mend.
     """
     whole = Joined(cells, {**(on or {}), **{name: cell.on for name, cell in cells.items() if cell.on is not None}})
+    dim = next(iter(cells.values())).dim
     for name, cell in cells.items():
-        if cell.dim != next(iter(cells.values())).dim:
-            raise ModelError(
-                [
-                    Fault(
-                        ("cells", name),
-                        f"has {cell.dim} dimensions; the first cell has another number.",
-                        "Join cells of the plane, or cells of space.",
-                    )
-                ]
-            )
+        if cell.dim != dim:
+            text = f"has {cell.dim} dimensions; the first cell has {dim}."
+            raise ModelError([Fault(("cells", name), text, "Join cells of the plane, or cells of space.")])
         _place(whole, name, cell, tolerance)
     for first, second in (close or {}).items():
         _close(whole, first, second, tolerance)
@@ -129,41 +123,43 @@ def joined(
 
 def _place(whole: Joined, name: str, cell: Cell, tolerance: float) -> None:
     """Give one cell its place and its nodes their names."""
-    own = {node: np.array(record.at) for node, record in cell.nodes.items()}
     shared: dict[str, str] = {}
-    if name not in whole.on:
-        origin, axes = np.zeros(cell.dim) if cell.at is None else np.array(cell.at), heading(cell)
+    if name in whole.on:
+        origin, axes, shared = _stood(whole, name, cell, tolerance)
     else:
-        path = ("cells", name)
-        below, key = whole.face(whole.on[name], path, whole.frames)
-        under, mine = whole.cells[below].faces[key], cell.faces.get(cell.by)
-        if mine is None:
-            raise ModelError(
-                [Fault(("cells", name), f"has no face {shown(cell.by)} to stand by.", nearest(cell.by, cell.faces))]
-            )
-        corners = whole.corners(below, corners_of(key, under, outside=True))
-        ours = corners_of(cell.by, mine, outside=False)
-        places = whole.at(corners), np.array([own[node] for node in ours])
-        check_fit(path, (whole.prefix(below) + key, f"{name}.{cell.by}"), places, cell.turn, tolerance)
-        ours = ours[-cell.turn % len(ours) :] + ours[: -cell.turn % len(ours)]
-        shared = dict(zip(ours, corners, strict=True))
-        there = _standing(whole, below, under) if not is_base(key) else None
-        here = (np.array(mine.origin), np.array(mine.axes)) if mine.axes and is_base(cell.by) and not cell.turn else None
-        if there is None or here is None:
-            there, here = frame_of(places[0]), frame_of(np.array([own[node] for node in ours]))
-        axes = there[1] @ here[1].T
-        origin = there[0] - axes @ here[0]
-    free = [node for node in own if node not in shared]
+        origin, axes = np.zeros(cell.dim) if cell.at is None else np.array(cell.at), heading(cell)
     whole.frames[name] = origin, axes
     prefix = whole.prefix(name)
-    for node, place in zip(free, origin + np.array([own[node] for node in free]).reshape(-1, cell.dim) @ axes.T, strict=True):
+    free = [node for node in cell.nodes if node not in shared]
+    drawn = np.array([cell.nodes[node].at for node in free]).reshape(-1, cell.dim)
+    for node, place in zip(free, origin + drawn @ axes.T, strict=True):
         if prefix + node in whole.places:
-            raise ModelError(
-                [Fault(("cells", name), f"there would be two nodes called {shown(prefix + node)}.", "Rename the cell.")]
-            )
+            text = f"there would be two nodes called {shown(prefix + node)}."
+            raise ModelError([Fault(("cells", name), text, "Rename the cell.")])
         whole.nodes[prefix + node] = prefix + node
         whole.places[prefix + node] = place
     whole.nodes |= {prefix + node: there for node, there in shared.items()}
+
+
+def _stood(whole: Joined, name: str, cell: Cell, tolerance: float) -> tuple[Floats, Floats, dict[str, str]]:
+    """Origin and axes of a cell on the face that it stands on, and its nodes -> those of the face, by name."""
+    path = ("cells", name)
+    below, key = whole.face(whole.on[name], path, whole.frames)
+    under, mine = whole.cells[below].faces[key], cell.faces.get(cell.by)
+    if mine is None:
+        raise ModelError([Fault(path, f"has no face {shown(cell.by)} to stand by.", nearest(cell.by, cell.faces))])
+    corners = whole.corners(below, corners_of(key, under, outside=True))
+    ours = corners_of(cell.by, mine, outside=False)
+    low, high = whole.at(corners), np.array([cell.nodes[node].at for node in ours])
+    check_fit(path, (whole.prefix(below) + key, f"{name}.{cell.by}"), (low, high), cell.turn, tolerance)
+    turned = -cell.turn % len(ours)
+    ours, high = ours[turned:] + ours[:turned], np.roll(high, -turned, axis=0)
+    there = None if is_base(key) else _standing(whole, below, under)
+    here = (np.array(mine.origin), np.array(mine.axes)) if mine.axes and is_base(cell.by) and not turned else None
+    if there is None or here is None:
+        there, here = frame_of(low), frame_of(high)
+    axes = there[1] @ here[1].T
+    return there[0] - axes @ here[0], axes, dict(zip(ours, corners, strict=True))
 
 
 def _standing(whole: Joined, cell: str, face: Face) -> tuple[Floats, Floats] | None:
