@@ -15,7 +15,7 @@ from reference.newton_euler import Solution, Truss
 from reference.octahedral import Bay, bay_nodes, bay_truss, members, turn
 from reference.taylor import Taylor
 
-__all__ = ["Frame", "bay_motions", "chain_forces", "chain_motion", "chain_truss"]
+__all__ = ["Frame", "PrintedFrame", "bay_motions", "chain_forces", "chain_motion", "chain_truss"]
 
 Motion = tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -51,10 +51,22 @@ class Frame:
         )
 
 
-def bay_motions(bay: Bay, poses: list[tuple[Taylor, Taylor, Taylor]]) -> list[Motion]:
+class PrintedFrame(Frame):
+    """With 6.9 and 6.14 as they are printed: the wrong C, and no w x (C w_rel)."""
+
+    def next(self, origin: Motion, rotation: Taylor) -> Frame:
+        right = super().next(origin, rotation)
+        relative = right.spin - self.spin
+        rate = right.spin_rate - self.spin_rate - np.cross(self.spin, relative)
+        # from the base's axes, as they should be, to the same components on the axes of the top
+        again = right.rotation @ self.rotation.T
+        return PrintedFrame(origin, right.rotation, self.spin + again @ relative, self.spin_rate + again @ rate)
+
+
+def bay_motions(bay: Bay, poses: list[tuple[Taylor, Taylor, Taylor]], kind: type[Frame] = Frame) -> list[Motion]:
     """Global x, v, a (9, 3) of the nodes 1 to 9 of every bay, base first; poses are (beta, gamma, height) a bay."""
     still = np.zeros(3)
-    frame = Frame((still, still, still), np.eye(3), still, still)
+    frame = kind((still, still, still), np.eye(3), still, still)
     motions = []
     for beta, gamma, height in poses:
         motion = frame.carry(bay_nodes(bay, beta, gamma, height))

@@ -11,9 +11,12 @@ import pytest
 from kinetruss.verification._cases import cases, stored
 from kinetruss.verification.mechanisms.loops_let_go import BENNETT
 from kinetruss.verification.solids import elements
-from reference import andrews, bennett, closed_forms, linkages, pendulums, total_lagrange
+from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, total_lagrange
+from reference.octahedral import Bay, quintic
+from reference.taylor import Taylor
 
 CASES = {case.id: case for case in cases()}
+PRINTED = recursive_bays.PrintedFrame
 DIGITS = 1e-13
 """Of the value, or of the vector it belongs to: sixteen digits are stored."""
 
@@ -170,3 +173,29 @@ def test_a_number_that_serves_two_analyses_is_one_number():
         for other in ("statics.linear.", "statics.at_poses."):
             if name.startswith(other):
                 assert CASES[name].expected == CASES[name.removeprefix(other)].expected
+
+
+TOGETHER, DELAYED = (0.75, 1.5, 2.25), (0.5, 1.0, 1.5, 2.0, 2.5)
+SIZES = {"velocity": (4e-4, 1.7e-2), "acceleration": (5e-4, 2.6e-2), "force": (8e-3, 0.74)}
+"""Differences of equations 6.9 and 6.14 as printed, to one or two digits: both angles together, gamma 0.75 s later."""
+
+
+@pytest.mark.parametrize(("move", "start", "instants"), [("together", 0.0, TOGETHER), ("delayed", 0.75, DELAYED)])
+def test_the_frames_of_a_chain_as_printed_by_the_recursive_form(move, start, instants):
+    found = dict.fromkeys(SIZES, 0.0)
+    for t in instants:
+        tilt = math.radians(10)
+        gamma = quintic(t - start, 3.0 - start, 0.0, tilt) if t > start else Taylor(np.array(0.0), np.array(0.0), np.array(0.0))
+        height = Taylor(np.array(1.1218253458835146), np.array(0.0), np.array(0.0))
+        poses = [(quintic(t, 3.0, 0.0, tilt), gamma, height)] * 3
+        gravity = np.array([0.0, 0.0, -9.81])
+        right, printed = (recursive_bays.bay_motions(Bay(), poses, kind) for kind in (recursive_bays.Frame, PRINTED))
+        forces = [recursive_bays.chain_forces(Bay(), motions, gravity, tip_mass=2.0) for motions in (right, printed)]
+        for k in range(3):
+            for key, i in (("velocity", 1), ("acceleration", 2)):
+                found[key] = max(found[key], float(np.abs(right[k][i] - printed[k][i]).max()))
+            both = [(getattr(forces[0][k], end), getattr(forces[1][k], end)) for end in ("force_a", "force_b")]
+            found["force"] = max(found["force"], *(float(np.linalg.norm(a - b, axis=1).max()) for a, b in both))
+    for name, value in found.items():
+        near(f"chain.eq_6_9_6_14.{move}.{name}", value, 1e-8)
+        assert round(value / SIZES[name][move == "delayed"], 1) in (0.9, 1.0), name
