@@ -321,6 +321,43 @@ def small_motions() -> Numbers:
     }
 
 
+def flexible() -> Numbers:
+    """A mass on a spring whose end moves by a quintic; a clamped chain of consistent masses; one mode with feedback."""
+    k, m, D, T = 3.5e6, 3.0, 0.1, 0.05
+    w = math.sqrt(k / m)
+
+    def forced(t: float) -> tuple[float, float]:
+        """Of u'' + w^2 u = -a(t), a of the quintic: -(a - a''/w^2)/w^2 and its rate."""
+        s = t / T
+        a, second = D / T**2 * (60 * s - 180 * s**2 + 120 * s**3), D / T**4 * (-360 + 720 * s)
+        rate, third = D / T**3 * (60 - 360 * s + 360 * s**2), D / T**5 * 720
+        return -(a - second / w**2) / w**2, -(rate - third / w**2) / w**2
+
+    def free(t: float, u: float, v: float) -> tuple[float, float]:
+        return u * math.cos(w * t) + v / w * math.sin(w * t), v * math.cos(w * t) - u * w * math.sin(w * t)
+
+    def u(t: float) -> float:
+        moved = min(t, T)
+        own, given = free(moved, *(-one for one in forced(0.0))), forced(moved)
+        return free(t - moved, own[0] + given[0], own[1] + given[1])[0]
+
+    found = {"flexible.one_bar.frequency": w / (2 * math.pi)}
+    found |= {f"flexible.one_bar.vibration_{t}ms": u(t / 1000) for t in (20, 50, 75)}
+    found |= {f"flexible.one_bar.simulation_{t}ms": u(t / 1000) for t in (20, 50)}
+    bars, of, mass = 5, 70e9 * 1e-4, 2700 * 1e-4
+    for j in range(1, bars + 1):
+        turn = (2 * j - 1) * math.pi / (2 * bars)
+        squared = 6 * of / mass * (1 - math.cos(turn)) / (2 + math.cos(turn))
+        found[f"flexible.chain.mode_{j}"] = math.sqrt(squared) / (2 * math.pi)
+    # s (s^2 + w^2) + g (s^2 + z^2) = 0: w^2 = 4e6/2, z^2 = 1e6/2
+    roots = np.roots([1.0, 100.0, 2e6, 100.0 * 0.5e6])
+    root = roots[roots.imag > 0][0]
+    found["flexible.damped.force_100"] = float(-root.real / abs(root))
+    found["flexible.damped.force_best"] = (math.sqrt(2e6) - math.sqrt(0.5e6)) / (2 * math.sqrt(0.5e6))
+    found["flexible.damped.rate_1000"] = 1000.0 / (2 * 2.0 * math.sqrt(2e6))
+    return found
+
+
 ALL: tuple[Callable[[], Numbers], ...] = (
     planar_body,
     barycentric,
@@ -339,4 +376,5 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     von_mises,
     equal_turns,
     small_motions,
+    flexible,
 )

@@ -24,7 +24,7 @@ from kinetruss.statics.small.weights import loads_at
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Deflection", "deflection"]
+__all__ = ["Deflection", "deflection", "loads_of", "nodal_forces"]
 
 
 class Deflection(Result):
@@ -64,7 +64,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
         raise InputError("The forces belong to a model with other members. Compute them for this model.")
     check_motion(system, forces.motion)
     x = flat_positions(system, forces.motion.arrays["position"].values)
-    load = _applied(system, forces, x)
+    load = nodal_forces(system, forces, x)
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
     if len(arrange(system).redundant) or np.any(system.spring > 0) or system.continua is not None:
@@ -83,9 +83,9 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     return _record(system, forces, u, elongation, length, energy, work, said)
 
 
-def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
+def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Nodal forces f - M a (times, 3 n), N, from loads, weight and inertia alone."""
-    loads = _loads(system, forces)
+    loads = loads_of(system, forces)
     if forces.data.attrs.get("at_rest", 0):
         v = a = np.zeros((1, x.shape[1]))
     else:
@@ -95,7 +95,7 @@ def _applied(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[
     return rest
 
 
-def _loads(system: System, forces: Forces) -> Loads:
+def loads_of(system: System, forces: Forces) -> Loads:
     """The loads of the forces."""
     t = forces.arrays["time"].values
     if "load_time" in forces.data.attrs:

@@ -1,0 +1,167 @@
+"""The elastic structure at the instants of a rigid motion: its matrices, and the forces that its members must carry.
+
+Rows of the system are lengths (and locked angles, couplings) that the rigid structure keeps. Their flexibility f (m/N) makes
+them elastic: with small displacements u from the rigid motion and row forces N,
+
+    M u'' + C u' + K u + G^T N = f_nodes - M a,    G u = f N
+
+G (rows, n): gradients of the rows; K: geometric stiffness of all members and the stiffness of springs; f = l/(E A), 1/k where
+a stiffness is given, and 0 of what is inextensible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kinematics.given import check_motion
+from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, mass_matrix
+from kinetruss.mechanics.freedom import flat_positions
+from kinetruss.model import Model, nearest
+from kinetruss.results import Forces
+from kinetruss.statics.poses import loads_of, nodal_forces
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Instant", "Softness", "instants_of", "modes_of"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Softness:
+    """stiffness : member -> N/m, in place of E A/l. rigid : members kept inextensible. Checked against a model."""
+
+    stiffness: Mapping[str, float]
+    rigid: Collection[str]
+
+    def flexibility(self, system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Of the rows (rows,), m/N, at positions x (n, 3)."""
+        i = system.row_member
+        found = np.where(system.row_kind == LENGTH, np.nan_to_num(system.compliance[i]) * ends_of(system, x, i)[1], 0.0)
+        for name, k in self.stiffness.items():
+            found[self._row(system, name)] = 1.0 / k
+        for name in self.rigid:
+            found[self._row(system, name)] = 0.0
+        return found
+
+    @staticmethod
+    def _row(system: System, name: str) -> int:
+        rows = np.flatnonzero(system.row_kind == LENGTH)
+        known = [system.members[i] for i in system.row_member[rows]]
+        if name not in known:
+            raise InputError(f"{name!r} is no rigid or driven member. {nearest(name, known)}".rstrip())
+        return int(rows[known.index(name)])
+
+    def __post_init__(self) -> None:
+        given = (self.rigid,) if isinstance(self.rigid, str) else tuple(self.rigid)
+        object.__setattr__(self, "rigid", given)
+        for name, k in self.stiffness.items():
+            if not (np.isfinite(k) and k > 0):
+                raise InputError(f"stiffness[{name!r}] is {k} N/m. Give a positive number, or name it in rigid.")
+            if name in given:
+                raise InputError(f"{name!r} is rigid and has a stiffness. Name it in one of them.")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Instant:
+    """The structure at an instant, on its free coordinates (n,).
+
+    x (nodes, 3) m. M, C, K sparse (n, n); G sparse (rows, n); f (rows,) m/N; load (n,) N, f_nodes - M a; N (rows,) N, the row
+    forces of the rigid structure.
+    """
+
+    balance: Balance
+    x: NDArray[np.float64]
+    M: Any
+    C: Any
+    K: Any
+    G: Any
+    f: NDArray[np.float64]
+    load: NDArray[np.float64]
+    N: NDArray[np.float64]
+
+
+def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[Instant]:
+    """The structure at every sample of forces along a motion, or of poses.
+
+    Raises
+    ------
+    InputError : forces of another model; nothing that is elastic; unknown members.
+    """
+    system = compile(model)
+    if not isinstance(forces, Forces) or list(forces.arrays["member"].values) != list(system.members):
+        raise InputError("The forces belong to a model with other members. Compute them for this model, by dynamics.inverse.")
+    check_motion(system, forces.motion)
+    x, v, a = (flat_positions(system, forces.motion.arrays[name].values) for name in ("position", "velocity", "acceleration"))
+    load = nodal_forces(system, forces, x)
+    shape, free = (len(x), -1, 3), system.free
+    still = bool(forces.data.attrs.get("at_rest", 0))
+    soft = softness.flexibility(system, system.x0)
+    if not (np.any(soft) or np.any(system.spring > 0)):
+        raise InputError("No member is elastic. Give sections and materials, or a stiffness for members.")
+    case = forces.load_case if forces.load_case in system.model.load_cases else None
+    gravity = loads_of(system, forces).gravity
+    times = forces.arrays["time"].values
+    if "load_time" in forces.data.attrs:
+        times = np.full(len(x), float(forces.data.attrs["load_time"]))
+    for i, (here, rate, second) in enumerate(zip(x.reshape(shape), v.reshape(shape), a.reshape(shape), strict=True)):
+        balance = replace(balance_of(system, case, None, float(times[i])), gravity=gravity)
+        N = balanced_rows(balance, here, load[i])
+        _, L, u = ends_of(system, here)
+        moving = not still and (np.any(rate) or np.any(second))
+        Ld = np.einsum("mc,mc->m", u, rate[system.q] - rate[system.p]) if moving else np.zeros_like(L)
+        more = {"v": rate, "a": second} if moving else {}
+        K, C = balance.tangents(here, N, bar_laws(system, L, Ld).tension - balance.push, **more)
+        M = mass_matrix(system, here)
+        yield Instant(
+            balance=balance,
+            x=here,
+            M=M[free][:, free],
+            C=C[free][:, free],
+            K=K[free][:, free],
+            G=constraint_jacobian(system, here)[:, free],
+            f=softness.flexibility(system, here),
+            load=load[i][free],
+            N=N,
+        )
+
+
+def modes_of(
+    here: Instant, count: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Lowest undamped modes: squares of angular frequencies (k,), shapes (n, k) of unit modal mass, M and K dense (n, n).
+
+    Nodes without mass follow without inertia: M v = mu K v with mu = 1/w^2.
+
+    Raises
+    ------
+    InputError : a structure that is not stiff: a mechanism, or buckled.
+    """
+    from scipy.linalg import LinAlgError, eigh, null_space
+
+    soft = here.f > 0
+    G = here.G.toarray()
+    K = here.K.toarray() + (G[soft].T / here.f[soft]) @ G[soft]
+    K, M = 0.5 * (K + K.T), here.M.toarray()
+    Z = null_space(G[~soft]) if np.any(~soft) else np.eye(len(K))
+    n = Z.shape[1]
+    if not n:
+        raise InputError("Nothing can move: every member is inextensible. Give members a section and a material.")
+    count = min(count, n)
+    Kz, Mz = Z.T @ K @ Z, Z.T @ M @ Z
+    try:
+        mu, shapes = eigh(Mz, Kz, subset_by_index=[n - count, n - 1])
+    except LinAlgError:
+        raise InputError(
+            "The elastic structure is not stiff in this position: it has a mechanism, or its members' forces make it unstable. "
+            "statics.buckling and kinematics.mobility say where."
+        ) from None
+    mu, shapes = mu[::-1], shapes[:, ::-1]
+    kept = mu > mu[0] * 1e-14
+    return 1.0 / mu[kept], Z @ (shapes[:, kept] / np.sqrt(mu[kept])), M, K

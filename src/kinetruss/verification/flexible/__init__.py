@@ -1,0 +1,1 @@
+"""Elastic members and actuators: frequencies, vibration, corrected drive lengths, active damping."""
