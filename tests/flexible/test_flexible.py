@@ -145,6 +145,37 @@ def test_damping_takes_the_residual_vibration_away(along):
     assert left < 0.03 * loud.attrs["residual"]
 
 
+def test_damped_vibration_and_simulation_agree_on_a_line():
+    model = two_springs()
+    move = kt.Quintic(moves={"a": (1.0, 1.02)}, duration=0.02)
+    forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, move, samples=81), static=False)
+    given = {"a": 7e6, "b": 7e6}
+    shaken = kt.flexible.vibration(model, forces, damping=0.2, stiffness=given, tolerance=1e-6)
+    run = kt.flexible.simulate(model, move, damping=2 * 0.2 / math.sqrt(7e6), stiffness=given, samples=81)
+    off = run.motion.position.values - forces.motion.position.values
+    assert np.abs(off).max() > 1e-6
+    np.testing.assert_allclose(shaken.displacement.values, off, atol=1e-6 * np.abs(off).max())
+
+
+def test_a_drive_that_is_no_elastic_length_is_told():
+    crank = kt.Model(
+        nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 1.0}},
+        fixed=("A",),
+        bars={"b": ("A", "B")},
+        section=SECTION,
+        material=kt.Material(E=70e9, density=0.0),
+        drives={"motor": kt.AngleDrive("b")},
+    )
+    with pytest.raises(kt.InputError, match="Drive 'motor' is no length of an elastic member"):
+        kt.flexible.simulate(crank, kt.Quintic(moves={"motor": (0.0, 0.1)}, duration=0.1))
+
+
+def test_poses_do_not_vibrate():
+    model = two_springs()
+    with pytest.raises(kt.InputError, match="do not vibrate"):
+        kt.flexible.vibration(model, kt.statics.at_poses(model, [{}] * 4))
+
+
 def test_the_slow_motion_gives_the_rigid_forces(along):
     """The difference is inertia of the vibration: it falls with the square of the duration at least."""
     model, _ = along

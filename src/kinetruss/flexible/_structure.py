@@ -26,6 +26,7 @@ from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces
 from kinetruss.statics.poses import loads_of, nodal_forces
+from kinetruss.statics.small import flexibility, stiff_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -42,8 +43,11 @@ class Softness:
 
     def flexibility(self, system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Of the rows (rows,), m/N, at positions x (n, 3)."""
-        i = system.row_member
-        found = np.where(system.row_kind == LENGTH, np.nan_to_num(system.compliance[i]) * ends_of(system, x, i)[1], 0.0)
+        held = stiff_rows(system)
+        bars = held.row_kind == LENGTH
+        by_member = np.zeros(len(system.members))
+        by_member[held.row_member[bars]] = flexibility(held, x)[bars]
+        found = np.where(system.row_kind == LENGTH, by_member[system.row_member], 0.0)
         for name, k in self.stiffness.items():
             found[self._row(system, name)] = 1.0 / k
         for name in self.rigid:
@@ -103,7 +107,7 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
     shape, free = (len(x), -1, 3), system.free
     still = bool(forces.data.attrs.get("at_rest", 0))
     soft = softness.flexibility(system, system.x0)
-    if not (np.any(soft) or np.any(system.spring > 0)):
+    if not (np.any(soft) or np.any(system.spring > 0) or system.continua is not None):
         raise InputError("No member is elastic. Give sections and materials, or a stiffness for members.")
     case = forces.load_case if forces.load_case in system.model.load_cases else None
     gravity = loads_of(system, forces).gravity

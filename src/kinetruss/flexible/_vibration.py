@@ -115,6 +115,8 @@ class Course:
 def _course(at: list[Instant], forces: Forces, rest: float, ratio: float) -> Course:
     from scipy.interpolate import CubicSpline
 
+    if forces.data.attrs.get("at_rest", 0):
+        raise InputError("Poses at rest do not vibrate. Give the forces of a motion, by dynamics.inverse.")
     t = np.asarray(forces.arrays["time"].values, float)
     if len(t) < 4:
         raise InputError(f"A vibration needs four samples at least, got {len(t)}. Take more samples of the motion.")
