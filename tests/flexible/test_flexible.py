@@ -257,6 +257,7 @@ def test_feedback_counts_motions_without_mass():
         (lambda m, f: kt.flexible.vibration(m, f, rest=-1.0), "rest"),
         (lambda m, f: kt.flexible.corrected(m, f, ("N7", "N8.z")), "4 coordinates cannot be held by 3 drives"),
         (lambda m, f: kt.flexible.corrected(m, f, "N1.x"), "do not move 'N1.x'"),
+        (lambda m, f: kt.flexible.corrected(m, f, ("N7.z", "N7.x", "N9.x")), "do not move 'N[79].x' independently"),
         (lambda m, f: kt.flexible.corrected(m, f, "N7.z", drives="M1"), "'M1' is no driven length"),
         (lambda m, f: kt.flexible.active_damping(m, f, -1.0), "0 or more"),
         (lambda m, f: kt.flexible.active_damping(m, f, 1.0, sample=101), "samples 0 to 100"),
@@ -281,3 +282,12 @@ def test_a_crane_that_is_too_soft_is_told():
     )
     with pytest.raises(kt.AnalysisError, match="sample 1"):
         kt.flexible.corrected(model, kt.statics.at_poses(model, [{}, {"tie": 2.6, "stay": 3.2}]), ("D.x", "D.y"))
+
+
+def test_the_top_of_a_mast_has_five_freedoms_not_nine():
+    model = kt.library.vgt.double_octahedral(3, gravity=(0, 0, -9.81), payload_mass=5.0)
+    forces = kt.statics.at_poses(model, [{}, {"B1.beta": 0.1}])
+    with pytest.raises(kt.InputError, match="independently of the other coordinates"):
+        kt.flexible.corrected(model, forces, ("B3.N7", "B3.N8", "B3.N9"))
+    found = kt.flexible.corrected(model, forces, ("B3.N7", "B3.N8.z", "B3.N9.z"))
+    assert np.abs(found.error.values).max() < 1e-12

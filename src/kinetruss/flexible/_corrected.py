@@ -27,8 +27,14 @@ __all__ = ["Corrected", "corrected"]
 STEPS = 40
 """Newton's steps at most."""
 
+UNMOVED = 1e-5
+"""Singular value of the motion of coordinates by drives, as a fraction of the largest: below, only elasticity moves them."""
+
 CLOSE = 1e-13
 """Size of the last step, as a fraction of the size of the structure."""
+
+ROUND_OFF = 1e-8
+"""Below this fraction, a step that is no longer half the one before is round-off."""
 
 
 class Corrected(Result):
@@ -129,7 +135,7 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
     start = row_values(system, here.x)
     aim = coordinate_values(system, wanted, here.x.reshape(1, -1))[0]
     base = here.balance.applied(here.x)[free]
-    size = float(np.ptp(here.x, axis=0).max())
+    size, before = float(np.ptp(here.x, axis=0).max()), np.inf
     for step in range(1, STEPS + 1):
         G = constraint_jacobian(system, x)[:, free].toarray()
         own = bar_laws(system, ends_of(system, x)[1]).tension - here.balance.push
@@ -152,12 +158,14 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
         N = both[n:, 0] + both[n:, 1:] @ change
         x = x.copy()
         x.reshape(-1)[free] += u
-        if np.abs(u).max(initial=0.0) <= CLOSE * size:
+        moved = float(np.abs(u).max(initial=0.0)) / size
+        if moved <= CLOSE or ROUND_OFF > moved > 0.5 * before:
             error = coordinate_values(system, wanted, x.reshape(1, -1))[0] - aim
             tension = bar_laws(system, ends_of(system, x)[1]).tension
             return Found(x=x, N=N, change=change, error=error, steps=step, tension=tension)
-        if not np.all(np.isfinite(x)) or np.abs(u).max() > 10 * size:
+        if not moved < 10:
             break
+        before = moved
     raise AnalysisError(
         f"No equilibrium with corrected lengths was found at sample {sample}. The deflection is large there: stiffen the "
         "members, or correct other coordinates."
@@ -176,7 +184,7 @@ def _away(system: System, start: NDArray[np.float64], x: NDArray[np.float64]) ->
 def _refuse_unmoved(system: System, wanted: list[Coordinate], reach: NDArray[np.float64], rows: NDArray[np.int64]) -> None:
     """Refuse coordinates that the drives do not move, or not independently."""
     u, s, _ = np.linalg.svd(reach)
-    if s.min() > 1e-9 * max(float(s.max()), 1e-300) and s.max() > 0:
+    if s.min() > UNMOVED * s.max():
         return
     named = wanted[int(np.abs(u[:, -1]).argmax())].name
     drives = ", ".join(system.drives[d] for d in system.row_drive[rows])

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.sparse import diags_array
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
@@ -31,7 +32,7 @@ from kinetruss.statics.small import flexibility, stiff_rows
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Instant", "Softness", "instants_of", "modes_of"]
+__all__ = ["Instant", "Softness", "elastic_stiffness", "instants_of", "modes_of"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -136,6 +137,13 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
         )
 
 
+def elastic_stiffness(here: Instant) -> NDArray[np.float64]:
+    """G^T f^-1 G of the rows that are elastic, dense (n, n), N/m."""
+    soft = np.flatnonzero(here.f > 0)
+    G = here.G[soft]
+    return np.asarray((G.T @ diags_array(1.0 / here.f[soft]) @ G).toarray())
+
+
 def modes_of(
     here: Instant, count: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
@@ -149,16 +157,15 @@ def modes_of(
     """
     from scipy.linalg import LinAlgError, eigh, null_space
 
-    soft = here.f > 0
-    G = here.G.toarray()
-    K = here.K.toarray() + (G[soft].T / here.f[soft]) @ G[soft]
-    K, M = 0.5 * (K + K.T), here.M.toarray()
-    Z = null_space(G[~soft]) if np.any(~soft) else np.eye(len(K))
-    n = Z.shape[1]
+    hard = here.f == 0
+    K, M = elastic_stiffness(here) + here.K.toarray(), here.M.toarray()
+    K = 0.5 * (K + K.T)
+    Z = null_space(here.G[np.flatnonzero(hard)].toarray()) if np.any(hard) else None
+    n = len(K) if Z is None else Z.shape[1]
     if not n:
         raise InputError("Nothing can move: every member is inextensible. Give members a section and a material.")
     count = min(count, n)
-    Kz, Mz = Z.T @ K @ Z, Z.T @ M @ Z
+    Kz, Mz = (K, M) if Z is None else (Z.T @ K @ Z, Z.T @ M @ Z)
     try:
         mu, shapes = eigh(Mz, Kz, subset_by_index=[n - count, n - 1])
     except LinAlgError:
@@ -168,4 +175,5 @@ def modes_of(
         ) from None
     mu, shapes = mu[::-1], shapes[:, ::-1]
     kept = mu > mu[0] * 1e-14
-    return 1.0 / mu[kept], Z @ (shapes[:, kept] / np.sqrt(mu[kept])), M, K
+    found = shapes[:, kept] / np.sqrt(mu[kept])
+    return 1.0 / mu[kept], found if Z is None else Z @ found, M, K

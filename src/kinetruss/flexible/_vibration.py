@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.flexible._structure import Instant, Softness, instants_of, modes_of
+from kinetruss.flexible._structure import Instant, Softness, elastic_stiffness, instants_of, modes_of
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, ends_of
 from kinetruss.mechanics.assembly import bar_laws
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 __all__ = ["Vibration", "settled_of", "vibration"]
 
-FIRST = 20
+FIRST = 8
 """Steps within a period of the lowest mode that are tried first."""
 
-MOST = 400_000
-"""Steps at most."""
+MOST = 100_000
+"""Steps at most, of one integration."""
 
 SPECTRAL = 0.8
 """Spectral radius of generalised-alpha where members are inextensible; 1 (the trapezoidal rule) where none is."""
@@ -70,7 +70,7 @@ def vibration(
     Raises
     ------
     InputError : as in `frequencies`; a rest after a motion that does not end at rest; too few samples.
-    AnalysisError : the tolerance is not reached within 400,000 steps; ``error.result`` is the best answer.
+    AnalysisError : the tolerance is not reached within 100,000 steps; ``error.result`` is the best answer.
 
     Notes
     -----
@@ -209,9 +209,8 @@ def _path(course: Course, parts: int) -> tuple[NDArray[np.float64], NDArray[np.f
 def _dense(here: Instant, delay: float) -> tuple[NDArray[np.float64], ...]:
     """M, C, K, G, f as arrays; C with damping that is proportional to the stiffness."""
     G, K, C = here.G.toarray(), here.K.toarray(), here.C.toarray()
-    soft = here.f > 0
     if delay:
-        C = C + delay * ((G[soft].T / here.f[soft]) @ G[soft])
+        C = C + delay * elastic_stiffness(here)
     return here.M.toarray(), C, K, G, here.f
 
 
