@@ -26,7 +26,7 @@ _NAMES = {
         "Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
-        "LengthDrive LoadCase Material Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
+        "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
         "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput Trapezoid Tube "
     ),
     "io": "read write",

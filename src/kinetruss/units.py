@@ -212,10 +212,11 @@ QUANTITIES: dict[str, Quantity] = {
     "strain": _quantity("strain"),
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
+    "second rate": _quantity("m/s^2", "rad/s^2"),
 }
 
 
-_EITHER = {"coordinate": "m, or rad", "rate": "m/s, or rad/s"}
+_EITHER = {"coordinate": "m, or rad", "rate": "m/s, or rad/s", "second rate": "m/s^2, or rad/s^2"}
 
 
 def unit_of(quantity: str) -> str:
@@ -233,7 +234,7 @@ def parse(value: object, quantity: str) -> float:
 
     Returns
     -------
-    float, in the quantity's SI unit; for ``"coordinate"`` and ``"rate"`` a `Tagged` one.
+    float, in the quantity's SI unit; for ``"coordinate"``, ``"rate"`` and ``"second rate"`` a `Tagged` one.
 
     Raises
     ------
@@ -248,7 +249,7 @@ def parse(value: object, quantity: str) -> float:
     ...
     kinetruss.errors.UnitError: '5 lb' is not a force (N). Write lbf for a force: lb is a mass.
     """
-    tagged = quantity in ("coordinate", "rate")
+    tagged = quantity in _EITHER
     if tagged and isinstance(value, Tagged):
         return value if abs(value) <= LARGEST else _bounded(value, quantity, value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
@@ -284,7 +285,7 @@ def _parse_text(text: str, quantity: str) -> float:
         raise UnitError(f"{text!r} is not {_a(quantity)}: a comma in the number. {_comma(text)}")
     if not unit:
         number = _bounded(number, quantity, text)
-        return Tagged(number) if quantity in ("coordinate", "rate") else number
+        return Tagged(number) if quantity in _EITHER else number
     try:
         factor, dimension = _expression(unit)
     except UnitError as error:
@@ -293,7 +294,7 @@ def _parse_text(text: str, quantity: str) -> float:
     if dimension not in QUANTITIES[quantity].dimensions:
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
-    if quantity in ("coordinate", "rate"):
+    if quantity in _EITHER:
         return Tagged(number, "angle" if dimension[4] else "length")
     return number
 

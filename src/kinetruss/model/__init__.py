@@ -68,10 +68,12 @@ from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, Gi
 from kinetruss.model.motion.trajectories import (
     ConstantRate,
     Cyclic,
+    Measured,
     Quintic,
     Sine,
     Spline,
     StepResponse,
+    Tabulated,
     Trapezoid,
     moved_by,
 )
@@ -112,6 +114,7 @@ __all__ = [
     "LengthDrive",
     "LoadCase",
     "Material",
+    "Measured",
     "Model",
     "Motor",
     "Node",
@@ -131,6 +134,7 @@ __all__ = [
     "StepInput",
     "StepResponse",
     "TableInput",
+    "Tabulated",
     "Trapezoid",
     "Tube",
     "Catalogue",

@@ -62,6 +62,7 @@ __all__ = [
     "Resistance",
     "RotaryFrictions",
     "SecondMoment",
+    "SecondRate",
     "Series",
     "SignedTorque",
     "Span",
@@ -328,6 +329,7 @@ Number = Annotated[float, Of("number")]
 PositiveNumber = Annotated[float, Of("number", _positive)]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
+SecondRate = Annotated[float, Of("second rate")]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]
