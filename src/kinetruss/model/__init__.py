@@ -82,7 +82,7 @@ from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.parts.body_mass import body_mass
 from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
 from kinetruss.model.parts.elastic import natural_length, stiffness
-from kinetruss.model.parts.gauges import Gauge, GaugeZero
+from kinetruss.model.parts.gauges import Bridge, Gauge, GaugeZero
 from kinetruss.model.parts.joints import GROUND, Hinge, Joint
 from kinetruss.model.parts.loads import History, LoadCase, NodalForce
 from kinetruss.model.parts.members import Active, Bar, Node, Part, PlanarBody
@@ -96,6 +96,7 @@ __all__ = [
     "Body",
     "BodyCouple",
     "BodyForce",
+    "Bridge",
     "ConstantRate",
     "CoordinateDrive",
     "Cyclic",

@@ -56,6 +56,7 @@ __all__ = [
     "Point",
     "PositiveLength",
     "PositiveNumber",
+    "PositiveResistance",
     "PositiveTime",
     "Rate",
     "Record",
@@ -65,6 +66,7 @@ __all__ = [
     "SecondRate",
     "Series",
     "SignedTorque",
+    "SignedVoltage",
     "Span",
     "Speed",
     "Stiffness",
@@ -316,6 +318,7 @@ Acceleration = Annotated[float, Of("acceleration")]
 Speed = Annotated[float, Of("speed", _positive)]
 Inertia = Annotated[float, Of("moment of inertia", _not_negative)]
 Resistance = Annotated[float, Of("resistance", _not_negative)]
+PositiveResistance = Annotated[float, Of("resistance", _positive)]
 Inductance = Annotated[float, Of("inductance", _not_negative)]
 Voltage = Annotated[float, Of("voltage", _positive)]
 Current = Annotated[float, Of("current", _positive)]
