@@ -12,6 +12,7 @@ from kinetruss.runs._result import RunResult, load
 
 if TYPE_CHECKING:
     from kinetruss.runs._run import resume, run
+    from kinetruss.runs.accuracy.budget import Budget, budget
     from kinetruss.runs.accuracy.standard_errors import standard_errors
     from kinetruss.runs.blocks.forces_at import forces_at, forces_at_peak, forces_at_rest
     from kinetruss.runs.blocks.gauge_strains import gauge_strains
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
     from kinetruss.runs.many.variants import variants
 
 __all__ = [
+    "Budget",
     "RunResult",
     "VariantRuns",
+    "budget",
     "forces_at",
     "forces_at_peak",
     "forces_at_rest",
@@ -37,6 +40,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "_run": "resume run",
+        "accuracy.budget": "Budget budget",
         "accuracy.standard_errors": "standard_errors",
         "blocks.forces_at": "forces_at forces_at_peak forces_at_rest",
         "blocks.gauge_strains": "gauge_strains",

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 __all__ = ["compare_gauges", "inside"]
 
+TOLD = 0.3
+"""Smallest part of the rate of a history that is neither constant nor like it: with less, a lag looks like an offset."""
+
 _SUMMARY = {
     "offset": "mean of measured minus simulated",
     "rms": "root mean square of measured minus simulated",
@@ -37,7 +40,7 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
     -------
     Dataset. ``measured``, ``simulated``, ``difference`` (time, column), 1e-6; ``offset``, ``rms``, ``scatter`` (rms about the
     offset), ``largest`` (column), 1e-6; ``scale``: slope of measured over simulated, ``correlation`` (column), ``shift`` s: the
-    time by which the measured record lags, that of the best fit; NaN for a column that stays the same; ``largest_time`` s;
+    time by which the measured record lags, that of the best fit, NaN where offset and scale do as much; ``largest_time`` s;
     ``standard_error`` (column), 1e-6: of the means in the record, NaN for single readings.
 
     Raises
@@ -130,7 +133,9 @@ def _scale(measured: NDArray[np.float64], simulated: NDArray[np.float64]) -> NDA
 def _shift(
     times: NDArray[np.float64], simulated: NDArray[np.float64], rows: NDArray[np.float64], measured: NDArray[np.float64]
 ) -> float:
-    """The lag of a measured history, s, within a tenth of its length: that with which offset + scale x simulated fits best."""
+    """The lag of a measured history, s, within a tenth of its length: that with which offset + scale x simulated fits best;
+    NaN if it cannot be told from these.
+    """
     from scipy.interpolate import make_interp_spline
     from scipy.optimize import minimize_scalar
 
@@ -151,5 +156,10 @@ def _shift(
 
     grid = np.linspace(-span, span, 41)
     k = int(np.argmin([misfit(lag) for lag in grid]))
+    here, slope = curve(rows[inner] - grid[k]), curve(rows[inner] - grid[k], 1)
+    design = np.stack([np.ones(len(here)), here], axis=1)
+    rest = slope - design @ np.linalg.lstsq(design, slope, rcond=None)[0]
+    if np.linalg.norm(rest) < TOLD * np.linalg.norm(slope):
+        return float("nan")
     bounds = (grid[max(k - 1, 0)], grid[min(k + 1, 40)])
     return float(minimize_scalar(misfit, bounds=bounds, method="bounded", options={"xatol": 1e-6 * span}).x)

@@ -45,8 +45,9 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     -----
     At (y, z) along member axes 2 and 3: strain e = (T/A + M2 z/I2 - M3 y/I3)/E, with T and M at the gauge's own section (T is
     not the mean over the length). A gauge in the direction d reads e (cos^2 d - nu sin^2 d) + g sin d cos d, with the shear
-    strain g = tau/G of V2 and V3 along the surface: as in the stresses, exact for a thin tube. Groups by least
-    squares; three gauges 120 degrees apart: axial = their mean. Quarter bridge: output = k e/(4 + 2 k e), k the gauge factor. Set to zero at rest, at the sample nearest to a time given as zero.
+    strain g = tau/G of V2 and V3 along the surface: as in the stresses, exact for a thin tube. Groups by least squares; three
+    gauges 120 degrees apart: axial = their mean. Quarter bridge: output = k e/(4 + 2 k e), k the gauge factor. Set to zero at
+    rest, at the sample nearest to a time given as zero.
     Source: Lacy (1991, section 5.4: three gauges on M6); Window, Strain Gauge Technology (1992), for the bridge.
     """
     if not model.gauges:
