@@ -12,11 +12,11 @@ from kinetruss import dynamics, kinematics, strength
 from kinetruss.display import Table, number
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.io import set_values
-from kinetruss.kinematics.path import start_values
+from kinetruss.kinematics.path import Course, Sampled, motion_of, path_of, start_values, sweep_path
 from kinetruss.limits import whole
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.freedom import Coordinate, coordinate_values, coordinates, flat_positions
-from kinetruss.model import Measured, Model, Quintic
+from kinetruss.model import Model, Quintic
 from kinetruss.results import Result, variable
 from kinetruss.runs.accuracy.parameters import Parameter, driven_lengths, parameters
 
@@ -26,10 +26,6 @@ if TYPE_CHECKING:
 __all__ = ["Budget", "budget"]
 
 Floats = Any
-
-STEP = 1e-2
-"""s between two rows of a table whose rows are separate poses: so short that rates turn nothing far from one to the next, so
-long that accelerations keep their digits (they are second differences)."""
 
 
 class Budget(Result):
@@ -189,10 +185,7 @@ class _Job:
         return found
 
     def _at(self, model: Model, lengths: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Quantities for errors of lengths (rows, members), m, by one table of drive values."""
-        count = len(lengths)
-        if count < 4:  # the least rows of a table
-            lengths = np.concatenate([lengths, np.repeat(lengths[-1:], 4 - count, axis=0)])
+        """Quantities for errors of lengths (rows, members), m, in one sweep."""
         motion = self._motion(model, lengths)
         found = np.empty((len(lengths), len(self.kinds)))
         x = flat_positions(compile(model), motion.data["position"].values)
@@ -211,24 +204,31 @@ class _Job:
                     found[:, k] = forces.data["drive_force"].sel(drive=name)
                 elif kind == "strain" and strains is not None:
                     found[:, k] = strains["strain"].sel(gauge=name)
-        return found[:count]
+        return found
 
     def _motion(self, model: Model, lengths: NDArray[np.float64]) -> Any:
-        rows = np.arange(len(lengths)) * STEP
+        """The poses as a motion whose instants are the rows; they have nothing to do with each other."""
+        rows = np.arange(len(lengths), dtype=float)
         if not model.all_drives:
             still = np.zeros((len(rows), len(model.nodes), model.dim))
             return kinematics.from_arrays(model, rows, still + kinematics.assemble(model), still, still)
-        jets = {name: self.jets.get(name, (value, 0.0, 0.0)) for name, value in start_values(model).items()}
-        columns = {name: np.repeat(np.array(jet)[:, None], len(rows), axis=1) for name, jet in jets.items()}
+        jets = np.array([self.jets.get(name, (value, 0.0, 0.0)) for name, value in start_values(model).items()])
+        value, rate, acceleration = (np.repeat(one[None], len(rows), axis=0) for one in jets.T)
+        names = list(model.all_drives)
         for k, drive in enumerate(self.drives):
             if drive is not None:
-                columns[drive][0] += lengths[:, k]
-        fields = ("values", "rates", "accelerations")
-        table = {field: {name: tuple(jet[k]) for name, jet in columns.items()} for k, field in enumerate(fields)}
-        motion = kinematics.follow(model, Measured(times=tuple(rows), **table), times=rows, raise_on_failure=False)
-        if not motion.status.ok:
-            raise AnalysisError(f"Within the tolerances the structure cannot be assembled: {motion.message}", motion)
-        return motion
+                value[:, names.index(drive)] += lengths[:, k]
+        sampled = Sampled(drives=tuple(names), times=rows, value=value, rate=rate, acceleration=acceleration, space="lengths")
+        system = compile(model)
+        path = path_of(system, rows, sampled)
+        swept = sweep_path(system, path)
+        if not swept.status.ok:
+            raise AnalysisError(
+                "Within the tolerances the structure cannot be assembled. Give smaller tolerances, or another pose. "
+                f"(Draws are counted as times.) {swept.message}"
+            )
+        course = Course(t=rows, x=swept.x, v=swept.v, a=swept.a, drive=path.drive, gauge=swept.gauge)
+        return motion_of(system, course, sampled.space, swept.status, swept.message)
 
 
 def _offers(model: Model, place: str, kind: str) -> bool:
