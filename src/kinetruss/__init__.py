@@ -27,6 +27,7 @@ _NAMES = {
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
         "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
+        "Circle Combined Coordinates Docking Gimbal Pointing Positioning Reflecting Way "
         "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput Trapezoid Tube "
     ),
     "io": "read write",

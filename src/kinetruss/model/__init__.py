@@ -31,6 +31,7 @@ from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults
+from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -64,6 +65,18 @@ from kinetruss.model.motion.methods import (
     Taylor,
 )
 from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.targets import (
+    TARGETS,
+    Circle,
+    Combined,
+    Coordinates,
+    Docking,
+    Gimbal,
+    Pointing,
+    Positioning,
+    Reflecting,
+    Way,
+)
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold
 from kinetruss.model.motion.trajectories import (
     ConstantRate,
@@ -97,9 +110,13 @@ __all__ = [
     "BodyCouple",
     "BodyForce",
     "Bridge",
+    "Circle",
+    "Combined",
     "ConstantRate",
     "CoordinateDrive",
+    "Coordinates",
     "Cyclic",
+    "Docking",
     "DriveInput",
     "DriveLoad",
     "DriveTrain",
@@ -109,6 +126,7 @@ __all__ = [
     "GaugeZero",
     "Gear",
     "General",
+    "Gimbal",
     "GimbalPose",
     "History",
     "LeadScrew",
@@ -121,11 +139,14 @@ __all__ = [
     "Node",
     "NodalForce",
     "Part",
+    "Pointing",
     "PositionLoop",
+    "Positioning",
     "Pressure",
     "Quintic",
     "Record",
     "Rectangle",
+    "Reflecting",
     "Rod",
     "Run",
     "Safety",
@@ -138,6 +159,8 @@ __all__ = [
     "Tabulated",
     "Trapezoid",
     "Tube",
+    "Way",
+    "TARGETS",
     "Catalogue",
     "Catalogues",
     "Group",
@@ -182,6 +205,7 @@ __all__ = [
     "Membrane",
     "Orthotropic",
     "Solid",
+    "target_faults",
     "trajectory_faults",
     "Angle",
     "Count",

@@ -17,6 +17,7 @@ from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
 from kinetruss.model.checks.loads import load_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
+from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
 from kinetruss.model.motion.trajectories import moved_by
@@ -392,5 +393,7 @@ def _runs(model: ModelData) -> Iterator[Fault]:
         for index, case in enumerate(run.load_cases or ()):
             if case not in model.load_cases:
                 yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
+        if run.targets is not None:
+            yield from target_faults(model, run.targets, ("runs", name, "targets"))
         yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
         yield from event_faults(model, run.events, ("runs", name, "events"))

@@ -11,6 +11,7 @@ from kinetruss.model._record import Name, Record, Span, Whole
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.motion.events import Event
 from kinetruss.model.motion.methods import Method
+from kinetruss.model.motion.targets import Target
 from kinetruss.model.motion.tasks import Task
 from kinetruss.model.motion.trajectories import TrajectoryOrName
 from kinetruss.units import shown
@@ -30,7 +31,8 @@ class Run(Record):
 
     analysis : ``dynamics.inverse`` (motion, forces, strength, drives), ``kinematics.follow`` (motion only) or
         ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``).
-    trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...).
+    trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...); or
+        `targets`, a task of the structure (`Gimbal`, `Positioning`, `Docking` ...), which says what the drives must do.
         A simulation needs neither; its trajectory moves the drives that have no task.
     samples : number of equally spaced instants, both ends included.
     load_cases : names; None runs all of the model's, or its plain loads if it has none. A simulation has one at most; None
@@ -45,6 +47,7 @@ class Run(Record):
     analysis: Analysis = "dynamics.inverse"
     trajectory: TrajectoryOrName | None = None
     motion: str | None = None
+    targets: Target | None = None
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
     load_cases: tuple[Name, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
@@ -68,10 +71,12 @@ class Run(Record):
         for name in _SIMULATED:
             if getattr(self, name) != type(self).model_fields[name].default:
                 raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or simulate: dynamics.simulate.")
-        if (self.trajectory is None) == (self.motion is None):
-            has = "neither trajectory nor motion" if self.motion is None else "both trajectory and motion"
-            standing = f" {STANDING}" if self.motion is None else ""
-            raise ValueError(f"has {has}. Give one: trajectory, or motion (a node-history CSV).{standing}")
+        given = [name for name in ("trajectory", "motion", "targets") if getattr(self, name) is not None]
+        if len(given) != 1:
+            has = f"both {' and '.join(given)}" if given else "neither trajectory nor motion"
+            standing = "" if given else f" {STANDING}"
+            mend = "Give one: trajectory, motion (a node-history CSV), or targets (a task of the structure)."
+            raise ValueError(f"has {has}. {mend}{standing}")
         return self
 
     def _simulated(self) -> Run:
@@ -80,6 +85,10 @@ class Run(Record):
         step = getattr(self.method, "step", None)
         if step is not None and self.t_end / step > MOST_COUNT:
             raise ValueError(f"{self.t_end:g} s by steps of {step:g} s are {self.t_end / step:.0e} steps. Take longer steps.")
+        if self.targets is not None:
+            raise ValueError(
+                "has targets, which ask for a motion that a simulation computes itself. Remove them, or use dynamics.inverse."
+            )
         if self.motion is not None:
             raise ValueError(
                 "has a motion from a file, which a simulation computes itself. Remove it, or use dynamics.inverse."

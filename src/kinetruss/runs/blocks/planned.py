@@ -29,7 +29,7 @@ LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 class Plan:
     """The results to compute.
 
-    times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file.
+    times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file, or for a task.
     full : False omits results that utilisation does not need: forces at rest, section forces, motor demands.
     """
 
@@ -63,6 +63,10 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         model = model.with_(runs={**model.runs, chosen: run})
         given = kinematics.from_csv(model, str(run.motion))
         times = given.data["time"].values
+    elif run.targets is not None:
+        times = np.linspace(0.0, run.targets.duration, run.samples)
+        check_supports(model, 0.0, float(times[-1]))
+        given = kinematics.inverse(model, run.targets, times=times, raise_on_failure=False)
     else:
         times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
         check_supports(model, 0.0, float(times[-1]))

@@ -52,6 +52,8 @@ def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
     yield "analysis", f"{told.analysis}; {ANALYSES[told.analysis]}"
     if told.motion is not None:
         yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
+    elif told.targets is not None:
+        yield "task (m, rad, s)", worded(told.targets)
     elif (trajectory := run.model.trajectory_of(told)) is not None:
         yield "trajectory (m, rad, s)", worded(trajectory)
     if told.t_end is not None:
