@@ -71,7 +71,7 @@ def task_rows(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room) -> 
     for j in range(m):
         for k in range(m):
             y.s[0, k] = 1.0 if k == j else 0.0
-        gradient(plan, w, tape, y, 0, drives, o.rows, o.out)
+        gradient(plan, w, tape, y, 0, 0, drives)
         for d in range(drives.row.size):
             o.A[j, d] = o.out[0, d]
     for j in range(m):
@@ -96,6 +96,7 @@ def matrix(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, curved
                 K[d, n + j], K[n + j, d] = -o.A[j, d], o.A[j, d]
     if curved:
         _clear_first(y)
+        gradient(plan, w, tape, y, 0, 0, drives)
         for e in range(n):
             if drives.held[e] == 0:
                 _curvature(plan, w, drives, tape, o, e)
@@ -122,7 +123,7 @@ def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, e:
     y.q[1, e] = 1.0
     carry(plan, w, tape, y, 1, drives)
     forward(tape, y.x, y.p, 1, y.t)
-    gradient(plan, w, tape, y, 1, drives, o.rows, o.out)
+    gradient(plan, w, tape, y, 1, 1, drives)
     y.q[1, e] = 0.0
     for d in range(drives.row.size):
         if drives.held[d] == 0:
@@ -133,7 +134,7 @@ def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, e:
 def residual(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int) -> float:
     """Coefficient k of the equations into o.r, from the series up to k; returns the largest of the tasks'."""
     y, n, largest = o, drives.row.size, 0.0
-    gradient(plan, w, tape, y, k, drives, o.rows, o.out)
+    gradient(plan, w, tape, y, k, k, drives)
     for d in range(n):
         o.r[d] = 0.0 if drives.held[d] > 0 else drives.weight[d] * (y.q[k, d] - o.ref[k, d]) - o.out[k, d]
     for j in range(tape.tasks):
@@ -164,45 +165,57 @@ def _improved(drives: Drives, tape: Tape, o: Room, k: int) -> float:
 def corrected(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float, fresh: bool) -> bool:
     """Newton's method on drives and factors, o.q[0] and o.s[0], for the parameters o.p[0]; positions follow.
 
-    fresh : K is formed at the start; else the one at hand is used while it serves.
+    fresh : K is formed at the start; else the one at hand is used while it serves. It ends where the next step, from the share
+    that one step leaves of the one before, would be below round-off.
     """
-    y, before, good, formed = o, scale, not fresh, 0
+    before, good, formed, left = scale, not fresh, 0, 0.1
     for step in range(40):
         if not closed(plan, w, drives, o, scale, good):
             return False
         good = True
-        forward(tape, y.x, y.p, 0, y.t)
+        forward(tape, o.x, o.p, 0, o.t)
         if fresh:
             formed += 1
             if formed > 12 or matrix(plan, w, drives, tape, o, True) == 0.0:
                 return False
             fresh = False
+            forward(tape, o.x, o.p, 0, o.t)
         miss = residual(plan, w, drives, tape, o, 0)
         size = _improved(drives, tape, o, 0)
         if not size < scale:
             return False
-        if size < 1e-11 * scale and miss < 1e-9 * scale:
+        if step > 0:
+            left = max(1e-3, size / before)
+        if miss < 1e-4 * scale and (size * left < 1e-12 * scale or (size < 1e-9 * scale and left > 0.3)):
             return closed(plan, w, drives, o, scale, True)
-        fresh = step > 0 and size > 0.2 * before
+        fresh = step > 0 and left > 0.2
         before = size
     return False
 
 
 @kernel
-def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int) -> bool:
-    """Coefficient k of drives and factors, o.q[k] and o.s[k], from what is guessed there; those of the nodes follow."""
-    y, before = o, np.inf
+def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int) -> int:
+    """Coefficient k of drives and factors, o.q[k] and o.s[k], from what is guessed there; those of the nodes follow.
+
+    The lower ones belong to the present state; those below k - 1 in `mu` too. Returns the number of repetitions, 0 where they
+    do not converge.
+    """
+    before, left = np.inf, 0.1
+    forward(tape, o.x, o.p, k - 1, o.t)
+    gradient(plan, w, tape, o, k - 1, k - 1, drives)
     for step in range(25):
-        carry(plan, w, tape, y, k, drives)
-        forward(tape, y.x, y.p, k, y.t)
+        carry(plan, w, tape, o, k, drives)
+        forward(tape, o.x, o.p, k, o.t)
         residual(plan, w, drives, tape, o, k)
         size, largest = _improved(drives, tape, o, k), 1e-9
         for d in range(drives.row.size):
-            largest = larger(largest, abs(y.q[k, d]))
-        if size < 1e-12 * largest or (size < 1e-8 * largest and size > 0.3 * before):
-            carry(plan, w, tape, y, k, drives)
-            return True
-        if not size < 0.7 * before and step > 0:
-            return False
+            largest = larger(largest, abs(o.q[k, d]))
+        if step > 0:
+            left = max(1e-3, size / before)
+        if size * left < 1e-13 * largest or (size < 1e-8 * largest and left > 0.3):
+            carry(plan, w, tape, o, k, drives)
+            return step + 1
+        if step > 0 and not left < 0.7:
+            return 0
         before = size
-    return False
+    return 0

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
 from kinetruss.kernels.constraints.sums import add_sum_forces, sum_known
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
@@ -159,49 +159,60 @@ def carry(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Dri
 
 
 @kernel_inline
-def _row_series(plan: Plan, y: Room, k: int, order: int, out: F2) -> None:
-    """Gradient of the length or angle of row k by the position of B, coefficients 0 ... order into out (3, 3)."""
+def _angle_series(plan: Plan, y: Room, k: int, order: int, out: F2) -> None:
+    """Gradient n/L = (-d_y, d_x)/|d|^2 of an angle by the position of B, coefficients 0 ... order into out (3, 3)."""
     A, B = plan.A[k], plan.B[k]
-    d = between(y.x[0], A, B)
-    r0 = dot(d, d)
-    r1 = r2 = 0.0
-    e, f = between(y.x[1], A, B), between(y.x[2], A, B)
-    r1 = 2.0 * dot(d, e)
-    if order > 1:
-        r2 = 2.0 * dot(d, f) + dot(e, e)
-    if plan.kind[k] == ANGLE:
-        # n/L = (-d_y, d_x)/|d|^2, by c r = a
-        for c in range(2):
-            at, sign = 1 - c, 2.0 * c - 1.0
-            out[0, c] = sign * (y.x[0, B + at] - y.x[0, A + at]) / r0
-            out[1, c] = (sign * (y.x[1, B + at] - y.x[1, A + at]) - out[0, c] * r1) / r0
-            out[2, c] = (sign * (y.x[2, B + at] - y.x[2, A + at]) - out[0, c] * r2 - out[1, c] * r1) / r0
-        out[0, 2] = out[1, 2] = out[2, 2] = 0.0
-        return
-    # d/L with L L = r
-    L0 = math.sqrt(r0)
-    L1 = r1 / (2.0 * L0)
-    L2 = (r2 - L1 * L1) / (2.0 * L0)
-    for c in range(3):
-        out[0, c] = (y.x[0, B + c] - y.x[0, A + c]) / L0
-        out[1, c] = (y.x[1, B + c] - y.x[1, A + c] - out[0, c] * L1) / L0
-        out[2, c] = (y.x[2, B + c] - y.x[2, A + c] - out[0, c] * L2 - out[1, c] * L1) / L0
+    d, e, f = between(y.x[0], A, B), between(y.x[1], A, B), between(y.x[2], A, B)
+    r0, r1 = dot(d, d), 2.0 * dot(d, e)
+    r2 = 2.0 * dot(d, f) + dot(e, e) if order > 1 else 0.0
+    # c r = a, coefficient by coefficient
+    for c in range(2):
+        at, sign = 1 - c, 2.0 * c - 1.0
+        out[0, c] = sign * (y.x[0, B + at] - y.x[0, A + at]) / r0
+        out[1, c] = (sign * (y.x[1, B + at] - y.x[1, A + at]) - out[0, c] * r1) / r0
+        out[2, c] = (sign * (y.x[2, B + at] - y.x[2, A + at]) - out[0, c] * r2 - out[1, c] * r1) / r0
 
 
 @kernel_inline
-def _lower_orders(plan: Plan, tape: Tape, y: Room, order: int, rows: F2) -> None:
-    """Take what lower orders of mu make of y.g[order] off it; rows (3, 3) is scratch."""
+def _row_force(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> Vector:
+    """Coefficient `order` of mu times the gradient of a length, of mu below that order: u' = (d' - L' u)/L and so on."""
+    u, A, B, inverse = w.gradient[k], plan.A[k], plan.B[k], w.inverse[k]
+    e, first = between(y.x[1], A, B), y.mu[order - 1, k]
+    L1 = dot(u, e)
+    vx, vy, vz = (e[0] - L1 * u[0]) * inverse, (e[1] - L1 * u[1]) * inverse, (e[2] - L1 * u[2]) * inverse
+    if order == 1:
+        return first * vx, first * vy, first * vz
+    f, second = between(y.x[2], A, B), y.mu[0, k] * inverse
+    L2 = dot(u, f) + 0.5 * (dot(e, e) - L1 * L1) * inverse
+    return (
+        second * (f[0] - L2 * u[0] - L1 * vx) + first * vx,
+        second * (f[1] - L2 * u[1] - L1 * vy) + first * vy,
+        second * (f[2] - L2 * u[2] - L1 * vz) + first * vz,
+    )
+
+
+@kernel_inline
+def _lower_orders(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int) -> None:
+    """Take what lower orders of mu make of y.g[order] off it."""
+    rows = y.rows
     for k in range(plan.ptr[-1]):
-        if plan.kind[k] == SUM:
-            continue
-        _row_series(plan, y, k, order, rows)
         A, B = plan.A[k], plan.B[k]
-        for c in range(3):
-            force = 0.0
-            for i in range(order):
-                force += rows[order - i, c] * y.mu[i, k]
-            y.g[order, B + c] -= force
-            y.g[order, A + c] += force
+        if plan.kind[k] == LENGTH:
+            fx, fy, fz = _row_force(plan, w, y, k, order)
+            y.g[order, B] -= fx
+            y.g[order, B + 1] -= fy
+            y.g[order, B + 2] -= fz
+            y.g[order, A] += fx
+            y.g[order, A + 1] += fy
+            y.g[order, A + 2] += fz
+        elif plan.kind[k] == ANGLE:
+            _angle_series(plan, y, k, order, rows)
+            for c in range(2):
+                force = 0.0
+                for i in range(order):
+                    force += rows[order - i, c] * y.mu[i, k]
+                y.g[order, B + c] -= force
+                y.g[order, A + c] += force
     if plan.sum_row.size == 0:
         return
     _clear(y.back, order)
@@ -241,10 +252,10 @@ def _back(plan: Plan, w: Workspace, y: Room, order: int) -> None:
 
 
 @kernel
-def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Drives, rows: F2, out: F2) -> None:
-    """Derivatives of y.s . (results of tasks) by the drives, coefficients 0 ... order, into out (3, drives).
+def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int, drives: Drives) -> None:
+    """Derivatives of y.s . (results of tasks) by the drives, coefficients low ... order, into y.out (3, drives).
 
-    y.x, y.t up to `order`; w : factors at y.x[0]; rows (3, 3) is scratch.
+    y.x, y.t up to `order`, y.mu below `low`; w : factors at y.x[0].
     """
     _clear(y.g, order)
     _clear(y.back, order)
@@ -252,9 +263,9 @@ def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: 
         for k in range(order + 1):
             y.back[k, tape.out[j]] += y.s[k, j]
     backward(tape, order, y.t, y.back, y.quotient, y.g)
-    for k in range(order + 1):
+    for k in range(low, order + 1):
         if k > 0:
-            _lower_orders(plan, tape, y, k, rows)
+            _lower_orders(plan, w, tape, y, k)
         _back(plan, w, y, k)
         for d in range(drives.row.size):
-            out[k, d] = y.mu[k, drives.row[d]] if drives.row[d] >= 0 else y.g[k, drives.flat[d]]
+            y.out[k, d] = y.mu[k, drives.row[d]] if drives.row[d] >= 0 else y.g[k, drives.flat[d]]

@@ -18,6 +18,8 @@ __all__ = ["DONE", "FAST", "STUCK", "Given", "Tracked", "track"]
 
 DONE, STUCK, FAST = 0, 1, 2
 """How a path ended: at its end; where the next sample cannot be reached; where rates are not bounded."""
+AGE = 12
+"""Samples for which K serves at least."""
 
 
 class Given(NamedTuple):
@@ -177,8 +179,14 @@ def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale
     if at >= 0:
         drives.held[at] = how
         return True
+    for d in range(drives.row.size):
+        if drives.held[d] == 1 or drives.held[d] == 2:
+            at = d
+    if at < 0:
+        return False
+    at = -1
     # w (q - r) - A^T s of a drive at a bound: the sum would fall with a step inwards
-    gradient(plan, w, tape, y, 0, drives, o.rows, o.out)
+    gradient(plan, w, tape, o, 0, 0, drives)
     worst = 1e-9 * scale
     for d in range(drives.row.size):
         if drives.held[d] == 1 or drives.held[d] == 2:
@@ -194,22 +202,21 @@ def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale
 
 @kernel
 def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked, i: int) -> int:
-    """Rates of sample i; DONE or FAST."""
-    n, m, y = drives.row.size, tape.tasks, o
+    """Rates of sample i; how often their equations were repeated, 0 where they do not converge."""
+    n, m, y, repeated = drives.row.size, tape.tasks, o, 0
     for attempt in range(2):
-        good = True
         if attempt == 1:
             matrix(plan, w, drives, tape, o, True)
         _load(o, given, i, 1.0)
         for k in range(1, 3):
-            if good:
+            if k == 1 or repeated > 0:
                 _guess_rate(given, o, out, i, k, n, m)
                 _stand(drives, o)
-                good = rates(plan, w, drives, tape, o, k)
-        if good:
+                repeated = rates(plan, w, drives, tape, o, k)
+        if repeated > 0:
             break
-    if not good:
-        return FAST
+    if repeated == 0:
+        return 0
     for k in range(3):
         for c in range(y.x.shape[1]):
             out.x[k, i, c] = y.x[k, c]
@@ -217,7 +224,7 @@ def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given:
             out.z[k, i, c] = y.q[k, c] if c < n else y.s[k, c - n]
     for d in range(n):
         out.held[i, d] = drives.held[d]
-    return DONE
+    return repeated
 
 
 @kernel
@@ -226,7 +233,7 @@ def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, scale: 
 
     Returns how it ended, and the number of good samples. scale : shortest bar, m. `drives.held` is kept up to date.
     """
-    n, m, w = drives.row.size, tape.tasks, workspace(plan)
+    n, m, w, repeated, formed = drives.row.size, tape.tasks, workspace(plan), 0, 0
     for b in range(o.sign.size):
         o.sign[b] = 0.0
     for i in range(given.t.size):
@@ -236,7 +243,10 @@ def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, scale: 
         elif i > 1:
             _guess(given, o, out, i, n, m)
         _stand(drives, o)
-        good = corrected(plan, w, drives, tape, o, scale, i == 0)
+        # K is formed anew where it has become slow
+        fresh = i == 0 or (repeated > 2 and i > formed + AGE)
+        formed = i if fresh else formed
+        good = corrected(plan, w, drives, tape, o, scale, fresh)
         if not good and i > 0:
             good = _walked(plan, w, drives, tape, o, given, out, i, scale)
         for _ in range(2 * n):
@@ -249,6 +259,7 @@ def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, scale: 
                 good = corrected(plan, w, drives, tape, o, scale, True)
         if not good:
             return STUCK, i
-        if _moved(plan, w, drives, tape, o, given, out, i) != DONE:
+        repeated = _moved(plan, w, drives, tape, o, given, out, i)
+        if repeated == 0:
             return FAST, i
     return DONE, given.t.size
