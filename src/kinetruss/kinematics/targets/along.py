@@ -13,6 +13,7 @@ from kinetruss.kinematics.path.follow import Swept, course_at
 from kinetruss.kinematics.path.in_between import REFINED, halved
 from kinetruss.kinematics.path.motion import Course
 from kinetruss.kinematics.targets.courses import parameters_of
+from kinetruss.kinematics.targets.objectives import KNOTTED, reference_along
 from kinetruss.kinematics.targets.solve import MET, Problem, State, followed, problem
 from kinetruss.mechanics import System
 from kinetruss.model import Combined, Coordinates, Gimbal, Way
@@ -21,7 +22,7 @@ from kinetruss.results import Status
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["asked_for", "first_state", "nearest_text", "tasks_course"]
+__all__ = ["asked_for", "cannot", "choice_of", "divided", "first_state", "nearest_text", "tasks_course"]
 
 RANK = 1e-7
 """Singular value of the derivatives of tasks, as a share of the largest, below which their drives cannot do one of them."""
@@ -45,11 +46,12 @@ def choice_of(targets: Any) -> Any:
 def tasks_course(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[Course, Swept]:
     """The histories that do tasks at the instants t (s,) s, and how they ended."""
     targets, wanted = divided(system, targets)
-    given = problem(system, targets, choice_of(targets))
+    choice = choice_of(targets)
+    given = problem(system, targets, choice)
     readings = given.tasks.start(given.begin.x)
     dense = t
     for _ in range(REFINED):
-        found, drives, notes = _swept(given, readings, dense)
+        found, drives, notes = _swept(given, choice, readings, dense)
         finer = halved(system, found.x, found.v, dense)
         if len(finer) == len(dense):
             break
@@ -60,11 +62,16 @@ def tasks_course(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[
     return course_at(dense, t, found, drives), found
 
 
-def _swept(given: Problem, readings: Any, t: NDArray[np.float64]) -> tuple[Swept, Any, str]:
+def _swept(given: Problem, choice: Any, readings: Any, t: NDArray[np.float64]) -> tuple[Swept, Any, str]:
     """The sweep along the drives that do the tasks at t (s,); drives; what is to be said."""
     parameters = parameters_of(given.tasks, readings, t)
     state = first_state(given, parameters[0, 0], float(t[0]))
-    reason, good, out = given.track(t, parameters, state)
+    reference, objective = None, choice.objective
+    if objective in KNOTTED:
+        reference, state = reference_along(given, t, parameters, state, objective)
+        given = replace(given, reference=reference[0, 0].copy())
+        state = first_state(given, parameters[0, 0], float(t[0]), state)
+    reason, good, out = given.track(t, parameters, state, reference)
     d = len(given.reference)
     drives = tuple(np.ascontiguousarray(scale * out.z[k, :good, :d]) for k, scale in enumerate((1.0, 1.0, 2.0)))
     if good == 0:
@@ -76,22 +83,22 @@ def _swept(given: Problem, readings: Any, t: NDArray[np.float64]) -> tuple[Swept
     if reason == warm.DONE:
         return found, drives, notes
     last = State(x=out.x[0, good - 1], q=drives[0][-1], s=out.z[0, good - 1, d:], miss=np.zeros(given.tape.tasks))
-    status, why = _ended(given, last, parameters[0, good], t, good)
+    status, why = _ended(given, last, parameters[0], t, good)
     return replace(found, status=status, message=f"{why} The motion is good up to t = {t[good - 1]:g} s."), drives, notes
 
 
-def first_state(given: Problem, parameters: NDArray[np.float64], t: float) -> State:
+def first_state(given: Problem, parameters: NDArray[np.float64], t: float, start: State | None = None) -> State:
     """The state in which a motion begins: the tasks are met, and the drives are the best.
 
     Raises
     ------
     InputError : out of reach, or tasks of which the drives cannot do one to first order.
     """
-    state, names = given.begin, [asked.name for asked in given.tasks.asked]
+    state, names = start or given.begin, [asked.name for asked in given.tasks.asked]
     c, A = given.linear(state, parameters)
     beyond = np.any((state.q < given.drives.lower - 1e-9) | (state.q > given.drives.upper + 1e-9))
     if np.abs(c).max() > 1e-12 * given.scale or beyond or np.any(given.reference != state.q):
-        state = given.reach(parameters)
+        state = given.reach(parameters, state)
         if state.far > MET * given.scale:
             if lacking := cannot(given, A):
                 raise InputError(f"{lacking} {nearest_text(given, state, parameters)}")
@@ -132,7 +139,8 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     each = zip(given.tasks.asked, found, wanted, strict=True)
     said = [f"{asked.name} {value:.9g} (wanted {want:.9g})" for asked, value, want in each
             if np.isfinite(want) and abs(value - want) > 1e-9]  # fmt: skip
-    at = [name for name, held in zip(given.system.drives, given.drives.held, strict=True) if held in (1, 2)]
+    ends = np.minimum(np.abs(state.q - given.drives.lower), np.abs(state.q - given.drives.upper)) < 1e-9
+    at = [name for name, there in zip(given.system.drives, ends, strict=True) if there]
     edge = f" At the ends of their strokes: {', '.join(at)}." if at else ""
     return f"The nearest pose has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} Ask for less, or give longer strokes."
 
@@ -161,15 +169,17 @@ def _stuck(given: Problem, state: State, parameters: NDArray[np.float64]) -> str
     return cannot(given, A) or f"the task is off by {np.abs(c).max():.3g} m and does not come nearer."
 
 
-def _ended(given: Problem, last: State, parameters: Any, t: NDArray[np.float64], good: int) -> tuple[Status, str]:
-    """Why a path ended behind a good state."""
+def _ended(given: Problem, last: State, asked: Any, t: NDArray[np.float64], good: int) -> tuple[Status, str]:
+    """Why a path of parameters asked (times, p) ended behind a good state."""
+    parameters, final = asked[good], asked[-1]
     _, A = given.linear(last, parameters)
     free = (given.drives.held == 0)[None, :]
     sizes = np.linalg.svd(np.where(free, A, 0.0), compute_uv=False)
     when = f"between t = {t[good - 1]:g} s and {t[good]:g} s"
     nearest = given.reach(parameters, last)
     if nearest.far > MET * given.scale:
-        return Status.OUT_OF_REACH, f"The task gets out of reach {when}. {nearest_text(given, nearest, parameters)}"
+        end = given.reach(final, nearest, tries=2)
+        return Status.OUT_OF_REACH, f"The task gets out of reach {when}. Of its end: {nearest_text(given, end, final)}"
     left, _, _ = np.linalg.svd(A)
     worst = given.tasks.labels[int(np.argmax(np.abs(left[:, -1])))]
     return Status.SINGULAR, (

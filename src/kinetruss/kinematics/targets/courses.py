@@ -15,7 +15,7 @@ from kinetruss.kinematics.path.sample import sample_profile
 from kinetruss.kinematics.targets.programs import Asked, Tasks, moved
 from kinetruss.model import TRAJECTORY_TASKS, Way
 
-__all__ = ["course_of", "parameters_of"]
+__all__ = ["at_values", "course_of", "parameters_of"]
 
 Floats = Any
 Law = tuple[Floats, Floats, Floats]
@@ -183,3 +183,17 @@ def _called(given: Callable[[Any], Any], name: str, t: float) -> Any:
     if not np.all(np.isfinite(value)):
         raise InputError(f"The course of {name!r} is {value} at t = {t:g} s. It must be finite over the whole motion.")
     return value
+
+
+def at_values(tasks: Tasks, values: Floats) -> Floats:
+    """Parameters (poses, p) of coordinates that have given values (poses, asked)."""
+    columns: list[Floats] = []
+    for k, asked in enumerate(tasks.asked):
+        if asked.rotation < 0:
+            columns.append(values[:, k])
+        elif asked.rotation == 2:
+            still = np.zeros((3, 3, len(values)))
+            still[:, 0] = values[:, k - 2 : k + 1].T
+            R = _rotation(*still)[0]
+            columns += [R[:, i, j] for i in range(3) for j in range(3)]
+    return np.ascontiguousarray(np.stack(columns, axis=1))

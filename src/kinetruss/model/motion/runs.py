@@ -11,7 +11,7 @@ from kinetruss.model._record import Name, Record, Span, Whole
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.motion.events import Event
 from kinetruss.model.motion.methods import Method
-from kinetruss.model.motion.targets import Target
+from kinetruss.model.motion.targets import Combined, Target
 from kinetruss.model.motion.tasks import Task
 from kinetruss.model.motion.trajectories import TrajectoryOrName
 from kinetruss.units import shown
@@ -72,6 +72,8 @@ class Run(Record):
             if getattr(self, name) != type(self).model_fields[name].default:
                 raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or simulate: dynamics.simulate.")
         given = [name for name in ("trajectory", "motion", "targets") if getattr(self, name) is not None]
+        if self.targets is not None and _timed(self.targets):
+            raise ValueError("has targets with a function of time, which no file can hold. Give way points, or a spline.")
         if len(given) != 1:
             has = f"both {' and '.join(given)}" if given else "neither trajectory nor motion"
             standing = "" if given else f" {STANDING}"
@@ -96,3 +98,10 @@ class Run(Record):
         if self.load_cases is not None and len(self.load_cases) > 1:
             raise ValueError(f"has {len(self.load_cases)} load cases; a simulation has one motion. Make one run for each.")
         return self
+
+
+def _timed(target: Any) -> bool:
+    """True if a task has a course that is a function of time."""
+    if isinstance(target, Combined):
+        return any(_timed(task) for task in target.tasks)
+    return any(callable(course) for course in getattr(target, "moves", {}).values())

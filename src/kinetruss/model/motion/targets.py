@@ -84,8 +84,6 @@ def _course(value: Any) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    if callable(value):
-        raise ValueError("A function of time cannot be written to a file. Give way points, or a spline through a table.")
     return value.model_dump() if isinstance(value, Record) else value
 
 
