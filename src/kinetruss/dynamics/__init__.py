@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.prescribed.quickest import Quickest, quickest
 
 __all__ = [
-    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared", "Quickest",
-    "Term", "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "not_on_bars",
-    "prepare", "quickest", "reduced_equations", "simulate",
+    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared",
+    "Quickest", "Term", "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "linearise",
+    "newton_euler", "not_on_bars", "prepare", "quickest", "reduced_equations", "simulate",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(

@@ -112,6 +112,7 @@ class Problem:
     def track(self, t: NDArray[np.float64], parameters: NDArray[np.float64], start: State, reference: Any = None) -> Any:
         """`kernels.tasks.track` from a start that meets the first sample; reference (3, times, d) Taylor coefficients."""
         n, d = len(t), len(self.reference)
+        self.drives.held[self.drives.held != 3] = 0
         ref = np.zeros((3, n, d))
         ref[0] = self.reference
         supports = np.zeros((3, n, len(self.plan.moving)))
