@@ -23,12 +23,16 @@ AGE = 12
 
 
 class Given(NamedTuple):
-    """Instants t (times,), s; Taylor coefficients (3, times, ...) of parameters, of the reference of drives, of supports."""
+    """Instants t (times,), s; Taylor coefficients (3, times, ...) of parameters, of the reference of drives, of supports.
+
+    scale : shortest bar, m.
+    """
 
     t: np.ndarray
     parameters: np.ndarray
     reference: np.ndarray
     moving: np.ndarray
+    scale: float
 
 
 class Tracked(NamedTuple):
@@ -135,9 +139,7 @@ def _back_to(o: Room, out: Tracked, i: int, n: int, m: int) -> None:
 
 
 @kernel
-def _walked(
-    plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked, i: int, scale: float
-) -> bool:
+def _walked(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked, i: int) -> bool:
     """Sample i from sample i - 1 in steps that adapt."""
     y, n, m = o, drives.row.size, tape.tasks
     coordinates = y.x.shape[1]
@@ -151,7 +153,7 @@ def _walked(
         reach = min(1.0, done + step)
         _load(o, given, i, reach)
         _stand(drives, o)
-        if corrected(plan, w, drives, tape, o, scale, True):
+        if corrected(plan, w, drives, tape, o, given.scale, True):
             done, step = reach, 2.0 * step
             continue
         for c in range(coordinates):
@@ -228,10 +230,10 @@ def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given:
 
 
 @kernel
-def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, scale: float, out: Tracked) -> tuple[int, int]:
+def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked) -> tuple[int, int]:
     """Fill out along a path from the state in o (x[0], q[0], s[0]), which meets the first sample.
 
-    Returns how it ended, and the number of good samples. scale : shortest bar, m. `drives.held` is kept up to date.
+    Returns how it ended, and the number of good samples. `drives.held` is kept up to date.
     """
     n, m, w, repeated, formed = drives.row.size, tape.tasks, workspace(plan), 0, 0
     for b in range(o.sign.size):
@@ -246,17 +248,17 @@ def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, scale: 
         # K is formed anew where it has become slow
         fresh = i == 0 or (repeated > 2 and i > formed + AGE)
         formed = i if fresh else formed
-        good = corrected(plan, w, drives, tape, o, scale, fresh)
+        good = corrected(plan, w, drives, tape, o, given.scale, fresh)
         if not good and i > 0:
-            good = _walked(plan, w, drives, tape, o, given, out, i, scale)
+            good = _walked(plan, w, drives, tape, o, given, out, i)
         for _ in range(2 * n):
-            if not good or not _change(plan, w, drives, tape, o, scale):
+            if not good or not _change(plan, w, drives, tape, o, given.scale):
                 break
             if i > 0:
-                good = _walked(plan, w, drives, tape, o, given, out, i, scale)
+                good = _walked(plan, w, drives, tape, o, given, out, i)
             else:
                 _stand(drives, o)
-                good = corrected(plan, w, drives, tape, o, scale, True)
+                good = corrected(plan, w, drives, tape, o, given.scale, True)
         if not good:
             return STUCK, i
         repeated = _moved(plan, w, drives, tape, o, given, out, i)

@@ -39,11 +39,13 @@ def inverse(
     least: float = LEAST,
     raise_on_failure: bool = True,
 ) -> Motion:
-    """The motion, and with it the drive lengths, for prescribed node coordinates or a prescribed platform pose.
+    """The motion, and with it the drive lengths, for tasks of the structure.
 
     Parameters
     ----------
-    targets : a trajectory record that moves node coordinates (``"N8.x"``), or with `platform` the displacement
+    targets : a task (`Gimbal`, `Positioning`, `Reflecting`, `Docking`, `Pointing`, `Coordinates`, `Combined`), a list of them, or
+        a mapping of coordinates to trajectory records. Or a trajectory record that moves node coordinates (``"N8.x"``) or
+        other ones (``"follower.angle"``, ``"bay.beta"``), or with `platform` the displacement
         ``x, y, z`` (m) of the platform's centroid and the rotations ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch)
         Rx(roll)), both relative to its pose in the model. In the plane: ``x, y, yaw``.
     platform : names of the nodes that move as one rigid body.
@@ -55,12 +57,16 @@ def inverse(
 
     Raises
     ------
-    InputError : unknown names, or targets that do not fix the configuration. AnalysisError : as in `follow`.
+    ModelError : names of a task that the model does not have, all faults at once.
+    InputError : unknown names, targets that the drives cannot do to first order (with the rank, and the direction that they
+        lack), a start out of reach. AnalysisError : as in `follow`, or out of reach; the message has the nearest pose.
 
     Notes
     -----
-    The targets replace the drives: their coordinates are prescribed, all driven lengths and angles are released, and the same
-    sweep as in `follow` solves for the other coordinates.
+    A trajectory of as many node coordinates as the structure has freedoms replaces the drives: its coordinates are prescribed,
+    all driven lengths and angles are released, and the same sweep as in `follow` solves for the other coordinates. All else
+    is solved for the drives: those that meet the tasks and have the least objective (see `Coordinates`), by Newton's method
+    with exact rates; strokes (`Active.limits`) are kept.
     """
     system = compile(model)
     targets = task_of(system, targets, platform)

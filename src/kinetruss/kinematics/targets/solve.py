@@ -121,9 +121,9 @@ class Problem:
         if self.system.model.support_motion:
             value, rate, second = support_history(self.system, t)
             supports[0, :, own:], supports[1, :, own:], supports[2, :, own:] = value, rate, 0.5 * second
-        given = warm.Given(t, parameters, ref if reference is None else reference, supports)
+        given = warm.Given(t, parameters, ref if reference is None else reference, supports, self.scale)
         out = warm.Tracked(np.zeros((3, n, len(start.x))), np.zeros((3, n, d + self.tape.tasks)), np.zeros((n, d), np.int64))
-        reason, good = warm.track(self.plan, self.drives, self.tape, self.room(start, parameters[0, 0]), given, self.scale, out)
+        reason, good = warm.track(self.plan, self.drives, self.tape, self.room(start, parameters[0, 0]), given, out)
         return reason, good, out
 
 

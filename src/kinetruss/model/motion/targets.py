@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, Field, PlainSerializer, TypeAdapter, WithJsonSchema, field_validator, model_validator
+from pydantic import BeforeValidator, Field, PlainSerializer, TypeAdapter, WithJsonSchema, model_validator
 
 from kinetruss.model._record import Coordinate, Flag, Name, Number, Point, PositiveNumber, PositiveTime, Record, Time
 from kinetruss.model._table import ReadOnly, Table
@@ -103,11 +102,6 @@ class Circle(Record):
     axis: Direction = (0.0, 0.0, 1.0)
     turns: Number = 1.0
     rise: Coordinate = 0.0
-
-    @field_validator("axis", mode="before")
-    @classmethod
-    def _upright(cls, value: Any) -> Any:
-        return "z" if value is None else value
 
 
 class _Resolved(Record):
@@ -295,4 +289,3 @@ class Combined(_Resolved):
 Target = Annotated[_One | Combined | _Trajectory, Field(discriminator="kind")]
 """What a run's `targets` holds: a task, or a trajectory of node coordinates."""
 TARGETS = (Gimbal, Positioning, Reflecting, Docking, Pointing, Coordinates, Combined)
-Timed = Callable[[float], Any]
