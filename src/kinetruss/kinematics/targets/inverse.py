@@ -43,8 +43,8 @@ def inverse(
 
     Parameters
     ----------
-    targets : a task (`Gimbal`, `Positioning`, `Reflecting`, `Docking`, `Pointing`, `Coordinates`, `Combined`), a list of them, or
-        a mapping of coordinates to trajectory records. Or a trajectory record that moves node coordinates (``"N8.x"``) or
+    targets : a task (`Gimbal`, `Positioning`, `Reflecting`, `Docking`, `Pointing`, `Coordinates`, `Combined`), a list of them,
+        or a mapping of coordinates to trajectory records. Or a trajectory record that moves node coordinates (``"N8.x"``) or
         other ones (``"follower.angle"``, ``"bay.beta"``), or with `platform` the displacement ``x, y, z`` (m) of the platform's
         centroid and the rotations ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch) Rx(roll)), both relative to its pose in
         the model. In the plane: ``x, y, yaw``.
