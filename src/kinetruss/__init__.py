@@ -23,7 +23,7 @@ _PACKAGES = (
 _NAMES = {
     "model": (
         "Catalogue Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Joint "
-        "Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
+        "Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling Spring HingeDrive OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
         "LengthDrive LoadCase Material Model Motor Node NodalForce Part PositionLoop Pressure Quintic "

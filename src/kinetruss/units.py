@@ -212,10 +212,20 @@ QUANTITIES: dict[str, Quantity] = {
     "strain": _quantity("strain"),
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
+    "spring stiffness": _quantity("N/m", "N m/rad", "N m"),
+    "spring damping": _quantity("N s/m", "N m s/rad", "N m s"),
+    "force or moment": _quantity("N", "N m"),
 }
 
 
-_EITHER = {"coordinate": "m, or rad", "rate": "m/s, or rad/s"}
+_EITHER = {
+    "coordinate": "m, or rad",
+    "rate": "m/s, or rad/s",
+    "spring stiffness": "N/m, or N m/rad",
+    "spring damping": "N s/m, or N m s/rad",
+    "force or moment": "N, or N m",
+}
+"""Quantities of a length or of an angle: the first of their dimensions is that of a length."""
 
 
 def unit_of(quantity: str) -> str:
@@ -233,7 +243,7 @@ def parse(value: object, quantity: str) -> float:
 
     Returns
     -------
-    float, in the quantity's SI unit; for ``"coordinate"`` and ``"rate"`` a `Tagged` one.
+    float, in the quantity's SI unit; of quantities that lengths and angles have, as ``"coordinate"``, a `Tagged` one.
 
     Raises
     ------
@@ -248,7 +258,7 @@ def parse(value: object, quantity: str) -> float:
     ...
     kinetruss.errors.UnitError: '5 lb' is not a force (N). Write lbf for a force: lb is a mass.
     """
-    tagged = quantity in ("coordinate", "rate")
+    tagged = quantity in _EITHER
     if tagged and isinstance(value, Tagged):
         return value if abs(value) <= LARGEST else _bounded(value, quantity, value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
@@ -284,7 +294,7 @@ def _parse_text(text: str, quantity: str) -> float:
         raise UnitError(f"{text!r} is not {_a(quantity)}: a comma in the number. {_comma(text)}")
     if not unit:
         number = _bounded(number, quantity, text)
-        return Tagged(number) if quantity in ("coordinate", "rate") else number
+        return Tagged(number) if quantity in _EITHER else number
     try:
         factor, dimension = _expression(unit)
     except UnitError as error:
@@ -293,8 +303,8 @@ def _parse_text(text: str, quantity: str) -> float:
     if dimension not in QUANTITIES[quantity].dimensions:
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
-    if quantity in ("coordinate", "rate"):
-        return Tagged(number, "angle" if dimension[4] else "length")
+    if quantity in _EITHER:
+        return Tagged(number, "length" if dimension == QUANTITIES[quantity].dimensions[0] else "angle")
     return number
 
 

@@ -64,6 +64,7 @@ from kinetruss.model.motion.methods import (
     Taylor,
 )
 from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.springs import Spring
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold
 from kinetruss.model.motion.trajectories import (
     ConstantRate,
@@ -128,6 +129,7 @@ __all__ = [
     "Sine",
     "SineInput",
     "Spline",
+    "Spring",
     "StepInput",
     "StepResponse",
     "TableInput",

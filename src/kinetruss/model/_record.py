@@ -56,16 +56,21 @@ __all__ = [
     "Point",
     "PositiveLength",
     "PositiveNumber",
+    "PositiveRate",
     "PositiveTime",
     "Rate",
     "Record",
     "Resistance",
+    "Resisting",
     "RotaryFrictions",
     "SecondMoment",
     "Series",
     "SignedTorque",
     "Span",
     "Speed",
+    "SpringDamping",
+    "SpringForce",
+    "SpringStiffness",
     "Stiffness",
     "Stress",
     "Time",
@@ -74,6 +79,7 @@ __all__ = [
     "VelocityVector",
     "Voltage",
     "Whole",
+    "Width",
     "short_form",
 ]
 
@@ -328,6 +334,12 @@ Number = Annotated[float, Of("number")]
 PositiveNumber = Annotated[float, Of("number", _positive)]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
+PositiveRate = Annotated[float, Of("rate", _positive)]
+Width = Annotated[float, Of("coordinate", _not_negative)]
+SpringStiffness = Annotated[float, Of("spring stiffness", _not_negative)]
+SpringDamping = Annotated[float, Of("spring damping", _not_negative)]
+SpringForce = Annotated[float, Of("force or moment")]
+Resisting = Annotated[float, Of("force or moment", _not_negative)]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]

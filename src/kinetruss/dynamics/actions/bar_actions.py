@@ -16,6 +16,7 @@ from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBa
 from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics import System, compile, ends_of, kept
+from kinetruss.mechanics.assembly import spring_motions
 from kinetruss.model import NodalForce
 from kinetruss.results import Column, variable
 
@@ -103,6 +104,7 @@ def acting_along(
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
+    amounts |= _of_springs(system, x, v)
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -118,17 +120,25 @@ def mean_tension_at_rest(
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
+    amounts |= _of_springs(system, x[None], still)
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
 
+def _of_springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[tuple[str, str], NDArray[np.float64]]:
+    """Forces of springs on their coordinates, (times,) N or N m each, along x, v (times, n, 3)."""
+    if not system.springs:
+        return {}
+    return {("spring", name): force for name, force in zip(system.springs, spring_motions(system, x, v).force.T, strict=True)}
+
+
 def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
-    return action.kind in ("drive", "coupling") and not action.counted
+    return action.kind in ("drive", "coupling", "spring") and not action.counted
 
 
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mean axial force of each member by drives and couplings (times, members), N: f_A . u - (1 - s) q . u."""
+    """Mean axial force of each member by drives, couplings and springs (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):

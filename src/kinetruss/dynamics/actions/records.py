@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["GIVEN", "Acting", "Action", "Instants", "NotOnBars", "evaluate"]
 
 
-GIVEN = ("load", "body", "friction")
+GIVEN = ("load", "body", "friction", "spring")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 
@@ -36,7 +36,7 @@ GIVEN = ("load", "body", "friction")
 class Instants:
     """The input of actions: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
 
-    amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
+    amounts : of drives, couplings and springs, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
     """
 
     system: System

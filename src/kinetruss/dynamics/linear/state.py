@@ -19,6 +19,7 @@ from kinetruss.mechanics.assembly import (
     mass_matrix,
     measure_forces,
     row_tensions,
+    spring_forces,
     turning_inertia,
     turning_members,
 )
@@ -97,6 +98,8 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
     found = balance.applied(x).reshape(-1, 3)
     if not np.any(v):
         return found.reshape(-1)
+    if system.springs:
+        found += (spring_forces(system, x, v) - spring_forces(system, x)).reshape(-1, 3)
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
     more = (bar_laws(system, L, Ld).tension - bar_laws(system, L).tension)[:, None] * u

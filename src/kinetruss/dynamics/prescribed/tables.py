@@ -23,7 +23,7 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_balance, structure_of
+from kinetruss.mechanics.assembly import bar_laws, nodal_loads, spring_motions, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
@@ -103,6 +103,8 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
+    if system.springs:
+        data |= _springs(system, solved["x"], solved["v"])
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, read, loads, solved, every.drive_force)
@@ -158,6 +160,8 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 def _axes(system: System, case: str) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
+    if system.springs:
+        couplings["spring"] = list(system.springs)
     return Axes(
         couplings
         | action_coordinates(system, actions_of(system, case))
@@ -206,6 +210,15 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
+def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[str, Column]:
+    """Values of the coordinates of springs, and the forces on them."""
+    found, per = spring_motions(system, x, v), ("time", "spring")
+    return {
+        "spring_value": variable(per, found.value, "m or rad", "coordinate of the spring"),
+        "spring_force": variable(per, found.force, "N or N m", "force or torque of the spring on its coordinate"),
+    }
+
+
 def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting) -> dict[str, Column]:
     active = np.flatnonzero(system.two_rods)
     if not len(active):
@@ -249,7 +262,7 @@ def _power(
         power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
     power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
     time = ("time",)
-    resists = system.damping.any() or system.friction.any()
+    resists = system.damping.any() or system.friction.any() or system.spring_law[:, 2:4].any()
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

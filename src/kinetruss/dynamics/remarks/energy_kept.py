@@ -75,6 +75,7 @@ def _conserved(problem: Problem) -> bool:
         and not len(problem.z0)
         and not np.any(problem.eq.law[:, 2])
         and not problem.eq.pin.size
+        and not np.any(problem.eq.spring[:, 2:4])
     )
 
 

@@ -271,8 +271,9 @@ def forces_of(
         drive[d] = -left[flat] if held.prescribed[flat] else balance.force[flat]
         fixed[flat] = False
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
-    own = len(system.measures) - len(system.model.couplings)
-    mean = balance.tension(x) + tension + mean_tension_at_rest(system, x, drive, -on_measures[own:])
+    last = len(system.measures) - len(system.springs)
+    own = last - len(system.model.couplings)
+    mean = balance.tension(x) + tension + mean_tension_at_rest(system, x, drive, -on_measures[own:last])
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),

@@ -1,0 +1,246 @@
+"""Springs: laws on measures, sums of coordinate terms (constraints.terms), and what they do to nodes.
+
+With the value c of its measure and e = c - rest, taken the shortest way where c is the same after a period, a spring resists
+with F = V'(e) + R(c'), R = damping c' + friction tanh(c'/slip), and pushes the nodes with -F dc/dx. V' is preload + k s with s
+= e less what the play takes of it, or a table (s, V', V'', V) of piecewise cubics. Numbers of a spring are columns of `spring`:
+k, rest, damping, friction, slip, play, preload, period.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Vector
+from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_value
+from kinetruss.kernels.structure.equations import Equations
+from kinetruss.kernels.structure.structure import Structure
+
+__all__ = [
+    "add_spring_forces",
+    "add_springs",
+    "apply_springs",
+    "spring_balance",
+    "spring_energies",
+    "spring_histories",
+    "spring_slopes",
+    "swap_springs",
+]
+
+SMALL = 1e-6
+"""Change of a deflection, as a fraction of it, below which the mean force over it is that in its middle."""
+
+
+@kernel_bare
+def _cubic(table: F2, first: int, last: int, s: float) -> Vector:
+    """V', V'' and V of the points first:last of a table at the deflection s."""
+    low, high = first, last - 1
+    end = low if s < table[low, 0] else (high if s >= table[high, 0] else -1)
+    if end >= 0:
+        # straight on behind the last point
+        d = s - table[end, 0]
+        force, slope = table[end, 1], table[end, 2]
+        return force + slope * d, slope, table[end, 3] + force * d + 0.5 * slope * d * d
+    # bisection for the piece that holds s
+    while high - low > 1:
+        middle = (low + high) // 2
+        if table[middle, 0] <= s:
+            low = middle
+        else:
+            high = middle
+    h = table[high, 0] - table[low, 0]
+    t, f0, f1, m0, m1 = (s - table[low, 0]) / h, table[low, 1], table[high, 1], h * table[low, 2], h * table[high, 2]
+    # Hermite's cubic f0 + m0 t + a t^2 + b t^3
+    a, b = 3.0 * (f1 - f0) - 2.0 * m0 - m1, 2.0 * (f0 - f1) + m0 + m1
+    energy = table[low, 3] + h * t * (f0 + t * (m0 / 2.0 + t * (a / 3.0 + t * b / 4.0)))
+    return f0 + t * (m0 + t * (a + t * b)), (m0 + t * (2.0 * a + 3.0 * t * b)) / h, energy
+
+
+@kernel_bare
+def _elastic(s: Structure, k: int, e: float) -> Vector:
+    """V' (N or N m), V'' and V (J) of spring k at e = c - rest."""
+    play, preload = s.spring[k, 5], s.spring[k, 6]
+    deflection, free = e - min(max(e, -play), play), play > 0.0 and abs(e) <= play
+    first, last = s.spring_table_ptr[k], s.spring_table_ptr[k + 1]
+    if last > first:
+        force, slope, energy = _cubic(s.spring_table, first, last, deflection)
+    else:
+        slope = s.spring[k, 0]
+        force, energy = slope * deflection, 0.5 * slope * deflection * deflection
+    return preload + force, 0.0 if free else slope, preload * e + energy
+
+
+@kernel_inline
+def _resisting(s: Structure, k: int, rate: float) -> tuple[float, float]:
+    """R and dR/dc' of spring k."""
+    c, friction = s.spring[k, 2], s.spring[k, 3]
+    if friction == 0.0:
+        return c * rate, c
+    share = math.tanh(rate / s.spring[k, 4])
+    return c * rate + friction * share, c + friction * (1.0 - share * share) / s.spring[k, 4]
+
+
+@kernel_bare
+def _deflection(s: Structure, k: int, x: F1) -> float:
+    """e of spring k at x."""
+    value = 0.0
+    for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+        value += term_value(s.spring_kind, s.spring_at, s.spring_data, t, x)
+    return nearest_turn(value - s.spring[k, 1], s.spring[k, 7])
+
+
+@kernel_bare
+def _rate(s: Structure, k: int, x: F1, v: F1, scratch: F1) -> float:
+    """c' of spring k; the increment of c to first order where v is one."""
+    rate = 0.0
+    for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+        term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
+        rate += term_along(s.spring_at, t, scratch, v)
+    return rate
+
+
+@kernel_bare
+def _push(s: Structure, k: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
+    """f += amount dc/dx of spring k."""
+    for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+        term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
+        P, one, two = s.spring_at[t, 0], s.spring_at[t, 1], s.spring_at[t, 2]
+        for c in range(3):
+            force = amount * scratch[c]
+            f[P + c] += force
+            f[one + c] -= scratch[3] * force
+            f[two + c] -= scratch[4] * force
+
+
+@kernel
+def _add_forces(s: Structure, x: F1, v: F1, f: F1) -> None:
+    scratch = np.empty(10)
+    # -F dc/dx
+    for k in range(s.spring.shape[0]):
+        force = _elastic(s, k, _deflection(s, k, x))[0] + _resisting(s, k, _rate(s, k, x, v, scratch))[0]
+        _push(s, k, -force, x, f, scratch)
+
+
+@kernel_late(allocates=True)
+def add_spring_forces(s: Structure, x: F1, v: F1, f: F1) -> None:
+    """Add to f (3 n,) the nodal forces of springs, N."""
+    _add_forces(s, x, v, f)
+
+
+@kernel_late(allocates=True)
+def apply_springs(eq: Equations, x: F1, v: F1, f: F1) -> None:
+    """`add_spring_forces` for the equations of motion: a late kernel takes one kind of record."""
+    _add_forces(eq, x, v, f)
+
+
+@kernel_late
+def spring_energies(s: Equations, x: F1) -> float:
+    """Energy stored in all springs, J."""
+    energy = 0.0
+    for k in range(s.spring.shape[0]):
+        energy += _elastic(s, k, _deflection(s, k, x))[2]
+    return energy
+
+
+@kernel_late(allocates=True)
+def spring_balance(s: Structure, x: F1, v: F1, out: F1) -> None:
+    """Energy (J) of all springs, its rate (W) and what their damping and friction take (W), added to out (3,)."""
+    scratch = np.empty(10)
+    # V, V' c', R c'
+    for k in range(s.spring.shape[0]):
+        rate = _rate(s, k, x, v, scratch)
+        force, _, energy = _elastic(s, k, _deflection(s, k, x))
+        out[0] += energy
+        out[1] += force * rate
+        out[2] += _resisting(s, k, rate)[0] * rate
+
+
+@kernel
+def spring_histories(s: Structure, x: F2, v: F2, out: Floats) -> None:
+    """e, the generalised force -F on the measure (N or N m) and V (J) along x, v (times, 3 n) into out (3, times, springs).
+
+    v : or one row for all times.
+    """
+    scratch = np.empty(10)
+    for i in range(x.shape[0]):
+        for k in range(s.spring.shape[0]):
+            e = _deflection(s, k, x[i])
+            force, _, energy = _elastic(s, k, e)
+            resisting, _ = _resisting(s, k, _rate(s, k, x[i], v[min(i, v.shape[0] - 1)], scratch))
+            out[0, i, k], out[1, i, k], out[2, i, k] = e, -force - resisting, energy
+
+
+@kernel
+def spring_slopes(s: Structure, x: F1, v: F1, out: F2) -> None:
+    """F, dF/dc and dF/dc' of every spring at x, v (3 n,) into out (springs, 3)."""
+    scratch = np.empty(10)
+    for k in range(s.spring.shape[0]):
+        force, slope, _ = _elastic(s, k, _deflection(s, k, x))
+        resisting, damping = _resisting(s, k, _rate(s, k, x, v, scratch))
+        out[k, 0], out[k, 1], out[k, 2] = force + resisting, slope, damping
+
+
+@kernel_bare
+def _mean_force(s: Structure, k: int, e0: float, e1: float) -> float:
+    """(V(e1) - V(e0))/(e1 - e0)."""
+    if s.spring[k, 5] == 0.0 and s.spring_table_ptr[k + 1] == s.spring_table_ptr[k]:
+        return s.spring[k, 6] + 0.5 * s.spring[k, 0] * (e0 + e1)
+    if abs(e1 - e0) <= SMALL * (abs(e0) + abs(e1)):
+        return _elastic(s, k, 0.5 * (e0 + e1))[0]
+    return (_elastic(s, k, e1)[2] - _elastic(s, k, e0)[2]) / (e1 - e0)
+
+
+@kernel_late(allocates=True)
+def swap_springs(s: Equations, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:
+    """Replace the forces of springs at (xe, ve), the middle of a step from x0 to x1, in f by those that keep the energy.
+
+    A discrete gradient (Gonzalez, J. Nonlinear Sci. 6 (1996) 449): the mean force over the step times dc/dx in its middle,
+    lengthened so that its product with x1 - x0 is the change of c. It keeps the momenta, as its direction is that of dc/dx.
+    """
+    scratch = np.empty(10)
+    for k in range(s.spring.shape[0]):
+        first = _rate(s, k, xe, ve, scratch)
+        kept = _elastic(s, k, _deflection(s, k, xe))[0] + _resisting(s, k, first)[0]
+        e0 = _deflection(s, k, x0)
+        change = nearest_turn(_deflection(s, k, x1) - e0, s.spring[k, 7])
+        # change of c to first order, and what it lacks; where c turns back, as much of it as stays continuous
+        along = first * h
+        lacking = change - along
+        more = 0.0
+        if abs(along) >= 10.0 * abs(lacking):
+            more = lacking / along if along != 0.0 else 0.0
+        else:
+            more = along / (100.0 * lacking)
+        force = _mean_force(s, k, e0, e0 + change) + _resisting(s, k, change / h)[0]
+        _push(s, k, kept - (1.0 + more) * force, xe, f, scratch)
+
+
+@kernel_late(allocates=True)
+def add_springs(s: Equations, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
+    """Add beta V'' + gamma dR/dc' times g g^T, g = dc/dx, to the lower triangle of a matrix in value.
+
+    at (springs, w w) : places of the entries between the w coordinates that a spring has at most, in their order in
+    spring_local. The curvature of c is left out, as that of sums is: iterations mend it.
+    """
+    w = int(math.sqrt(float(at.shape[1])) + 0.5)
+    scratch, g = np.empty(10), np.empty(w)
+    for k in range(s.spring.shape[0]):
+        rate = 0.0
+        for i in range(w):
+            g[i] = 0.0
+        # dc/dx in the order of the nodes of the spring
+        for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+            term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
+            rate += term_along(s.spring_at, t, scratch, v)
+            P, one, two = 3 * s.spring_local[t, 0], 3 * s.spring_local[t, 1], 3 * s.spring_local[t, 2]
+            for c in range(3):
+                g[P + c] += scratch[c]
+                g[one + c] -= scratch[3] * scratch[c]
+                g[two + c] -= scratch[4] * scratch[c]
+        size = beta * _elastic(s, k, _deflection(s, k, x))[1] + gamma * _resisting(s, k, rate)[1]
+        for i in range(w):
+            for j in range(i + 1):
+                value[at[k, w * i + j]] += size * g[i] * g[j]

@@ -1,0 +1,94 @@
+"""Springs in the equations: their values, forces and energies along a motion, their tangents as sparse matrices."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array
+
+from kinetruss.kernels.constraints.springs import add_spring_forces, spring_histories, spring_slopes
+from kinetruss.mechanics.assembly.tables import structure_of
+from kinetruss.mechanics.structure.hessians import measure_hessian
+from kinetruss.mechanics.structure.measures import measure_flats, measure_gradients
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics import System
+
+__all__ = ["SpringHistories", "spring_forces", "spring_gradients", "spring_laws", "spring_motions", "spring_tangents"]
+
+
+class SpringHistories(NamedTuple):
+    """value of the coordinate (m or rad), force on it (N or N m), energy (J), all (times, springs).
+
+    An angle is told within half a turn of the rest.
+    """
+
+    value: NDArray[np.float64]
+    force: NDArray[np.float64]
+    energy: NDArray[np.float64]
+
+
+def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
+    """The springs along x, v (times, n, 3) or flat; without v at rest. A positive force raises the coordinate."""
+    place, rate = (
+        np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros(system.x0.size) if v is None else v)
+    )
+    found = np.empty((3, len(place), len(system.springs)))
+    spring_histories(structure_of(system), place, rate, found)
+    return SpringHistories(found[0] + system.spring_law[:, 1], found[1], found[2])
+
+
+def spring_forces(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Forces of springs on the nodes (3 n,), N, at x, v (n, 3); without v at rest."""
+    found = np.zeros(system.x0.size)
+    if system.springs:
+        place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros_like(found) if v is None else v))
+        add_spring_forces(structure_of(system), place, rate, found)
+    return found
+
+
+def spring_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Resistance F, dF/dc and dF/dc' of each spring (springs, 3) at x, v (n, 3)."""
+    found = np.zeros((len(system.springs), 3))
+    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(system.x0.size) if v is None else v))
+    spring_slopes(structure_of(system), place, rate, found)
+    return found
+
+
+def spring_gradients(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """dc/dx (springs, 3 n) at x (n, 3)."""
+    return np.array([measure_gradients(system, m, x[None])[0] for m in system.spring_measure]).reshape(-1, system.x0.size)
+
+
+def spring_tangents(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, law: NDArray[np.float64]
+) -> tuple[Any, Any]:
+    """K and C (3 n, 3 n), N/m and N s/m: minus the derivatives of the forces -F g by x and by v, both (n, 3).
+
+    law (springs, 3) : F, dF/dc and dF/dc'. g, H : gradient and Hessian of c, so that C = dF/dc' g g^T and
+    K = dF/dc g g^T + F H + dF/dc' g (H v)^T.
+    """
+    rows: list[Any] = [np.zeros(0, np.int64)]
+    columns: list[Any] = [np.zeros(0, np.int64)]
+    stiff: list[Any] = [np.zeros(0)]
+    damp: list[Any] = [np.zeros(0)]
+    flat = None if v is None or not np.any(v) else v.reshape(-1)
+    for m, (force, slope, damping) in zip(system.spring_measure, law.tolist(), strict=True):
+        flats = measure_flats(system, m)
+        g = measure_gradients(system, m, x[None])[0][flats]
+        K = slope * g[:, None] * g
+        if force or (damping and flat is not None):
+            H = measure_hessian(system, m, x)[1]
+            K = K + force * H
+            if flat is not None:
+                K = K + damping * g[:, None] * (H @ flat[flats])
+        rows.append(np.repeat(flats, len(flats)))
+        columns.append(np.tile(flats, len(flats)))
+        stiff.append(K.reshape(-1))
+        damp.append((damping * g[:, None] * g).reshape(-1))
+    at, shape = (np.concatenate(rows), np.concatenate(columns)), (x.size, x.size)
+    K, C = (csr_array(coo_array((np.concatenate(one), at), shape=shape)) for one in (stiff, damp))
+    return K, C
