@@ -98,38 +98,53 @@ def not_on_bars(model: Model, case: str = "all") -> tuple[NotOnBars, ...]:
 
 
 def acting_along(
-    system: System, loads: Loads, states: States, drive: NDArray[np.float64], coupling: NDArray[np.float64]
+    system: System,
+    loads: Loads,
+    states: States,
+    drive: NDArray[np.float64],
+    coupling: NDArray[np.float64],
+    spring: NDArray[np.float64] | None = None,
 ) -> tuple[BarActions, Acting]:
-    """Actions along a motion, from drive and coupling forces (times, drives or couplings)."""
+    """Actions along a motion, from drive, coupling and spring forces (times, drives or couplings or springs).
+
+    Forces of springs follow from their laws if none are given.
+    """
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
-    amounts |= _of_springs(system, x, v)
+    force = spring_motions(system, x, v).force if spring is None and system.springs else spring
+    amounts |= _of_springs(system, force if system.springs else None)
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
 
 
 def mean_tension_at_rest(
-    system: System, x: NDArray[np.float64], drive: NDArray[np.float64], coupling: NDArray[np.float64]
+    system: System,
+    x: NDArray[np.float64],
+    drive: NDArray[np.float64],
+    coupling: NDArray[np.float64],
+    spring: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
-    """`mean_tension` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
+    """`mean_tension` (members,) at positions x (n, 3) from the forces of drives (drives,), couplings and springs.
+
+    Forces of springs follow from their laws if none are given.
+    """
     actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
     if not actions:
         return np.zeros(len(system.members))
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
-    amounts |= _of_springs(system, x[None], still)
+    force = spring_motions(system, x[None]).force if spring is None and system.springs else spring
+    amounts |= _of_springs(system, np.atleast_2d(force) if system.springs else None)
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
 
-def _of_springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[tuple[str, str], NDArray[np.float64]]:
-    """Forces of springs on their coordinates, (times,) N or N m each, along x, v (times, n, 3)."""
-    if not system.springs:
-        return {}
-    return {("spring", name): force for name, force in zip(system.springs, spring_motions(system, x, v).force.T, strict=True)}
+def _of_springs(system: System, force: NDArray[np.float64] | None) -> dict[tuple[str, str], NDArray[np.float64]]:
+    """Forces of springs (times, springs), N or N m, by source."""
+    return {} if force is None else {("spring", name): one for name, one in zip(system.springs, force.T, strict=True)}
 
 
 def adds_tension(action: Action) -> bool:

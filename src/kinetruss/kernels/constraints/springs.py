@@ -160,7 +160,7 @@ def spring_balance(s: Structure, x: F1, v: F1, out: F1) -> None:
 
 @kernel
 def spring_histories(s: Structure, x: F2, v: F2, out: Floats) -> None:
-    """e, the generalised force -F on the measure (N or N m) and V (J) along x, v (times, 3 n) into out (3, times, springs).
+    """e, c', the generalised force -F on the measure (N or N m) and V (J) along x, v (times, 3 n) into out (4, times, springs).
 
     v : or one row for all times.
     """
@@ -169,8 +169,9 @@ def spring_histories(s: Structure, x: F2, v: F2, out: Floats) -> None:
         for k in range(s.spring.shape[0]):
             e = _deflection(s, k, x[i])
             force, _, energy = _elastic(s, k, e)
-            resisting, _ = _resisting(s, k, _rate(s, k, x[i], v[min(i, v.shape[0] - 1)], scratch))
-            out[0, i, k], out[1, i, k], out[2, i, k] = e, -force - resisting, energy
+            rate = _rate(s, k, x[i], v[min(i, v.shape[0] - 1)], scratch)
+            out[0, i, k], out[1, i, k] = e, rate
+            out[2, i, k], out[3, i, k] = -force - _resisting(s, k, rate)[0], energy
 
 
 @kernel

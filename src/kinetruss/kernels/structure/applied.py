@@ -1,4 +1,4 @@
-"""Applied forces: weight, loads, laws of bars, pins, springs, drives, convective terms, the user; no inertia, no constraints."""
+"""Applied forces: weight, loads, laws of bars, pins, springs, drives, rods, the user; no inertia, no constraints."""
 
 from __future__ import annotations
 

@@ -33,13 +33,20 @@ if TYPE_CHECKING:
         turning_inertia,
         turning_members,
     )
-    from kinetruss.mechanics.assembly.springs import spring_forces, spring_gradients, spring_laws, spring_motions
+    from kinetruss.mechanics.assembly.springs import (
+        SpringHistories,
+        spring_forces,
+        spring_gradients,
+        spring_laws,
+        spring_motions,
+    )
     from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, pins_of, structure_of
 
 __all__ = [
     "Balance",
     "Follower",
     "Loads",
+    "SpringHistories",
     "balance_of",
     "balanced_rows",
     "bar_laws",
@@ -83,7 +90,7 @@ __getattr__, __dir__ = late(
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
-        "springs": "spring_forces spring_gradients spring_laws spring_motions",
+        "springs": "SpringHistories spring_forces spring_gradients spring_laws spring_motions",
         "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
     },
 )

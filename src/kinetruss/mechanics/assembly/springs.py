@@ -21,12 +21,13 @@ __all__ = ["SpringHistories", "spring_forces", "spring_gradients", "spring_laws"
 
 
 class SpringHistories(NamedTuple):
-    """value of the coordinate (m or rad), force on it (N or N m), energy (J), all (times, springs).
+    """value and rate of the coordinate (m or rad, m/s or rad/s), force on it (N or N m), energy (J), all (times, springs).
 
     An angle is told within half a turn of the rest.
     """
 
     value: NDArray[np.float64]
+    rate: NDArray[np.float64]
     force: NDArray[np.float64]
     energy: NDArray[np.float64]
 
@@ -36,9 +37,9 @@ def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64
     place, rate = (
         np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros(system.x0.size) if v is None else v)
     )
-    found = np.empty((3, len(place), len(system.springs)))
+    found = np.empty((4, len(place), len(system.springs)))
     spring_histories(structure_of(system), place, rate, found)
-    return SpringHistories(found[0] + system.spring_law[:, 1], found[1], found[2])
+    return SpringHistories(found[0] + system.spring_law[:, 1], *found[1:])
 
 
 def spring_forces(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
