@@ -49,8 +49,8 @@ def joint_reaction(
     ``coupling_force`` (time, coupling), what each does to its coordinate. attrs ``unique``: 0 if a state of self-stress acts
     through the joint (as in a closed loop of welds), so that equilibrium and motion do not determine the two; ``message`` says
     so. With two bodies at a joint and no load on its nodes, the reaction on the other body is the opposite. Nodal loads there
-    and supports count as "everything else". Loads on the body itself do not, nor does the couple of a drive or a coupling at a
-    hinge (``drive_force``, ``coupling_force``): the result is the load on the bearing.
+    and supports count as "everything else". Loads on the body itself do not, nor does the couple of a drive, a coupling or a
+    spring at a hinge (``drive_force``, ``coupling_force``, ``spring_force``): the result is the load on the bearing.
 
     Raises
     ------

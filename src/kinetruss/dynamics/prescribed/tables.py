@@ -16,15 +16,15 @@ from kinetruss.dynamics.actions.bar_actions import (
     mean_tension,
 )
 from kinetruss.dynamics.actions.records import Acting
-from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.interface import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
+from kinetruss.kinematics.path import Passed, refined
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly import SpringHistories, bar_laws, nodal_loads, spring_motions, strain_balance, structure_of
+from kinetruss.mechanics.assembly import bar_laws, nodal_loads, refuse_turns, spring_motions, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
@@ -105,7 +105,9 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
     if system.springs:
-        data |= _springs(system, motion.arrays["time"].values, solved, at_rest)
+        if not at_rest:
+            _refuse_turns(system, motion, solved)
+        data |= _springs(system, solved["x"], solved["v"])
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, read, loads, solved, every.drive_force)
@@ -211,27 +213,20 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
-def _springs(system: System, t: NDArray[np.float64], solved: dict[str, Any], at_rest: bool) -> dict[str, Column]:
+def _refuse_turns(system: System, motion: Motion, solved: dict[str, Any]) -> None:
+    """Refuse springs that turn too far, by the samples and the states between them."""
+    if np.any(system.measure_period[system.spring_measure]):
+        whole = refined(motion.arrays["time"].values, solved["x"], solved["v"], solved["a"], Passed.of(system, motion))
+        refuse_turns(system, whole.t, spring_motions(system, whole.x, whole.v))
+
+
+def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[str, Column]:
     """Values of the coordinates of springs, and the forces on them."""
-    found, per = spring_motions(system, solved["x"], solved["v"]), ("time", "spring")
-    if not at_rest:
-        _refuse_turns(system, t, found)
+    found, per = spring_motions(system, x, v), ("time", "spring")
     return {
         "spring_value": variable(per, found.value, "m or rad", "coordinate of the spring"),
         "spring_force": variable(per, found.force, "N or N m", "force or torque of the spring on its coordinate"),
     }
-
-
-def _refuse_turns(system: System, t: NDArray[np.float64], found: SpringHistories) -> None:
-    """Refuse angles that go on beyond half a turn from the rest, where the law of a spring would jump."""
-    ahead = 0.5 * (found.rate[1:] + found.rate[:-1]) * np.diff(t)[:, None]
-    period = system.measure_period[system.spring_measure]
-    jumped = (np.abs(np.diff(found.value, axis=0) - ahead) > 0.5 * period) & (period > 0.0)
-    for i, k in np.argwhere(jumped)[:1]:
-        raise AnalysisError(
-            f"Spring {system.springs[k]!r} passes half a turn from its rest between t = {t[i]:.6g} and {t[i + 1]:.6g} s, where "
-            "its law would jump. Give another rest, or a spring that is wound up by its preload."
-        )
 
 
 def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting) -> dict[str, Column]:

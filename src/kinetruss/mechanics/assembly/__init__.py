@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     )
     from kinetruss.mechanics.assembly.springs import (
         SpringHistories,
+        refuse_turns,
         spring_forces,
         spring_gradients,
         spring_laws,
@@ -65,6 +66,7 @@ __all__ = [
     "with_continua_forces",
     "unit_loads_of",
     "refuse_massless",
+    "refuse_turns",
     "resting_forces",
     "row_tensions",
     "spring_forces",
@@ -90,7 +92,7 @@ __getattr__, __dir__ = late(
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
-        "springs": "SpringHistories spring_forces spring_gradients spring_laws spring_motions",
+        "springs": "SpringHistories refuse_turns spring_forces spring_gradients spring_laws spring_motions",
         "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
     },
 )

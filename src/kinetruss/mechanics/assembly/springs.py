@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from kinetruss.errors import AnalysisError
 from kinetruss.kernels.constraints.springs import add_spring_forces, spring_histories, spring_slopes
 from kinetruss.mechanics.assembly.tables import structure_of
 from kinetruss.mechanics.structure.hessians import measure_hessian
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import System
 
-__all__ = ["SpringHistories", "spring_forces", "spring_gradients", "spring_laws", "spring_motions", "spring_tangents"]
+__all__ = ["SpringHistories", "refuse_turns", "spring_forces", "spring_gradients", "spring_laws", "spring_motions", "spring_tangents"]
 
 
 class SpringHistories(NamedTuple):
@@ -40,6 +41,25 @@ def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64
     found = np.empty((4, len(place), len(system.springs)))
     spring_histories(structure_of(system), place, rate, found)
     return SpringHistories(found[0] + system.spring_law[:, 1], *found[1:])
+
+
+def refuse_turns(system: System, t: NDArray[np.float64], found: SpringHistories) -> None:
+    """Refuse motions of angles beyond half a turn from the rest of a spring, where its law would jump.
+
+    Of two samples on both sides of the jump, the way over it is told from that through the rest by the rates.
+
+    Raises
+    ------
+    AnalysisError : the spring and the time.
+    """
+    period = system.measure_period[system.spring_measure]
+    change, ahead = np.diff(found.value, axis=0), 0.5 * (found.rate[1:] + found.rate[:-1]) * np.diff(t)[:, None]
+    over = (np.abs(change) > 0.5 * period) & (np.abs(change - np.sign(change) * period - ahead) < 0.25 * period)
+    for i, k in np.argwhere(over & (period > 0.0))[:1]:
+        raise AnalysisError(
+            f"Spring {system.springs[k]!r} passes half a turn from its rest between t = {t[i]:.6g} and {t[i + 1]:.6g} s, where "
+            "its law would jump. Give another rest, or the pull of a spring wound up by more as its preload."
+        )
 
 
 def spring_forces(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
