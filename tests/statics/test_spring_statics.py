@@ -39,14 +39,30 @@ def test_chain_of_links_buckles_as_henckys(count):
 def test_post_buckled_path_of_the_column():
     """P = k (phi - phi_0)/(L sin(phi)) from the vertical, with an imperfection phi_0."""
     k, L, off = 100.0, 2.0, 0.02
-    found = kt.statics.path(column(k, L, rest=np.pi / 2 - off), "P")
+    model = column(k, L, rest=np.pi / 2 - off).with_(loads={"P": kt.NodalForce(node="B", force=(0, -50.0))})
+    found = kt.statics.path(model, "P", points=60)
     x = found.position.sel(node="B").values
     phi = np.arctan2(x[:, 0], x[:, 1])
-    phi, off = np.abs(phi), off
+    assert phi[0] == pytest.approx(off, abs=1e-9)
+    assert phi.max() > 1.0
     some = phi > 1.5 * off
-    assert some.sum() > 5
-    assert found.load_factor.values[some] == pytest.approx((k * (phi - off) / (L * np.sin(phi)))[some], rel=1e-7)
-    assert np.abs(found.spring_force.values[some, 0]) == pytest.approx(k * (phi - off)[some], rel=1e-7)
+    assert 50 * found.load_factor.values[some] == pytest.approx((k * (phi - off) / (L * np.sin(phi)))[some], rel=1e-7)
+    assert found.spring_force.values[some, 0] == pytest.approx(k * (phi - off)[some], rel=1e-7)
+
+
+def test_a_wound_spring_alone_finds_its_rest():
+    found = kt.statics.equilibrium(pendulum(1.0, gravity=0.0, rest=0.25))
+    x = found.position.sel(node="P").values
+    assert np.arctan2(x[1], x[0]) == pytest.approx(0.25, abs=1e-9)
+    assert found.spring_force.values == pytest.approx([0.0], abs=1e-7)
+
+
+def test_two_springs_that_pull_against_each_other():
+    model = pendulum(0.3, rest=-0.5)
+    other = kt.Spring(coordinate=model.springs["hinge"].coordinate, stiffness=60.0, rest=1.0)
+    found = kt.statics.equilibrium(model.with_(springs=model.springs | {"other": other}))
+    assert found.spring_value.values == pytest.approx([0.5, 0.5], abs=1e-9)
+    assert found.spring_force.values == pytest.approx([-30.0, 30.0], abs=1e-7)
 
 
 def test_equilibrium_of_an_arm_under_weight():

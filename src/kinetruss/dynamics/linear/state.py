@@ -83,7 +83,7 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
     N = balanced_rows(balance, x, f)
     free = balance.system.free
     out = np.abs((f - constraint_jacobian(balance.system, x).T @ N)[free] if len(N) else f[free]).max(initial=0.0)
-    size = max(float(np.abs(part).max(initial=0.0)) for part in (balance.force, N, balance.tension(x)))
+    size = max(float(np.abs(part).max(initial=0.0)) for part in (balance.force, N, balance.tension(x), balance.pushing(x)))
     left = float(out) / size if size else 0.0
     still = left <= AT_REST and not np.any(v)
     a = np.zeros_like(x)
