@@ -36,8 +36,8 @@ def rate(motion):
 def two_links(**more):
     """Two links in the plane with every kind of law: linear, with play, damped, rubbing, by a table, on sums."""
     springs = {
-        "root": kt.Spring(coordinate=kt.HingeDrive(axis="O", start="G", end="A"), stiffness=20, rest=0.3, damping=1.0, friction=0.5,
-                          slip=0.05),
+        "root": kt.Spring(coordinate=kt.HingeDrive(axis="O", start="G", end="A"), stiffness=20, rest=0.3, damping=1.0,
+                          friction=0.5, slip=0.05),
         "elbow": kt.Spring(coordinate=kt.HingeDrive(axis="A", start="O", end="B"), stiffness=8, damping=0.2, play=0.1),
         "height": kt.Spring(coordinate=kt.CoordinateDrive(node="B", axis="y"), table=((-1, -5), (0, 0), (0.5, 3), (1, 20))),
         "sum": kt.Spring(terms=((kt.AngleDrive("a"), 1.0), (kt.AngleDrive("b"), -2.0)), stiffness=2.0, preload=0.7),

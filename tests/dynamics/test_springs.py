@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hinge_models import Arm
 from scipy.integrate import quad
-from spring_models import ARM, INERTIA, MASS, STIFFNESS, angle, flying, pendulum, rate, two_links
 
 import kinetruss as kt
+from hinge_models import Arm
 from kinetruss.dynamics import newton_euler
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import spring_forces, spring_motions
 from kinetruss.mechanics.assembly.matrices import tangents
+from spring_models import ARM, INERTIA, MASS, STIFFNESS, angle, flying, pendulum, rate, two_links
 
 FINE = kt.DOP853(rtol=1e-12, atol=1e-13)
-METHODS = [(kt.DOP853(), 1e-8), (kt.Radau(), 1e-6), (kt.GeneralizedAlpha(step=1e-3), 3e-5), (kt.EnergyMomentum(step=1e-3), 3e-5),
-           (kt.Rattle(step=1e-3), 3e-5)]  # fmt: skip
+METHODS = [(kt.DOP853(), 1e-8), (kt.Radau(), 1e-6)]
+METHODS += [(method(step=1e-3), 3e-5) for method in (kt.GeneralizedAlpha, kt.EnergyMomentum, kt.Rattle)]
 
 
 @pytest.mark.parametrize(("method", "off"), METHODS, ids=lambda one: getattr(one, "kind", None))
@@ -85,7 +85,9 @@ def test_play_lets_it_fly():
 
 def test_a_table_on_a_line_is_a_stiffness():
     points = tuple((s, STIFFNESS * s) for s in (-1.0, -0.3, 0.5, 0.8))
-    whole, pieces = (kt.dynamics.simulate(pendulum(1.3, **law), 2.0, samples=11) for law in ({}, {"stiffness": 0, "table": points}))
+    whole, pieces = (
+        kt.dynamics.simulate(pendulum(1.3, **law), 2.0, samples=11) for law in ({}, {"stiffness": 0, "table": points})
+    )
     assert angle(pieces.motion) == pytest.approx(angle(whole.motion), abs=1e-9)
     assert pieces.potential_energy.values == pytest.approx(whole.potential_energy.values, abs=1e-8)
 
@@ -137,10 +139,14 @@ def test_the_law_of_every_spring():
     assert run.forces.spring_value.sel(spring="root").values == pytest.approx(theta[0], abs=1e-12)
 
 
-@pytest.mark.parametrize("method", [kt.Radau(), kt.EnergyMomentum(step=1e-3), kt.GeneralizedAlpha(step=1e-3)], ids=lambda m: m.kind)
+@pytest.mark.parametrize(
+    "method", [kt.Radau(), kt.EnergyMomentum(step=1e-3), kt.GeneralizedAlpha(step=1e-3)], ids=lambda m: m.kind
+)
 def test_every_law_in_every_engine(method):
     wanted = kt.dynamics.simulate(two_links(), 1.0, samples=11).motion.position.values
-    assert kt.dynamics.simulate(two_links(), 1.0, samples=11, method=method).motion.position.values == pytest.approx(wanted, abs=1e-4)
+    assert kt.dynamics.simulate(two_links(), 1.0, samples=11, method=method).motion.position.values == pytest.approx(
+        wanted, abs=1e-4
+    )
 
 
 @pytest.mark.parametrize("law", [{"stiffness": 40.0}, {"stiffness": 40.0, "play": 0.1}, {"table": ((-1, -9), (0, 0), (1, 30))}],
@@ -230,7 +236,9 @@ def test_stiffness_and_damping_are_the_derivatives_of_the_force():
             h = 1e-6
             shifted = np.zeros(x.size)
             shifted[flat] = h
-            there = [[y + (sign * shifted.reshape(x.shape) if k == given else 0) for k, y in enumerate((x, v))] for sign in (1, -1)]
+            there = [
+                [y + (sign * shifted.reshape(x.shape) if k == given else 0) for k, y in enumerate((x, v))] for sign in (1, -1)
+            ]
             slope = (spring_forces(system, *there[0]) - spring_forces(system, *there[1])) / (2 * h)
             assert -slope == pytest.approx(matrix[:, flat], abs=2e-6)
 
@@ -257,7 +265,9 @@ def test_linearised_about_a_motion():
     """A in a moving state: the derivatives of theta'' by angle and rate."""
     theta, w, k, c = 0.7, 1.3, STIFFNESS, 1.2
     velocity = {"P": (-w * ARM * np.sin(theta), w * ARM * np.cos(theta))}
-    model = pendulum(theta, 9.81, damping=c, friction=0.4, slip=1.0).with_(drives={"d": kt.AngleDrive("arm")}, velocities=velocity)
+    model = pendulum(theta, 9.81, damping=c, friction=0.4, slip=1.0).with_(
+        drives={"d": kt.AngleDrive("arm")}, velocities=velocity
+    )
     run = kt.dynamics.simulate(model, 0.1, samples=3, tasks={"d": kt.Free()})
     found = kt.dynamics.linearise(model, run, time=0.0, free=["d"], dofs="d")
     by_angle = -(k + MASS * 9.81 * ARM * np.cos(theta)) / INERTIA
@@ -274,6 +284,15 @@ def test_beyond_half_a_turn_is_refused():
     model = pendulum(3.0, stiffness=0.01).with_(velocities={"P": (-3.0 * np.sin(3.0), 3.0 * np.cos(3.0))})
     with pytest.raises(kt.AnalysisError, match="half a turn"):
         kt.dynamics.simulate(model, 1.0)
+
+
+def test_prepared_runs_and_forces_along_drives_are_the_same():
+    model = pendulum(0.5, damping=0.3, friction=0.2).with_(drives={"d": kt.HingeDrive(axis="O", start="G", end="P")})
+    moves = kt.Quintic(moves={"d": (0.5, 1.0)}, duration=1.0)
+    wanted = kt.dynamics.inverse(model, kt.kinematics.follow(model, moves, samples=11))
+    along = kt.dynamics.inverse_along(model, moves, samples=11)
+    forces = along.forces if hasattr(along, "forces") else along
+    assert forces.drive_force.values == pytest.approx(wanted.drive_force.values, abs=1e-9)
 
 
 def test_a_run_keeps_the_springs(tmp_path):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from spring_models import HINGE, pendulum, two_links
 
 import kinetruss as kt
+from spring_models import HINGE, pendulum, two_links
 
 
 def test_units_are_those_of_the_coordinate():

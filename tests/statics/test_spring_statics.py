@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 from scipy.special import ellipk, ellipkinc
-from spring_models import STIFFNESS, hencky, pendulum, two_links
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import spring_forces, spring_motions
+from spring_models import STIFFNESS, hencky, pendulum, two_links
 
 SOLID = {"section": kt.Rectangle(width=0.03, height=0.02), "material": kt.library.materials.STEEL_S235}
 
@@ -102,8 +102,8 @@ def test_prestress_of_a_spring_moves_the_structure_under_linear_statics():
 def test_deflection_along_a_motion_counts_the_springs():
     hinge = kt.HingeDrive(axis="A", start="O", end="B")
     model = kt.Model(
-        nodes={"O": (0, 0), "G": (1, 0), "A": (1, 0.1), "B": kt.Node(at=(2, 0.3), mass=1.0)}, fixed=["O", "G"], gravity=(0, -9.81),
-        bars={"a": ("O", "A"), "b": ("A", "B")}, drives={"root": kt.HingeDrive(axis="O", start="G", end="A")},
+        nodes={"O": (0, 0), "G": (1, 0), "A": (1, 0.1), "B": kt.Node(at=(2, 0.3), mass=1.0)}, fixed=["O", "G"],
+        gravity=(0, -9.81), bars={"a": ("O", "A"), "b": ("A", "B")}, drives={"root": kt.HingeDrive(axis="O", start="G", end="A")},
         springs={"soft": kt.Spring(coordinate=hinge, stiffness=1e4)}, **SOLID,
     )  # fmt: skip
     forces = kt.statics.at_poses(model.with_(drives=model.drives | {"stiff": hinge}), [{}])
@@ -166,3 +166,9 @@ def test_a_chain_of_links_tends_to_the_elastica():
 def test_stiffness_k_of_a_spring_alone():
     found = kt.statics.equilibrium(pendulum(0.0))
     assert found.stiffness.values == pytest.approx([STIFFNESS / 1.5**2], rel=1e-9)
+
+
+def test_stiffness_of_a_platform_refuses_springs():
+    driven = pendulum().with_(drives={"d": kt.AngleDrive("arm")})
+    with pytest.raises(kt.InputError, match="not the spring 'hinge'"):
+        kt.statics.platform_stiffness(driven, ["O", "P"], 1e3)

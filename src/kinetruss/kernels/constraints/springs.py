@@ -14,8 +14,8 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Vector
-from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_value
+from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Ints, Vector
+from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_rates, term_value
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.structure import Structure
 
@@ -24,6 +24,7 @@ __all__ = [
     "add_springs",
     "apply_springs",
     "spring_balance",
+    "spring_blocks",
     "spring_energies",
     "spring_histories",
     "spring_slopes",
@@ -185,6 +186,63 @@ def spring_slopes(s: Structure, x: F1, v: F1, out: F2) -> None:
 
 
 @kernel_bare
+def _add_curvature(s: Structure, k: int, x: F1, v: F1, amount: float, column: F1, scratch: F1) -> None:
+    """column += amount times the Hessian of spring k times v, in the order of the nodes of the spring."""
+    for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+        term_rates(s.spring_kind, s.spring_at, s.spring_data, t, x, v, scratch)
+        P, one, two = 3 * s.spring_local[t, 0], 3 * s.spring_local[t, 1], 3 * s.spring_local[t, 2]
+        # the gradient is g at P, -w1 g and -w2 g at nodes 1 and 2: the rates of these
+        for c in range(3):
+            column[P + c] += amount * scratch[5 + c]
+            column[one + c] -= amount * (scratch[8] * scratch[c] + scratch[3] * scratch[5 + c])
+            column[two + c] -= amount * (scratch[9] * scratch[c] + scratch[4] * scratch[5 + c])
+
+
+@kernel_bare
+def _local_gradient(s: Structure, k: int, x: F1, g: F1, scratch: F1) -> None:
+    """dc/dx of spring k into g (w,), in the order of its nodes."""
+    for i in range(g.size):
+        g[i] = 0.0
+    for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+        term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
+        P, one, two = 3 * s.spring_local[t, 0], 3 * s.spring_local[t, 1], 3 * s.spring_local[t, 2]
+        for c in range(3):
+            g[P + c] += scratch[c]
+            g[one + c] -= scratch[3] * scratch[c]
+            g[two + c] -= scratch[4] * scratch[c]
+
+
+@kernel
+def spring_blocks(s: Structure, places: Ints, x: F1, v: F1, law: F2, stiff: Floats, damp: Floats) -> None:
+    """Minus the derivatives of the forces -F g by x and by v of every spring into stiff and damp (springs, w, w).
+
+    places (springs, w) : coordinates of the nodes of each spring, ascending, -1 behind the last. law (springs, 3) : F, dF/dc,
+    dF/dc'. With the Hessian H of c: dF/dc g g^T + F H + dF/dc' g (H v)^T, and dF/dc' g g^T.
+    """
+    w = places.shape[1]
+    scratch, g, bent, unit = np.empty(10), np.empty(w), np.empty(w), np.zeros(x.size)
+    for k in range(places.shape[0]):
+        force, slope, damping = law[k, 0], law[k, 1], law[k, 2]
+        _local_gradient(s, k, x, g, scratch)
+        for i in range(w):
+            bent[i] = 0.0
+        if damping != 0.0:
+            _add_curvature(s, k, x, v, damping, bent, scratch)
+        for j in range(w):
+            for i in range(w):
+                stiff[k, j, i] = slope * g[j] * g[i]
+                damp[k, j, i] = damping * g[j] * g[i]
+            # F H: column j as row j, as H is symmetric
+            if force != 0.0 and places[k, j] >= 0:
+                unit[places[k, j]] = 1.0
+                _add_curvature(s, k, x, unit, force, stiff[k, j], scratch)
+                unit[places[k, j]] = 0.0
+        for j in range(w):
+            for i in range(w):
+                stiff[k, j, i] += g[j] * bent[i]
+
+
+@kernel_bare
 def _mean_force(s: Structure, k: int, e0: float, e1: float) -> float:
     """(V(e1) - V(e0))/(e1 - e0)."""
     if s.spring[k, 5] == 0.0 and s.spring_table_ptr[k + 1] == s.spring_table_ptr[k]:
@@ -229,19 +287,8 @@ def add_springs(s: Equations, at: I2, x: F1, v: F1, beta: float, gamma: float, v
     w = int(math.sqrt(float(at.shape[1])) + 0.5)
     scratch, g = np.empty(10), np.empty(w)
     for k in range(s.spring.shape[0]):
-        rate = 0.0
-        for i in range(w):
-            g[i] = 0.0
-        # dc/dx in the order of the nodes of the spring
-        for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-            term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
-            rate += term_along(s.spring_at, t, scratch, v)
-            P, one, two = 3 * s.spring_local[t, 0], 3 * s.spring_local[t, 1], 3 * s.spring_local[t, 2]
-            for c in range(3):
-                g[P + c] += scratch[c]
-                g[one + c] -= scratch[3] * scratch[c]
-                g[two + c] -= scratch[4] * scratch[c]
-        size = beta * _elastic(s, k, _deflection(s, k, x))[1] + gamma * _resisting(s, k, rate)[1]
+        _local_gradient(s, k, x, g, scratch)
+        size = beta * _elastic(s, k, _deflection(s, k, x))[1] + gamma * _resisting(s, k, _rate(s, k, x, v, scratch))[1]
         for i in range(w):
             for j in range(i + 1):
                 value[at[k, w * i + j]] += size * g[i] * g[j]

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
         SpringHistories,
         refuse_turns,
         spring_forces,
-        spring_gradients,
         spring_laws,
         spring_motions,
     )
@@ -70,7 +69,6 @@ __all__ = [
     "resting_forces",
     "row_tensions",
     "spring_forces",
-    "spring_gradients",
     "spring_laws",
     "spring_motions",
     "strain_balance",
@@ -92,7 +90,7 @@ __getattr__, __dir__ = late(
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
-        "springs": "SpringHistories refuse_turns spring_forces spring_gradients spring_laws spring_motions",
+        "springs": "SpringHistories refuse_turns spring_forces spring_laws spring_motions",
         "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
     },
 )

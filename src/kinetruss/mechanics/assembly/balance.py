@@ -28,7 +28,7 @@ from kinetruss.mechanics.assembly.continua import continua_energy, resting_force
 from kinetruss.mechanics.assembly.followers import Follower
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents, turning_inertia
-from kinetruss.mechanics.assembly.springs import spring_forces, spring_gradients, spring_laws, spring_motions
+from kinetruss.mechanics.assembly.springs import spring_forces, spring_laws, spring_motions
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.freedom.rows import released
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
@@ -92,11 +92,10 @@ class Balance:
         return flat + self.following(x)
 
     def pushing(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The largest force of each spring on a node (springs,), N, at positions x (n, 3)."""
+        """The force of each spring on nodes (springs,), N, about, at positions x (n, 3)."""
         if not self.system.springs:
             return np.zeros(0)
-        gradients = spring_gradients(self.system, x)
-        return np.asarray(spring_laws(self.system, x)[:, 0] * np.abs(gradients).max(axis=1))
+        return np.asarray(spring_laws(self.system, x)[:, 0] / self.system.measure_scale[self.system.spring_measure])
 
     def following(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces on the nodes (3 n,), N, of loads that turn with bodies."""

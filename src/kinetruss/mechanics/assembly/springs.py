@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import AnalysisError
-from kinetruss.kernels.constraints.springs import add_spring_forces, spring_histories, spring_slopes
-from kinetruss.mechanics.assembly.tables import structure_of
-from kinetruss.mechanics.structure.hessians import measure_hessian
-from kinetruss.mechanics.structure.measures import measure_flats, measure_gradients
+from kinetruss.kernels.constraints.springs import add_spring_forces, spring_blocks, spring_histories, spring_slopes
+from kinetruss.mechanics.assembly.tables import elements, structure_of
+from kinetruss.mechanics.kept import kept
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
 
-__all__ = ["SpringHistories", "refuse_turns", "spring_forces", "spring_gradients", "spring_laws", "spring_motions", "spring_tangents"]
+__all__ = ["SpringHistories", "refuse_turns", "spring_forces", "spring_laws", "spring_motions", "spring_tangents"]
 
 
 class SpringHistories(NamedTuple):
@@ -79,11 +79,6 @@ def spring_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] |
     return found
 
 
-def spring_gradients(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """dc/dx (springs, 3 n) at x (n, 3)."""
-    return np.array([measure_gradients(system, m, x[None])[0] for m in system.spring_measure]).reshape(-1, system.x0.size)
-
-
 def spring_tangents(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, law: NDArray[np.float64]
 ) -> tuple[Any, Any]:
@@ -92,24 +87,25 @@ def spring_tangents(
     law (springs, 3) : F, dF/dc and dF/dc'. g, H : gradient and Hessian of c, so that C = dF/dc' g g^T and
     K = dF/dc g g^T + F H + dF/dc' g (H v)^T.
     """
-    rows: list[Any] = [np.zeros(0, np.int64)]
-    columns: list[Any] = [np.zeros(0, np.int64)]
-    stiff: list[Any] = [np.zeros(0)]
-    damp: list[Any] = [np.zeros(0)]
-    flat = None if v is None or not np.any(v) else v.reshape(-1)
-    for m, (force, slope, damping) in zip(system.spring_measure, law.tolist(), strict=True):
-        flats = measure_flats(system, m)
-        g = measure_gradients(system, m, x[None])[0][flats]
-        K = slope * g[:, None] * g
-        if force or (damping and flat is not None):
-            H = measure_hessian(system, m, x)[1]
-            K = K + force * H
-            if flat is not None:
-                K = K + damping * g[:, None] * (H @ flat[flats])
-        rows.append(np.repeat(flats, len(flats)))
-        columns.append(np.tile(flats, len(flats)))
-        stiff.append(K.reshape(-1))
-        damp.append((damping * g[:, None] * g).reshape(-1))
-    at, shape = (np.concatenate(rows), np.concatenate(columns)), (x.size, x.size)
-    K, C = (csr_array(coo_array((np.concatenate(one), at), shape=shape)) for one in (stiff, damp))
+    places = _places(system)
+    count, width = places.shape
+    blocks = np.empty((2, count, width, width))
+    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(x.size) if v is None else v))
+    spring_blocks(structure_of(system), places, place, rate, law, *blocks)
+    rows, columns = np.repeat(places, width, axis=1).reshape(-1), np.tile(places, (1, width)).reshape(-1)
+    own = (rows >= 0) & (columns >= 0)
+    at, shape = (rows[own], columns[own]), (x.size, x.size)
+    K, C = (csr_array(coo_array((one.reshape(-1)[own], at), shape=shape)) for one in blocks)
     return K, C
+
+
+@kept()
+def _places(system: System) -> NDArray[np.int64]:
+    """Coordinates (springs, w) of the nodes of springs, ascending; those that have fewer end with -1."""
+    found = elements(system)
+    ptr, at = found["spring_ptr"], found["spring_at"]
+    nodes = [np.unique(at[first:last, :3]) for first, last in pairwise(ptr)]
+    places = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
+    for one, own in zip(places, nodes, strict=True):
+        one[: len(own)] = own[:, None] + np.arange(3)
+    return places.reshape(len(nodes), places.shape[1] * 3)

@@ -17,8 +17,8 @@ from kinetruss.mechanics.assembly import (
     continua_geometric,
     measure_forces,
     row_tensions,
-    spring_gradients,
     spring_laws,
+    spring_motions,
     sum_stiffness,
     tangents,
 )
@@ -141,7 +141,8 @@ def _of_load(
     still = np.zeros(3)
     springs, unloaded = spring_laws(system, reached.x), np.zeros((len(system.springs), 3))
     resisting = unloaded.copy()
-    resisting[:, 0] = springs[:, 1] * (spring_gradients(system, reached.x) @ flat)
+    if system.springs:
+        resisting[:, 0] = springs[:, 1] * spring_motions(system, reached.x[None], flat).rate[0]
     loaded = tangents(system, reached.x, added + tension, torque, still, springs=resisting)[0]
     geometric = loaded - tangents(system, reached.x, none, none, still, springs=unloaded)[0]
     if len(system.measures):
