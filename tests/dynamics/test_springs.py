@@ -286,13 +286,16 @@ def test_beyond_half_a_turn_is_refused():
         kt.dynamics.simulate(model, 1.0)
 
 
-def test_prepared_runs_and_forces_along_drives_are_the_same():
+def test_prepared_models_and_runs_have_the_springs():
     model = pendulum(0.5, damping=0.3, friction=0.2).with_(drives={"d": kt.HingeDrive(axis="O", start="G", end="P")})
     moves = kt.Quintic(moves={"d": (0.5, 1.0)}, duration=1.0)
     wanted = kt.dynamics.inverse(model, kt.kinematics.follow(model, moves, samples=11))
-    along = kt.dynamics.inverse_along(model, moves, samples=11)
-    forces = along.forces if hasattr(along, "forces") else along
-    assert forces.drive_force.values == pytest.approx(wanted.drive_force.values, abs=1e-9)
+    prepared = kt.prepare(model)
+    assert prepared.inverse(prepared.follow(moves, samples=11)).drive_force == pytest.approx(
+        wanted.drive_force.values, abs=1e-12
+    )
+    swung = kt.dynamics.prepare(pendulum(), 2.0).run(2.0).position[-1, 2]
+    assert np.arctan2(swung[1], swung[0]) == pytest.approx(np.cos(2.0 * np.sqrt(STIFFNESS / INERTIA)), abs=1e-8)
 
 
 def test_a_run_keeps_the_springs(tmp_path):

@@ -83,7 +83,7 @@ def test_within_the_play_nothing_holds():
 
 
 def test_small_displacements_are_the_limit_of_large_ones():
-    """A spring and elastic bars: linear statics against the nonlinear equilibrium under a small load; energy is work."""
+    """Linear statics against the nonlinear equilibrium under a small load; energy is work."""
     model = pendulum(0.6, rest=0.6).with_(gravity=None, loads={"P": kt.NodalForce(node="P", force=(0.0, -1e-3))}, **SOLID)
     small = kt.statics.linear(model)
     moved = kt.statics.equilibrium(model).position.values - np.array([node.at for node in model.nodes.values()])

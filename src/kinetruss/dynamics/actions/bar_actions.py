@@ -113,7 +113,7 @@ def acting_along(
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
     force = spring_motions(system, x, v).force if spring is None and system.springs else spring
-    amounts |= _of_springs(system, force if system.springs else None)
+    amounts |= _of_springs(system, force)
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -136,8 +136,8 @@ def mean_tension_at_rest(
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
-    force = spring_motions(system, x[None]).force if spring is None and system.springs else spring
-    amounts |= _of_springs(system, np.atleast_2d(force) if system.springs else None)
+    force = spring_motions(system, x[None]).force[0] if spring is None and system.springs else spring
+    amounts |= _of_springs(system, None if force is None else force[None])
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
