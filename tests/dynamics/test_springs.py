@@ -284,16 +284,22 @@ def test_beyond_half_a_turn_is_refused():
     model = pendulum(3.0, stiffness=0.01).with_(velocities={"P": (-3.0 * np.sin(3.0), 3.0 * np.cos(3.0))})
     with pytest.raises(kt.AnalysisError, match="half a turn"):
         kt.dynamics.simulate(model, 1.0)
+    with pytest.raises(kt.AnalysisError, match="half a turn"):
+        kt.dynamics.prepare(model, 1.0).run(1.0, samples=50)
+
+
+def test_a_wide_swing_told_by_few_samples_is_none_beyond_half_a_turn():
+    run = kt.dynamics.simulate(pendulum(2.9), 3.0, samples=4)
+    assert run.status.ok
 
 
 def test_prepared_models_and_runs_have_the_springs():
     model = pendulum(0.5, damping=0.3, friction=0.2).with_(drives={"d": kt.HingeDrive(axis="O", start="G", end="P")})
     moves = kt.Quintic(moves={"d": (0.5, 1.0)}, duration=1.0)
     wanted = kt.dynamics.inverse(model, kt.kinematics.follow(model, moves, samples=11))
-    prepared = kt.prepare(model)
-    assert prepared.inverse(prepared.follow(moves, samples=11)).drive_force == pytest.approx(
-        wanted.drive_force.values, abs=1e-12
-    )
+    ready = kt.prepare(model)
+    carried = ready.forces(ready.follow(moves, samples=11))
+    assert carried.drive_force == pytest.approx(wanted.drive_force.values, abs=1e-12)
     swung = kt.dynamics.prepare(pendulum(), 2.0).run(2.0).position[-1, 2]
     assert np.arctan2(swung[1], swung[0]) == pytest.approx(np.cos(2.0 * np.sqrt(STIFFNESS / INERTIA)), abs=1e-8)
 

@@ -103,7 +103,8 @@ def test_deflection_along_a_motion_counts_the_springs():
     hinge = kt.HingeDrive(axis="A", start="O", end="B")
     model = kt.Model(
         nodes={"O": (0, 0), "G": (1, 0), "A": (1, 0.1), "B": kt.Node(at=(2, 0.3), mass=1.0)}, fixed=["O", "G"],
-        gravity=(0, -9.81), bars={"a": ("O", "A"), "b": ("A", "B")}, drives={"root": kt.HingeDrive(axis="O", start="G", end="A")},
+        gravity=(0, -9.81), bars={"a": ("O", "A"), "b": ("A", "B")},
+        drives={"root": kt.HingeDrive(axis="O", start="G", end="A")},
         springs={"soft": kt.Spring(coordinate=hinge, stiffness=1e4)}, **SOLID,
     )  # fmt: skip
     forces = kt.statics.at_poses(model.with_(drives=model.drives | {"stiff": hinge}), [{}])

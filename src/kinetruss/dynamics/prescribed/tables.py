@@ -106,7 +106,9 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
     if system.springs:
         if not at_rest:
-            _refuse_turns(system, motion, solved)
+            t, states = motion.arrays["time"].values, (solved["x"], solved["v"], solved["a"])
+            whole = refined(t, *states, Passed.of(system, motion))
+            refuse_turns(system, whole.t, whole.x, whole.v)
         data |= _springs(system, solved["x"], solved["v"])
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
@@ -211,13 +213,6 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
         if system.measures[m] in system.model.couplings:
             found[:, names.index(system.measures[m])] = -N[:, r] * system.measure_scale[m]
     return found
-
-
-def _refuse_turns(system: System, motion: Motion, solved: dict[str, Any]) -> None:
-    """Refuse springs that turn too far, by the samples and the states between them."""
-    if np.any(system.measure_period[system.spring_measure]):
-        whole = refined(motion.arrays["time"].values, solved["x"], solved["v"], solved["a"], Passed.of(system, motion))
-        refuse_turns(system, whole.t, spring_motions(system, whole.x, whole.v))
 
 
 def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[str, Column]:

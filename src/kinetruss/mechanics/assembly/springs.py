@@ -43,8 +43,8 @@ def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64
     return SpringHistories(found[0] + system.spring_law[:, 1], *found[1:])
 
 
-def refuse_turns(system: System, t: NDArray[np.float64], found: SpringHistories) -> None:
-    """Refuse motions of angles beyond half a turn from the rest of a spring, where its law would jump.
+def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
+    """Refuse motions x, v (times, 3 n) of angles beyond half a turn from the rest of a spring, where its law would jump.
 
     Of two samples on both sides of the jump, the way over it is told from that through the rest by the rates.
 
@@ -53,6 +53,9 @@ def refuse_turns(system: System, t: NDArray[np.float64], found: SpringHistories)
     AnalysisError : the spring and the time.
     """
     period = system.measure_period[system.spring_measure]
+    if not np.any(period):
+        return
+    found = spring_motions(system, x, v)
     change, ahead = np.diff(found.value, axis=0), 0.5 * (found.rate[1:] + found.rate[:-1]) * np.diff(t)[:, None]
     over = (np.abs(change) > 0.5 * period) & (np.abs(change - np.sign(change) * period - ahead) < 0.25 * period)
     for i, k in np.argwhere(over & (period > 0.0))[:1]:
