@@ -9,6 +9,8 @@ from collections.abc import Callable
 import numpy as np
 from scipy.special import ellipj
 
+from reference.spring_forms import springs
+
 __all__ = ["ALL"]
 
 Numbers = dict[str, float]
@@ -377,4 +379,5 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     equal_turns,
     small_motions,
     flexible,
+    springs,
 )
