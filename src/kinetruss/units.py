@@ -16,7 +16,7 @@ from typing import NamedTuple
 from kinetruss.errors import UnitError, shown
 from kinetruss.limits import LARGEST
 
-__all__ = ["NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
+__all__ = ["EITHER", "NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
 
 Dimension = tuple[int, int, int, int, int]  # kg, m, s, A, rad
 
@@ -218,7 +218,7 @@ QUANTITIES: dict[str, Quantity] = {
 }
 
 
-_EITHER = {
+EITHER = {
     "coordinate": "m, or rad",
     "rate": "m/s, or rad/s",
     "spring stiffness": "N/m, or N m/rad",
@@ -258,7 +258,7 @@ def parse(value: object, quantity: str) -> float:
     ...
     kinetruss.errors.UnitError: '5 lb' is not a force (N). Write lbf for a force: lb is a mass.
     """
-    tagged = quantity in _EITHER
+    tagged = quantity in EITHER
     if tagged and isinstance(value, Tagged):
         return value if abs(value) <= LARGEST else _bounded(value, quantity, value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
@@ -294,7 +294,7 @@ def _parse_text(text: str, quantity: str) -> float:
         raise UnitError(f"{text!r} is not {_a(quantity)}: a comma in the number. {_comma(text)}")
     if not unit:
         number = _bounded(number, quantity, text)
-        return Tagged(number) if quantity in _EITHER else number
+        return Tagged(number) if quantity in EITHER else number
     try:
         factor, dimension = _expression(unit)
     except UnitError as error:
@@ -303,7 +303,7 @@ def _parse_text(text: str, quantity: str) -> float:
     if dimension not in QUANTITIES[quantity].dimensions:
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
-    if quantity in _EITHER:
+    if quantity in EITHER:
         return Tagged(number, "length" if dimension == QUANTITIES[quantity].dimensions[0] else "angle")
     return number
 
@@ -316,7 +316,7 @@ def _comma(text: str) -> str:
 
 
 def _named(quantity: str) -> str:
-    unit = _EITHER.get(quantity) or unit_of(quantity)
+    unit = EITHER.get(quantity) or unit_of(quantity)
     return f"{quantity} ({unit})" if unit else f"{quantity} without unit"
 
 

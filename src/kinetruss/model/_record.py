@@ -25,7 +25,7 @@ from pydantic_core import core_schema
 from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
 from kinetruss.model._words import faults_of
-from kinetruss.units import NUMBER, parse, unit_of
+from kinetruss.units import EITHER, NUMBER, parse, unit_of
 
 __all__ = [
     "Acceleration",
@@ -215,7 +215,8 @@ class Of:
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
         unit = unit_of(self.quantity)
-        described = f"{self.quantity}: a number in {unit}, or text with a unit" if unit else self.quantity
+        units = EITHER.get(self.quantity, unit)
+        described = f"{self.quantity}: a number in {units}, or text with a unit" if unit else self.quantity
         text = _NUMBER_AND_UNIT if unit else _NUMBER
         return {"anyOf": [{"type": "number"}, {"type": "string", "pattern": text}], "description": described, "x-unit": unit}
 

@@ -73,7 +73,7 @@ def small() -> dict[str, float]:
 
 
 def column(links: int) -> dict[str, float]:
-    """Loads at which a column of links of 0.5 m buckles; springs of 12 N m/rad between them, and about the foot of a single one."""
+    """Loads at which a column of links of 0.5 m buckles; springs of 12 N m/rad between them, or about the foot of one."""
     foot = {"foot": kt.Spring(coordinate=kt.HingeDrive(axis="N0", start="W", end="N1"), stiffness=12.0)}
     inner = {
         f"s{k}": kt.Spring(coordinate=kt.HingeDrive(axis=f"N{k}", start=f"N{k - 1}", end=f"N{k + 1}"), stiffness=12.0)
@@ -91,7 +91,7 @@ def column(links: int) -> dict[str, float]:
 
 
 def post_buckled() -> dict[str, float]:
-    """Lean of a column of 2 m on a spring of 100 N m/rad, with 0.02 rad to begin with, under the load that leans it by 1 rad."""
+    """Lean of a column of 2 m on a spring of 100 N m/rad, from 0.02 rad on, under the load that leans it by 1 rad."""
     k, length, lean = 100.0, 2.0, 0.02
     load = k * (1.0 - lean) / (length * math.sin(1.0))
     model = kt.Model(
@@ -109,7 +109,10 @@ def post_buckled() -> dict[str, float]:
 def elastica() -> dict[str, float]:
     """Slope at the tip of a clamped chain of links under a load across it, by the number of links; the order of its error."""
     slopes = {count: _tip(count) for count in (8, 16, 32)}
-    return {"order": math.log2((slopes[8] - slopes[16]) / (slopes[16] - slopes[32])), "slope": (4 * slopes[32] - slopes[16]) / 3}
+    return {
+        "order": math.log2((slopes[8] - slopes[16]) / (slopes[16] - slopes[32])),
+        "slope": (4 * slopes[32] - slopes[16]) / 3,
+    }
 
 
 def _tip(count: int) -> float:
@@ -139,7 +142,9 @@ def folding() -> dict[str, float]:
         springs={"fold": kt.Spring(coordinate=kt.HingeDrive(axis=("A", "B"), start="C", end="D"), stiffness=40.0, play=0.05)},
     )
     run = kt.dynamics.simulate(model, 10.0, method=kt.EnergyMomentum(step=0.02), samples=51)
-    changes = {name: float(np.abs(run.data[name].values - run.data[name].values[0]).max()) for name in ("momentum", "angular_momentum")}
+    changes = {
+        name: float(np.abs(run.data[name].values - run.data[name].values[0]).max()) for name in ("momentum", "angular_momentum")
+    }
     again = kt.dynamics.inverse(model, run.motion)
     force = float(np.abs(again.spring_force.values - run.forces.spring_force.values).max())
     return {"energy": float(np.ptp(run.energy.values))} | changes | {"inverse": force}
