@@ -81,7 +81,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     stored = 0.5 * stiffness * e**2
     energy[:, held.row_member[bars]] = stored[:, bars]
     work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
-    return _record(system, forces, u, elongation, length, energy, stored.sum(axis=1), work, said)
+    return _record(system, forces, u, elongation, length, (energy, stored.sum(axis=1), work), said)
 
 
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -141,11 +141,10 @@ def _record(
     u: NDArray[np.float64],
     elongation: NDArray[np.float64],
     length: NDArray[np.float64],
-    energy: NDArray[np.float64],
-    stored: NDArray[np.float64],
-    work: NDArray[np.float64],
+    energies: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]],
     said: str,
 ) -> Deflection:
+    energy, stored, work = energies
     nodes = u.reshape(len(u), -1, 3)[:, :, : system.dim]
     per, time = ("time", "member"), ("time",)
     data = {

@@ -30,7 +30,7 @@ def _arm(start: float, gravity: float = 0.0, **law: Any) -> kt.Model:
 
 
 def _angles(run: kt.results.Simulation) -> list[float]:
-    return run.forces.spring_value.sel(spring="hinge").values.tolist()
+    return [float(angle) for angle in run.forces.spring_value.sel(spring="hinge").values]
 
 
 def swing(damping: float) -> dict[str, float]:
@@ -57,7 +57,7 @@ def friction() -> dict[str, float]:
 def torque() -> dict[str, float]:
     """Torque of a motor about the hinge against spring, damper and friction, from rest to rest and back."""
     model = _arm(0.0, damping=0.7, friction=0.4).with_(drives={"motor": HINGE})
-    found = {}
+    found: dict[str, float] = {}
     for name, move in (("out", (0.0, 1.0)), ("back", (1.0, 0.0))):
         motion = kt.kinematics.follow(model, kt.Quintic(moves={"motor": move}, duration=1.0), samples=5)
         forces = kt.dynamics.inverse(model, motion)
