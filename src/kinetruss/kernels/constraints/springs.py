@@ -17,6 +17,7 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Ints, Vector
 from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_rates, term_value
 from kinetruss.kernels.structure.equations import Equations
+from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS
 from kinetruss.kernels.structure.structure import Structure
 
 __all__ = [
@@ -104,16 +105,23 @@ def _rate(s: Structure, k: int, x: F1, v: F1, scratch: F1) -> float:
 
 
 @kernel_bare
+def _push_term(s: Structure, t: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
+    """f += amount times the gradient of term t."""
+    term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
+    P, one, two = s.spring_at[t, 0], s.spring_at[t, 1], s.spring_at[t, 2]
+    # g at P, -w1 g and -w2 g at nodes 1 and 2
+    for c in range(3):
+        force = amount * scratch[c]
+        f[P + c] += force
+        f[one + c] -= scratch[3] * force
+        f[two + c] -= scratch[4] * force
+
+
+@kernel_bare
 def _push(s: Structure, k: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
     """f += amount dc/dx of spring k."""
     for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-        term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
-        P, one, two = s.spring_at[t, 0], s.spring_at[t, 1], s.spring_at[t, 2]
-        for c in range(3):
-            force = amount * scratch[c]
-            f[P + c] += force
-            f[one + c] -= scratch[3] * force
-            f[two + c] -= scratch[4] * force
+        _push_term(s, t, amount, x, f, scratch)
 
 
 @kernel
@@ -252,43 +260,89 @@ def _mean_force(s: Structure, k: int, e0: float, e1: float) -> float:
     return (_elastic(s, k, e1)[2] - _elastic(s, k, e0)[2]) / (e1 - e0)
 
 
+@kernel_bare
+def _stretch(s: Structure, t: int, x0: F1, x1: F1) -> float:
+    """Change of term t from x0 to x1 over that to first order from their middle; 1 where it is not known."""
+    P, one = s.spring_at[t, 0], s.spring_at[t, 1]
+    kind, data = s.spring_kind[t], s.spring_data
+    if kind != ALONG and kind != FIXED_AXIS:
+        return 1.0
+    ax, ay, az = x0[P] - x0[one], x0[P + 1] - x0[one + 1], x0[P + 2] - x0[one + 2]
+    bx, by, bz = x1[P] - x1[one], x1[P + 1] - x1[one + 1], x1[P + 2] - x1[one + 2]
+    if kind == ALONG:
+        # length in the middle over the mean length: L_1 - L_0 = (L_1^2 - L_0^2)/(L_0 + L_1)
+        L0, L1 = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
+        mx, my, mz = ax + bx, ay + by, az + bz
+        return math.sqrt(mx * mx + my * my + mz * mz) / (L0 + L1)
+    c0 = data[t, 1] * ax + data[t, 2] * ay + data[t, 3] * az
+    s0 = data[t, 4] * ax + data[t, 5] * ay + data[t, 6] * az
+    c1 = data[t, 1] * bx + data[t, 2] * by + data[t, 3] * bz
+    s1 = data[t, 4] * bx + data[t, 5] * by + data[t, 6] * bz
+    cross, dot = c0 * s1 - s0 * c1, c0 * c1 + s0 * s1
+    size, angle = math.sqrt(cross * cross + dot * dot), math.atan2(cross, dot)
+    # angle times the square of the radius in the middle over the cross product of the ends
+    over = 1.0 + angle * angle / 6.0 if abs(angle) < 1e-4 else angle * size / cross
+    return 0.25 * ((c0 + c1) ** 2 + (s0 + s1) ** 2) / size * over
+
+
 @kernel_late(allocates=True)
 def swap_springs(s: Equations, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:
     """Replace the forces of springs at (xe, ve), the middle of a step from x0 to x1, in f by those that keep the energy.
 
     A discrete gradient (Gonzalez, J. Nonlinear Sci. 6 (1996) 449): the mean force over the step times dc/dx in its middle,
-    lengthened so that its product with x1 - x0 is the change of c. It keeps the momenta, as its direction is that of dc/dx.
+    that of every term stretched so that its product with x1 - x0 is the change of the term. So it keeps the energy of springs
+    on angles about fixed axes (in the plane all), on lengths and coordinates. For others, on angles about moving axes and
+    offsets, the gradient is that in the middle: they keep the momenta, and the energy to the order of the step.
     """
     scratch = np.empty(10)
     for k in range(s.spring.shape[0]):
-        first = _rate(s, k, xe, ve, scratch)
-        kept = _elastic(s, k, _deflection(s, k, xe))[0] + _resisting(s, k, first)[0]
+        kept = _elastic(s, k, _deflection(s, k, xe))[0] + _resisting(s, k, _rate(s, k, xe, ve, scratch))[0]
         e0 = _deflection(s, k, x0)
         change = nearest_turn(_deflection(s, k, x1) - e0, s.spring[k, 7])
-        # change of c to first order, and what it lacks; where c turns back, as much of it as stays continuous
-        along = first * h
-        lacking = change - along
-        more = 0.0
-        if abs(along) >= 10.0 * abs(lacking):
-            more = lacking / along if along != 0.0 else 0.0
-        else:
-            more = along / (100.0 * lacking)
         force = _mean_force(s, k, e0, e0 + change) + _resisting(s, k, change / h)[0]
-        _push(s, k, kept - (1.0 + more) * force, xe, f, scratch)
+        for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+            _push_term(s, t, kept - _stretch(s, t, x0, x1) * force, xe, f, scratch)
+
+
+@kernel_bare
+def _flat_of(s: Structure, k: int, j: int) -> int:
+    """The coordinate that is the local one j of spring k; -1 if it has fewer."""
+    for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
+        for n in range(3):
+            if s.spring_local[t, n] == j // 3:
+                return s.spring_at[t, n] + j % 3
+    return -1
 
 
 @kernel_late(allocates=True)
 def add_springs(s: Equations, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
-    """Add beta V'' + gamma dR/dc' times g g^T, g = dc/dx, to the lower triangle of a matrix in value.
+    """Add (beta V'' + gamma dR/dc') g g^T + beta F H, g and H gradient and Hessian of c, to the lower triangle in value.
 
     at (springs, w w) : places of the entries between the w coordinates that a spring has at most, in their order in
-    spring_local. The curvature of c is left out, as that of sums is: iterations mend it.
+    spring_local.
     """
     w = int(math.sqrt(float(at.shape[1])) + 0.5)
-    scratch, g = np.empty(10), np.empty(w)
+    scratch, g, column, unit = np.empty(10), np.empty(w), np.empty(w), np.zeros(x.size)
     for k in range(s.spring.shape[0]):
         _local_gradient(s, k, x, g, scratch)
-        size = beta * _elastic(s, k, _deflection(s, k, x))[1] + gamma * _resisting(s, k, _rate(s, k, x, v, scratch))[1]
+        rate = _rate(s, k, x, v, scratch)
+        force, slope, _ = _elastic(s, k, _deflection(s, k, x))
+        resisting, damping = _resisting(s, k, rate)
+        size, turning = beta * slope + gamma * damping, beta * (force + resisting)
         for i in range(w):
             for j in range(i + 1):
                 value[at[k, w * i + j]] += size * g[i] * g[j]
+        if turning == 0.0:
+            continue
+        # F H, column by column: local coordinate j belongs to the node of the terms that have it
+        for j in range(w):
+            for i in range(w):
+                column[i] = 0.0
+            flat = _flat_of(s, k, j)
+            if flat < 0:
+                continue
+            unit[flat] = 1.0
+            _add_curvature(s, k, x, unit, turning, column, scratch)
+            unit[flat] = 0.0
+            for i in range(j, w):
+                value[at[k, w * i + j]] += column[i]
