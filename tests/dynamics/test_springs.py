@@ -152,7 +152,7 @@ def test_every_law_in_every_engine(method):
 LAWS = {
     "linear": {"stiffness": 40.0},
     "play": {"stiffness": 40.0, "play": 0.1},
-    "table": {"table": ((-1, -9), (0, 0), (1, 30))},
+    "table": {"table": ((-1, -60), (0, 0), (1, 90))},
 }
 
 
