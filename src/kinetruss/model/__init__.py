@@ -31,6 +31,7 @@ from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults
+from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -164,6 +165,7 @@ __all__ = [
     "Taylor",
     "Coupling",
     "HingeDrive",
+    "Hub",
     "OffsetCoordinate",
     "geared",
     "turns",

@@ -9,6 +9,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._table import Filled, ReadOnly, Table
+from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.motion.runs import Run
@@ -63,6 +64,7 @@ class ModelData(Record):
     active: Table[Name, Active] = ReadOnly()
     bodies: Table[Name, Body] = ReadOnly()
     joints: Table[Name, Joint] = ReadOnly()
+    hubs: Table[Name, Hub] = ReadOnly()
     membranes: Table[Name, Membrane] = ReadOnly()
     solids: Table[Name, Solid] = ReadOnly()
     section: SectionOrName | None = None

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.actions.bar_actions import acting_along
-from kinetruss.dynamics.actions.records import Action
+from kinetruss.dynamics.actions.records import Action, CarriedBy
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.given import check_motion
@@ -105,7 +105,7 @@ class Instant:
         if not unit:
             drive = self.data["drive_force"].values[None]
             coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
-        found, acting = acting_along(system, self.loads, states, drive, coupling)
+        found, acting = acting_along(system, self.loads, states, drive, coupling, None if unit else self._carried())
         made = []
         for k, action in enumerate(found.actions):
             worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
@@ -113,6 +113,15 @@ class Instant:
             lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
             made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
         return tuple(made)
+
+    def _carried(self) -> CarriedBy | None:
+        """Forces of bars and supports, which load the arms of hubs."""
+        if not self.system.model.hubs:
+            return None
+        support = np.zeros((1, *self.system.x0.shape))
+        for name, force in zip(self.system.supports, self.data["reaction"].values, strict=True):
+            support[0, self.system.node_index(name), : self.system.dim] = force
+        return CarriedBy(self.data["member_force"].values[None], support)
 
     @cached_property
     def on_bars(self) -> tuple[OnBar, ...]:

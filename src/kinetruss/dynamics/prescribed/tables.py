@@ -15,7 +15,7 @@ from kinetruss.dynamics.actions.bar_actions import (
     adds_tension,
     mean_tension,
 )
-from kinetruss.dynamics.actions.records import Acting
+from kinetruss.dynamics.actions.records import Acting, CarriedBy
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.interface import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
@@ -74,13 +74,15 @@ def carried(
     count = len(rest)
     drive_force = _drive_forces(system, read, solved["N"], rest)
     coupling_force = _coupling_forces(system, solved["N"])
-    found, acting = acting_along(system, loads, States(solved["x"], solved["v"], solved["a"]), drive_force, coupling_force)
+    mean = _member_forces(system, read, solved["N"], at_rest)
+    index, fixed = _supports(system)
+    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
+    by = _carried_by(system, mean, reaction) if system.model.hubs else None
+    states = States(solved["x"], solved["v"], solved["a"])
+    found, acting = acting_along(system, loads, states, drive_force, coupling_force, by)
     _take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
-    index, fixed = _supports(system)
-    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
-    mean = _member_forces(system, read, solved["N"], at_rest)
     if any(adds_tension(action) for action in found.actions):
         mean += mean_tension(system, found.actions, acting, solved["x"])
     unsure = np.zeros(len(system.members), np.bool_)
@@ -145,6 +147,13 @@ def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
         scale, arm = (float(system.measure_scale[m]), -1) if m >= 0 else (1.0, arm)
         found.append((int(r), int(system.row_drive[r]), scale, arm))
     return tuple(found)
+
+
+def _carried_by(system: System, mean: NDArray[np.float64], reaction: NDArray[np.float64]) -> CarriedBy:
+    """Forces of truss bars, and of supports at all nodes, from those of the supports (times, supports, 3)."""
+    support = np.zeros((len(mean), len(system.nodes), 3))
+    support[:, _supports(system)[0]] = reaction
+    return CarriedBy(mean.copy(), support)
 
 
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.actions import mean_tension_at_rest
+from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian
@@ -272,7 +272,9 @@ def forces_of(
         fixed[flat] = False
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
     own = len(system.measures) - len(system.model.couplings)
-    mean = balance.tension(x) + tension + mean_tension_at_rest(system, x, drive, -on_measures[own:])
+    mean = balance.tension(x) + tension
+    support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
+    mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:], CarriedBy(mean[None], support))
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),

@@ -1,0 +1,123 @@
+"""Cross-checks of hubs: their members, their places, and what they leave of the lengths of members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import dist
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model._words import nearest
+from kinetruss.model.checks.common import a_bar, unknown
+from kinetruss.model.hubs.arms import Arm, arms_of, free_length, ideal_ends, is_grounded, members_at
+from kinetruss.model.parts.members import Active
+
+if TYPE_CHECKING:
+    from kinetruss.model._data import ModelData
+
+__all__ = ["hub_faults"]
+
+SAME = 1e-9
+"""Lengths that differ by less than this fraction are one."""
+
+
+def hub_faults(model: ModelData) -> list[Fault]:
+    """Faults of the hubs of a model, whether it has their arms yet or not."""
+    found: list[Fault] = []
+    for hub in model.hubs:
+        found += [*_names(model, hub)]
+    if found:
+        return found
+    arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
+    for hub in model.hubs:
+        found += [*_clamped(model, hub)]
+    for arm in arms:
+        found += [*_place(model, arm)]
+    for name in dict.fromkeys(arm.member for arm in arms):
+        found += [*_lengths(model, name, [arm.hub for arm in arms if arm.member == name])]
+    return found
+
+
+def _names(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Unknown nodes and members, members that end elsewhere, vectors of another dimension."""
+    path, record = ("hubs", hub), model.hubs[hub]
+    if hub not in model.nodes:
+        yield unknown("node", hub, model.nodes, path)
+        return
+    if any(end not in model.nodes for member in model.members.values() for end in member.ends):
+        return  # reported with the members
+    here, dim = members_at(model, hub), len(model.nodes[hub].at)
+    for field, names in (("arms", record.arms), ("clamped", record.clamped)):
+        for name in names:
+            if name not in model.members:
+                yield Fault((*path, field, name), f"no member called {name!r}.", nearest(name, model.members))
+            elif name not in here:
+                ends = " and ".join(ideal_ends(model, name, model.members[name]))
+                mend = f"Name one of those that do: {', '.join(here) or 'none'}."
+                yield Fault((*path, field, name), f"does not end at {hub!r} but at {ends}.", mend)
+    for name, offset in record.arms.items():
+        if isinstance(offset, tuple) and len(offset) != dim:
+            mend = f"Give {dim}, or a distance along the member."
+            yield Fault((*path, "arms", name), f"has {len(offset)} components in a model of dimension {dim}.", mend)
+    if not here:
+        yield Fault(path, "is a node at which no member ends.", "Name a node with members.")
+
+
+def _clamped(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Only a rigid bar can be clamped, and not to a hub on the ground."""
+    path, record = ("hubs", hub, "clamped"), model.hubs[hub]
+    for name in record.clamped:
+        member = model.members[name]
+        kind = "driven" if isinstance(member, Active) or name in model.driven_members else member.kind
+        if kind != "rigid":
+            mend = "Clamp a rigid bar at this node, and give this member an arm."
+            yield Fault((*path, name), f"is {a_bar(kind)}, whose length changes.", mend, about=(("bars", name),))
+        elif is_grounded(model, hub):
+            far = next(node for node in ideal_ends(model, name, member) if node != hub)
+            mend = f"Fix {far!r} too; or say turns: true, if the hub turns about its node."
+            yield Fault((*path, name), "is clamped to a hub on the ground, so that it cannot move.", mend)
+
+
+def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
+    """A tip whose name is taken, or that stands elsewhere than the hub says."""
+    path = ("hubs", arm.hub)
+    ended = model.members[arm.member].ends[arm.end]
+    if ended != arm.name:
+        for table in ("nodes", "bars", "active"):
+            if arm.name in getattr(model, table):
+                message = f"needs the name {arm.name!r} for the arm of {arm.member!r}, which is in use."
+                yield Fault(path, message, f"Rename it in {table}.", about=((table, arm.name),))
+        return
+    there = model.nodes[arm.name].at
+    if (off := dist(there, arm.at)) > 1e3 * SAME * max(1.0, dist(arm.at, model.nodes[arm.hub].at)):
+        message = f"puts the joint of {arm.member!r} {off:.3g} m from node {arm.name!r}, which an earlier hub has put there."
+        mend = "Give the hubs to the model whose members end at its nodes; it gets its arms once."
+        yield Fault(path, message, mend, about=(("nodes", arm.name),))
+
+
+def _lengths(model: ModelData, name: str, hubs: list[str]) -> Iterator[Fault]:
+    """Hubs that overlap, rods longer than what is left, lengths that are still those from node to node."""
+    whole, rest = free_length(model, name)
+    table = "active" if name in model.active else "bars"
+    about: Any = ((table, name), *(("nodes", node) for node in ideal_ends(model, name, model.members[name])))
+    path = ("hubs", hubs[0])
+    if rest <= SAME * whole:
+        others = "overlaps its other node" if len(hubs) == 1 else f"overlaps that of {hubs[1]!r}"
+        mend = f"Shorten the arms to less than {whole:.6g} m together, or lengthen the member."
+        yield Fault(
+            path, f"{others}: {name!r} is {whole:.6g} m long from node to node, and its arms are longer.", mend, about=about
+        )
+        return
+    member: Any = model.members[name]
+    rods = (("base", member.base.length), ("tube", member.tube.length)) if isinstance(member, Active) else ()
+    for role, length in rods:
+        now = rest if member.length is None else member.length
+        if length > now * (1 + SAME):
+            message = f"leaves {name!r} {now:.6g} m between its joints, but its {role} is {length:.6g} m long."
+            mend = f"Shorten the {role}, or the arms of the hub."
+            yield Fault(path, message, mend, about=((table, name),))
+    for field in ("length", "natural_length"):
+        stated = getattr(member, field, None)
+        if stated is not None and abs(stated - whole) <= SAME * whole < abs(stated - rest):
+            message = f"leaves {name!r} {rest:.6g} m between its joints; its {field} is that from node to node, {whole:.6g} m."
+            yield Fault(path, message, f"Give {field}: {rest:.6g} m, or leave it out.", about=((table, name),))

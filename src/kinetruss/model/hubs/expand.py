@@ -1,0 +1,78 @@
+"""Gives the hubs of a model their arms: nodes at the tips, rigid bars to them, and a rigid body of all."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from kinetruss.model.hubs.arms import Arm, apexes, arms_of, clamped_at, is_grounded
+from kinetruss.model.parts.bodies import Body
+from kinetruss.model.parts.members import Bar, Node
+
+if TYPE_CHECKING:
+    from kinetruss.model._data import ModelData
+
+__all__ = ["with_arms"]
+
+
+def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
+    """The tables of a model that change when its hubs get their arms, by field; hubs that have them stay as they are."""
+    every = {hub: arms_of(model, hub) for hub in model.hubs}
+    new = {hub: arms for hub, arms in every.items() if not _expanded(model, hub, arms)}
+    if not new:
+        return {}
+    found: dict[str, dict[str, Any]] = {
+        field: dict(getattr(model, field)) for field in ("nodes", "bars", "active", "bodies", "fixed", "support_motion")
+    }
+    for hub, arms in new.items():
+        _add_arms(model, hub, arms, found)
+    for hub, arms in new.items():
+        if not is_grounded(model, hub):
+            _add_body(model, hub, arms, found)
+    return {field: table for field, table in found.items() if table != getattr(model, field)}
+
+
+def _expanded(model: ModelData, hub: str, arms: list[Arm]) -> bool:
+    """Whether a hub has its arms: its members end at them, or its body is there."""
+    if arms:
+        return all(model.members[arm.member].ends[arm.end] == arm.name for arm in arms)
+    return f"{hub}.hub" in model.bodies
+
+
+def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
+    """Add the nodes at the tips of a hub and the bars to them, and let its members end there."""
+    record, grounded = model.hubs[hub], is_grounded(model, hub)
+    matter = {"section": record.section, "material": record.material}
+    kind: Literal["free", "rigid"] = (
+        "free" if grounded else "rigid"
+    )  # between fixed nodes a rigid bar would be in a state of self-stress
+    for arm in arms:
+        found["nodes"][arm.name] = Node(at=arm.at, coincident=True)
+        found["bars"][arm.name] = Bar(ends=(hub, arm.name), kind=kind, buckling="clamped-free", **matter)
+        table = found["bars" if arm.member in model.bars else "active"]
+        ends = list(table[arm.member].ends)
+        ends[arm.end] = arm.name
+        table[arm.member] = table[arm.member].with_(ends=tuple(ends))
+        if grounded:
+            found["fixed"][arm.name] = model.fixed[hub]
+            if hub in model.support_motion:
+                found["support_motion"][arm.name] = model.support_motion[hub]
+        for other in model.hubs:  # a body that is there and clamps the member
+            body = found["bodies"].get(f"{other}.hub")
+            if other != hub and body and arm.member in model.hubs[other].clamped:
+                nodes = tuple(arm.name if node == hub else node for node in body.nodes)
+                found["bodies"][f"{other}.hub"] = body.with_(nodes=nodes, carriers=nodes[:2])
+
+
+def _add_body(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
+    """Add the rigid body of the centre, the tips and the far ends of clamped members, with apexes where these are flat."""
+    nodes = [hub, *(arm.name for arm in arms)]
+    for name in clamped_at(model, hub):
+        nodes += [node for node in found["bars"][name].ends if node != hub]
+    points = np.array([found["nodes"][node].at for node in nodes])
+    for k, place in enumerate(apexes(points), start=1):
+        nodes.append(f"{hub}.hub.apex{k}")
+        found["nodes"][nodes[-1]] = Node(at=tuple(place.tolist()), coincident=True)
+    if len(nodes) > 1:
+        found["bodies"][f"{hub}.hub"] = Body(nodes=tuple(nodes), carriers=tuple(nodes[:2]))
