@@ -22,7 +22,7 @@ _PACKAGES = (
 )
 _NAMES = {
     "model": (
-        "Catalogue Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub Joint "
+        "Bearing Catalogue Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub Joint "
         "Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "

@@ -84,7 +84,7 @@ from kinetruss.model.parts.body_mass import body_mass
 from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
 from kinetruss.model.parts.elastic import natural_length, stiffness
 from kinetruss.model.parts.gauges import Bridge, Gauge, GaugeZero
-from kinetruss.model.parts.joints import GROUND, Hinge, Joint
+from kinetruss.model.parts.joints import GROUND, Bearing, Hinge, Joint
 from kinetruss.model.parts.loads import History, LoadCase, NodalForce
 from kinetruss.model.parts.members import Active, Bar, Node, Part, PlanarBody
 from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
@@ -93,6 +93,7 @@ __all__ = [
     "Active",
     "Amplifier",
     "AngleDrive",
+    "Bearing",
     "Bar",
     "Body",
     "BodyCouple",

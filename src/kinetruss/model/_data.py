@@ -18,7 +18,7 @@ from kinetruss.model.parts.bodies import Body
 from kinetruss.model.parts.body_loads import Load
 from kinetruss.model.parts.continua import Membrane, Solid
 from kinetruss.model.parts.gauges import Gauge, GaugeZero
-from kinetruss.model.parts.joints import Joint
+from kinetruss.model.parts.joints import Bearing, Joint
 from kinetruss.model.parts.loads import History, LoadCase
 from kinetruss.model.parts.members import Active, Bar, Node
 from kinetruss.model.parts.sections import Material, MaterialOrName, Section, SectionOrName
@@ -65,6 +65,7 @@ class ModelData(Record):
     bodies: Table[Name, Body] = ReadOnly()
     joints: Table[Name, Joint] = ReadOnly()
     hubs: Table[Name, Hub] = ReadOnly()
+    bearings: Table[Name, Bearing] = ReadOnly()
     membranes: Table[Name, Membrane] = ReadOnly()
     solids: Table[Name, Solid] = ReadOnly()
     section: SectionOrName | None = None

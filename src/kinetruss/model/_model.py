@@ -31,6 +31,7 @@ class Model(ModelData):
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
     joints : records of the joints that `library.joints` has built from nodes and bars.
+    bearings : pins and balls whose friction follows from their force.
     hubs : nodes of finite size, by node; their arms are added to `nodes`, `bars` and `bodies` (see `Hub`).
     membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
     section, material : used by every bar that names none. Here and in its records a name refers to a table of the model,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import bars_of
+from kinetruss.dynamics.actions.bearings import actions_of_bearings
 from kinetruss.dynamics.actions.friction import actions_of_friction
 from kinetruss.dynamics.actions.hubs import actions_of_hubs
 from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
@@ -56,14 +57,8 @@ def actions_of(system: System, case: str) -> BarActions:
     chosen = model.load_cases[case].loads if case in model.load_cases else None
     loads = list(model.loads) if chosen is None else list(chosen)
     on_bodies = any(not isinstance(model.loads[name], NodalForce) for name in loads)
-    if not (
-        len(system.measures)
-        or np.any(system.row_kind == ANGLE)
-        or model.bodies
-        or model.hubs
-        or on_bodies
-        or system.friction.any()
-    ):
+    records = len(system.measures) or model.bodies or model.hubs or model.bearings
+    if not (records or np.any(system.row_kind == ANGLE) or on_bodies or system.friction.any()):
         return BarActions(actions=(), names=(), loose=())
     bars = bars_of(system)
     found = [
@@ -72,6 +67,7 @@ def actions_of(system: System, case: str) -> BarActions:
         *actions_of_loads(system, bars, loads),
         *actions_of_friction(system),
         *actions_of_hubs(system, bars),
+        *actions_of_bearings(system),
     ]
     actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)
     met: Counter[str] = Counter()

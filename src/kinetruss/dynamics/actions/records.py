@@ -28,15 +28,18 @@ if TYPE_CHECKING:
 __all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "evaluate"]
 
 
-GIVEN = ("load", "body", "friction", "hub")
+GIVEN = ("load", "body", "friction", "hub", "bearing")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 
 class CarriedBy(NamedTuple):
-    """Forces of truss bars and supports: tension (t, members) N; support (t, n, 3) N on the structure, 0 at free nodes."""
+    """What follows from solved forces: tension (t, members) N; support (t, n, 3) N on the structure, 0 at free nodes; couple
+    (t, bearings, 3) N m on the members of bearings, without bearings at rest.
+    """
 
     tension: NDArray[np.float64]
     support: NDArray[np.float64]
+    couple: NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -44,7 +47,7 @@ class Instants:
     """The input of actions: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
 
     amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
-    carried : the forces that load the arms of hubs; without them the actions on arms are NaN.
+    carried : the forces that load the arms of hubs; without them the actions on arms are NaN, and bearings do not rub.
     """
 
     system: System
@@ -74,7 +77,7 @@ class Instants:
 class Action:
     """An action on a member.
 
-    source : name of a drive, coupling, load, body or hub, or of the node of a pin with friction, and kind : which of these.
+    source : name of a drive, coupling, load, body, hub or bearing, or of the node of a pin with friction; kind : which of them.
     member : index.
     worth : function for the equivalent end forces f_A, f_B (t, 2, 3), N. place : function for the fraction from A (t,), or a
         number; None: spread along the bar. counted : the row belongs to the member itself, so that its joint forces include

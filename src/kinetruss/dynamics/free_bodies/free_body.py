@@ -213,6 +213,7 @@ _SYMBOLS = {
     "load": ("P", "load"),
     "body": ("B", "weight less m a of body"),
     "friction": ("C", "friction at"),
+    "bearing": ("C", "bearing"),
     "hub": ("H", "centre of hub"),
 }
 

@@ -116,12 +116,16 @@ class Instant:
 
     def _carried(self) -> CarriedBy | None:
         """Forces of bars and supports, which load the arms of hubs."""
-        if not self.system.model.hubs:
+        if not (self.system.model.hubs or self.system.model.bearings):
             return None
+        couple = np.zeros((1, 0, 3))
+        if "bearing_couple" in self.data:
+            values = self.data["bearing_couple"].values
+            couple = np.pad(values, ((0, 0), (3 - values.shape[1], 0)))[None]
         support = np.zeros((1, *self.system.x0.shape))
         for name, force in zip(self.system.supports, self.data["reaction"].values, strict=True):
             support[0, self.system.node_index(name), : self.system.dim] = force
-        return CarriedBy(self.data["member_force"].values[None], support)
+        return CarriedBy(self.data["member_force"].values[None], support, couple)
 
     @cached_property
     def on_bars(self) -> tuple[OnBar, ...]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics.actions import relative_rates
 from kinetruss.dynamics.actions.bar_actions import (
     BarActions,
     acting_along,
@@ -77,7 +78,7 @@ def carried(
     mean = _member_forces(system, read, solved["N"], at_rest)
     index, fixed = _supports(system)
     reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
-    by = _carried_by(system, mean, reaction) if system.model.hubs else None
+    by = _carried_by(system, mean, reaction, solved.get("bearing", np.zeros((count, 0, 3))))
     states = States(solved["x"], solved["v"], solved["a"])
     found, acting = acting_along(system, loads, states, drive_force, coupling_force, by)
     _take_off(joint, found, acting)
@@ -105,6 +106,10 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
+    if "bearing" in solved:
+        turns = slice(2, 3) if dim == 2 else slice(0, 3)
+        couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"
+        data["bearing_couple"] = variable(("time", "bearing", "rotation"), couples, "N m", words)
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, read, loads, solved, every.drive_force)
@@ -149,11 +154,17 @@ def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
     return tuple(found)
 
 
-def _carried_by(system: System, mean: NDArray[np.float64], reaction: NDArray[np.float64]) -> CarriedBy:
-    """Forces of truss bars, and of supports at all nodes, from those of the supports (times, supports, 3)."""
+def _carried_by(
+    system: System, mean: NDArray[np.float64], reaction: NDArray[np.float64], couple: NDArray[np.float64]
+) -> CarriedBy | None:
+    """Forces of truss bars, and of supports at all nodes, from those of the supports (times, supports, 3); None if nothing
+    depends on them.
+    """
+    if not (system.model.hubs or system.model.bearings):
+        return None
     support = np.zeros((len(mean), len(system.nodes), 3))
     support[:, _supports(system)[0]] = reaction
-    return CarriedBy(mean.copy(), support)
+    return CarriedBy(mean.copy(), support, couple)
 
 
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
@@ -167,6 +178,8 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 def _axes(system: System, case: str) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
+    if system.model.bearings:
+        couplings["bearing"] = list(system.model.bearings)
     return Axes(
         couplings
         | action_coordinates(system, actions_of(system, case))
@@ -256,9 +269,12 @@ def _power(
     if len(loads.node):
         nodal = v.reshape(len(v), len(system.nodes), 3)
         power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+    if "bearing" in solved:
+        place, moving = (y.reshape(len(y), -1, 3) for y in (x, v))
+        energy[:, 2] -= np.einsum("tkc,tkc->t", solved["bearing"], relative_rates(system, place, moving))
     power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
     time = ("time",)
-    resists = system.damping.any() or system.friction.any()
+    resists = system.damping.any() or system.friction.any() or "bearing" in solved
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

@@ -17,6 +17,7 @@ from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
 from kinetruss.model.checks.loads import load_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
+from kinetruss.model.hubs.bearings import bearing_faults
 from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
 from kinetruss.model.motion.trajectories import moved_by
@@ -38,6 +39,7 @@ def faults(model: ModelData) -> list[Fault]:
         *planar_body_faults(model),
         *body_faults(model, dim),
         *joint_faults(model),
+        *(bearing_faults(model) if model.bearings else ()),
         *_tables(model),
         *_loads(model, dim),
         *_drives(model),

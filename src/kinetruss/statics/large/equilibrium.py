@@ -274,7 +274,9 @@ def forces_of(
     own = len(system.measures) - len(system.model.couplings)
     mean = balance.tension(x) + tension
     support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
-    mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:], CarriedBy(mean[None], support))
+    mean = mean + mean_tension_at_rest(
+        system, x, drive, -on_measures[own:], CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
+    )
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
