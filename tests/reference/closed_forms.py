@@ -9,6 +9,8 @@ from collections.abc import Callable
 import numpy as np
 from scipy.special import ellipj
 
+from reference.joint_forms import joints
+
 __all__ = ["ALL"]
 
 Numbers = dict[str, float]
@@ -385,4 +387,5 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     equal_turns,
     small_motions,
     flexible,
+    joints,
 )

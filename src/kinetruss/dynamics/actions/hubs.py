@@ -79,10 +79,12 @@ def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
             yield NotOnBars(source=hub, kind="hub", nodes=(hub, *nodes), members=tuple(system.members[i] for i in arms))
             continue
         braces = _braces(system, bars, hub)
+        on_body = (name for name, load in model.loads.items() if getattr(load, "body", None) == f"{hub}.hub")
+        own = frozenset(on_body)
         for i, tip in tips.items():
             node = bars.ends(i)[tip]
             pulled = tuple((k, bars.ends(k).index(node)) for k in braces if node in bars.ends(k))
-            worth = partial(_passed_on, tip, pulled, node if is_grounded(model, hub) else -1)
+            worth = partial(_passed_on, tip, node, pulled, own, is_grounded(model, hub))
             yield Action(source=hub, kind="hub", member=i, worth=worth, place=float(1 - tip))
 
 
@@ -102,7 +104,9 @@ def _held_elsewhere(system: System, bars: Bars, hub: str, own: set[int]) -> bool
     return bool(inside - own)
 
 
-def _passed_on(tip: int, pulled: tuple[tuple[int, int], ...], fixed: int, here: Instants) -> NDArray[np.float64]:
+def _passed_on(
+    tip: int, node: int, pulled: tuple[tuple[int, int], ...], own: frozenset[str], fixed: bool, here: Instants
+) -> NDArray[np.float64]:
     """Two opposite forces (t, 2, 3), N, on an arm: at its tip minus those that braces and a support exert on the node there."""
     found = np.zeros((len(here.x), 2, 3))
     if here.carried is None:
@@ -111,7 +115,11 @@ def _passed_on(tip: int, pulled: tuple[tuple[int, int], ...], fixed: int, here: 
     for k, end in pulled:
         d = here.along(k) * (1.0 if end else -1.0)  # outward from the brace at its end
         push -= (here.carried.tension[:, k] / np.linalg.norm(d, axis=1))[:, None] * d
-    if fixed >= 0:
-        push += here.carried.support[:, fixed]
+    if here.loads is not None:  # loads on the body of a hub act at its centre
+        for k, (load, at) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):
+            if at == node and load in own:
+                push += here.loads.force[:, k]
+    if fixed:
+        push += here.carried.support[:, node]
     found[:, 1 - tip] = -push
     return found

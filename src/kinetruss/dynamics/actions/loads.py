@@ -62,7 +62,11 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
         if i >= 0:
             place = _place(system, i, load) if body is None else _share(system, bars, i, body, getattr(load, "at", None))
             yield Action(source=name, kind="load", member=i, worth=partial(_load, i, name), place=place)
-        elif body is not None and (inside := bars.inside({system.node_index(node) for node in body.nodes})):
+        elif (
+            load.body not in hub_bodies(system)
+            and body is not None
+            and (inside := bars.inside({system.node_index(node) for node in body.nodes}))
+        ):
             yield NotOnBars(source=name, kind="load", nodes=tuple(body.nodes), members=inside)
 
 

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from itertools import combinations, islice
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from kinetruss.model.hubs.arms import Arm, apexes, arms_of, clamped_at, is_grounded
 from kinetruss.model.parts.bodies import Body
+from kinetruss.model.parts.body_mass import quality
 from kinetruss.model.parts.members import Bar, Node
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
 __all__ = ["with_arms"]
+
+TRIED = 1000
+"""Sets of nodes that are compared."""
 
 
 def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
@@ -62,7 +67,9 @@ def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict
             body = found["bodies"].get(f"{other}.hub")
             if other != hub and body and arm.member in model.hubs[other].clamped:
                 nodes = tuple(arm.name if node == hub else node for node in body.nodes)
-                found["bodies"][f"{other}.hub"] = body.with_(nodes=nodes, carriers=nodes[:2])
+                found["bodies"][f"{other}.hub"] = body.with_(
+                    nodes=nodes, carriers=_spread({node: found["nodes"][node].at for node in nodes})
+                )
 
 
 def _add_body(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
@@ -75,4 +82,15 @@ def _add_body(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict
         nodes.append(f"{hub}.hub.apex{k}")
         found["nodes"][nodes[-1]] = Node(at=tuple(place.tolist()), coincident=True)
     if len(nodes) > 1:
-        found["bodies"][f"{hub}.hub"] = Body(nodes=tuple(nodes), carriers=tuple(nodes[:2]))
+        found["bodies"][f"{hub}.hub"] = Body(
+            nodes=tuple(nodes), carriers=_spread({node: found["nodes"][node].at for node in nodes})
+        )
+
+
+def _spread(places: dict[str, tuple[float, ...]]) -> tuple[str, ...]:
+    """The nodes of a hub that span it best, so that loads on its body have carriers: four in space, two in the plane."""
+    dim = len(next(iter(places.values())))
+    if dim == 2:
+        return tuple(places)[:2]
+    tried = islice(combinations(places, min(len(places), dim + 1)), TRIED)
+    return max(tried, key=lambda names: round(quality([places[name] for name in names]), 9))
