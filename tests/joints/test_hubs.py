@@ -249,3 +249,13 @@ def test_a_file_with_hubs(tmp_path: Any) -> None:
     assert model.bars["a"].ends == ("A.a", "C.a")
     assert model.bars["A.a"].material == "steel_s235"
     assert kt.read(kt.write(model, tmp_path / "again.yaml")) == model
+
+
+def test_a_hub_on_a_line_in_space() -> None:
+    """Nothing would keep it from turning about that line."""
+    with pytest.raises(kt.ModelError, match="all its joints on one line"):
+        kt.Model(
+            nodes={"A": (0, 0, 0), "M": (0.4, 0, 0), "B": (1, 0, 0)},
+            bars={"left": ("A", "M"), "right": ("M", "B")},
+            hubs={"M": kt.Hub(clamped=["left", "right"])},
+        )

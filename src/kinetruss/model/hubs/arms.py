@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
     from kinetruss.model.parts.members import Active, Bar
 
-__all__ = ["Arm", "apexes", "arms_of", "clamped_at", "free_length", "hub_of", "ideal_ends", "is_grounded"]
+__all__ = ["FLAT", "Arm", "apexes", "arms_of", "clamped_at", "free_length", "hub_of", "ideal_ends", "is_grounded"]
 
 FLAT = 1e-6
 """Tips within this fraction of the size of a hub from a plane count as lying in it."""

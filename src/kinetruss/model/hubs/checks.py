@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from math import dist
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.common import a_bar, unknown
-from kinetruss.model.hubs.arms import Arm, arms_of, free_length, ideal_ends, is_grounded, members_at
+from kinetruss.model.hubs.arms import FLAT, Arm, arms_of, clamped_at, free_length, ideal_ends, is_grounded, members_at
 from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
@@ -30,7 +32,7 @@ def hub_faults(model: ModelData) -> list[Fault]:
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
     for hub in model.hubs:
-        found += [*_clamped(model, hub)]
+        found += [*_clamped(model, hub), *_on_line(model, hub)]
     for arm in arms:
         found += [*_place(model, arm)]
     for name in dict.fromkeys(arm.member for arm in arms):
@@ -76,6 +78,18 @@ def _clamped(model: ModelData, hub: str) -> Iterator[Fault]:
             far = next(node for node in ideal_ends(model, name, member) if node != hub)
             mend = f"Fix {far!r} too; or say turns: true, if the hub turns about its node."
             yield Fault((*path, name), "is clamped to a hub on the ground, so that it cannot move.", mend)
+
+
+def _on_line(model: ModelData, hub: str) -> Iterator[Fault]:
+    """In space bars do not hold three nodes on a line, and nothing keeps what stands beside them from turning about it."""
+    places = [model.nodes[hub].at, *(arm.at for arm in arms_of(model, hub))]
+    places += [model.nodes[node].at for node in clamped_at(model, hub).values()]
+    if len(places[0]) == 2 or len(places) < 3 or is_grounded(model, hub):
+        return
+    spread = np.linalg.svd(np.array(places) - np.mean(places, axis=0), compute_uv=False)
+    if spread[1] <= FLAT * spread[0]:
+        mend = "Give it an arm off that line (a vector); or two members on one line: make them one bar."
+        yield Fault(("hubs", hub), "has its centre and all its joints on one line, about which it would turn freely.", mend)
 
 
 def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
