@@ -222,12 +222,14 @@ def test_members_that_change_their_length() -> None:
 
 
 def test_arms_come_once() -> None:
-    """Building again changes nothing; another arm needs the model whose members end at nodes; files keep everything."""
+    """Building again changes nothing; what would be left over is a fault; hubs may come one after the other."""
     model = four_bar(**REAL)
     again = model.with_(title="again")
     assert (again.bars, again.nodes, again.bodies) == (model.bars, model.nodes, model.bodies)
-    with pytest.raises(kt.ModelError, match="it gets its arms once"):
-        model.with_(hubs=model.hubs | {"D": kt.Hub(reach=0.01)})
+    with pytest.raises(kt.ModelError, match="has no arm for 'coupler', which still ends at one"):
+        model.with_(hubs=model.hubs | {"C": kt.Hub(clamped=["rocker"])})
+    with pytest.raises(kt.ModelError, match="states a section of its arms"):
+        model.with_(hubs=model.hubs | {"B": REAL["B"].with_(section=kt.Rod(diameter=0.05))})
     later = four_bar(B=REAL["B"]).with_(hubs=REAL)
     assert {name: bar.ends for name, bar in later.bars.items()} == {name: bar.ends for name, bar in model.bars.items()}
 
@@ -259,3 +261,35 @@ def test_a_hub_on_a_line_in_space() -> None:
             bars={"left": ("A", "M"), "right": ("M", "B")},
             hubs={"M": kt.Hub(clamped=["left", "right"])},
         )
+
+
+def test_hubs_are_rigid_in_elastic_analyses() -> None:
+    """Two ties on the arms of a hub that guides hold: the hub sinks by N l/(E A) of the ties, and its arms add nothing."""
+    tie: dict[str, Any] = {"section": kt.Rod(diameter=0.004), "material": STEEL["material"], "mass": 0.0}
+    model = kt.Model(
+        nodes={"A": (-0.1, 1), "B": (0.1, 1), "C": (0, 0)},
+        fixed={"A": "xy", "B": "xy", "C": "x"},
+        bars={"a": kt.Bar(ends=("A", "C"), **tie), "b": kt.Bar(ends=("B", "C"), **tie)},
+        hubs={"C": kt.Hub(arms={"a": (-0.1, 0.2), "b": (0.1, 0.2)}, section=kt.Rod(diameter=0.02), material=STEEL["material"])},
+        loads={"W": kt.NodalForce(node="C", force=(0, -1000))},
+    )
+    found = kt.statics.linear(model)
+    exact = 500 * 0.8 / (STEEL["material"].E * tie["section"].area)
+    assert np.isclose(-found.data.displacement.sel(node="C", axis="y"), exact, rtol=1e-9)
+    assert not found.data.elongation.sel(member=["C.a", "C.b"]).values.any()
+
+
+def test_joints_follow_their_hub() -> None:
+    """Another arm, or another place of the node, moves the joints, and the apex of a hub in space."""
+    model = four_bar(**REAL)
+    moved = model.with_(
+        hubs=model.hubs | {"B": kt.Hub(arms={"coupler": (0.01, 0.02)}, clamped=["crank"])},
+        nodes=model.nodes | {"C": (0.7, 0.4)},
+    )
+    assert np.allclose(moved.nodes["B.coupler"].at, (0.06, 0.17))
+    fresh = four_bar().with_(nodes=four_bar().nodes | {"C": (0.7, 0.4)}, hubs=moved.hubs)
+    assert {name: node.at for name, node in moved.nodes.items()} == {name: node.at for name, node in fresh.nodes.items()}
+    space = stewart()
+    higher = space.with_(nodes=space.nodes | {"C": (0, 0, 0.7)})
+    x, y, z = space.nodes["C.L3"].at
+    assert np.allclose(higher.nodes["C.L3"].at, (x, y, z + 0.1))

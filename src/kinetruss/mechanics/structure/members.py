@@ -8,6 +8,7 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.model import Active, Bar, Model, natural_length, stiffness
+from kinetruss.model.hubs import arms_of, clamped_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,6 +69,9 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         if member.kind != "rigid":
             lawful.append((i, member))
     found["kind"][:], found["compliance"][:] = kinds, soft
+    # hubs are rigid bodies, with their arms and with the members clamped to them
+    of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
+    found["compliance"][[i for i, name in enumerate(model.members) if name in of_hubs]] = np.nan
     length = found["length0"]
     found["rods"][:, :2] = np.where(
         uniform[:, None], np.stack([np.array(lines) * length, length], axis=1), found["rods"][:, :2]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import dist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,7 +31,7 @@ def hub_faults(model: ModelData) -> list[Fault]:
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
     for hub in model.hubs:
-        found += [*_clamped(model, hub), *_on_line(model, hub)]
+        found += [*_clamped(model, hub), *_on_line(model, hub), *_left_over(model, hub)]
     for arm in arms:
         found += [*_place(model, arm)]
     for name in dict.fromkeys(arm.member for arm in arms):
@@ -93,7 +92,7 @@ def _on_line(model: ModelData, hub: str) -> Iterator[Fault]:
 
 
 def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
-    """A tip whose name is taken, or that stands elsewhere than the hub says."""
+    """A tip whose name is taken, an arm that is not what the hub says."""
     path = ("hubs", arm.hub)
     ended = model.members[arm.member].ends[arm.end]
     if ended != arm.name:
@@ -102,11 +101,22 @@ def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
                 message = f"needs the name {arm.name!r} for the arm of {arm.member!r}, which is in use."
                 yield Fault(path, message, f"Rename it in {table}.", about=((table, arm.name),))
         return
-    there = model.nodes[arm.name].at
-    if (off := dist(there, arm.at)) > 1e3 * SAME * max(1.0, dist(arm.at, model.nodes[arm.hub].at)):
-        message = f"puts the joint of {arm.member!r} {off:.3g} m from node {arm.name!r}, which an earlier hub has put there."
-        mend = "Give the hubs to the model whose members end at its nodes; it gets its arms once."
-        yield Fault(path, message, mend, about=(("nodes", arm.name),))
+    own, record = model.bars.get(arm.name), model.hubs[arm.hub]
+    for field in ("section", "material"):
+        said = getattr(record, field)
+        if own is not None and said is not None and getattr(own, field) != said:
+            message = f"states a {field} of its arms that is not that of bar {arm.name!r}, which is there already."
+            yield Fault((*path, field), message, f"Change the {field} of the bar too, or leave it out of the hub.")
+
+
+def _left_over(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Members that end at an arm which the hub no longer has."""
+    arms = {arm.member for arm in arms_of(model, hub)}
+    for name, end in members_at(model, hub).items():
+        tip = f"{hub}.{name}"
+        if name not in arms and model.members[name].ends[end] == tip:
+            mend = f"Let {name!r} end at {hub!r} again (ends), and remove node and bar {tip!r}; or give it its arm."
+            yield Fault(("hubs", hub), f"has no arm for {name!r}, which still ends at one, at node {tip!r}.", mend)
 
 
 def _lengths(model: ModelData, name: str, hubs: list[str]) -> Iterator[Fault]:

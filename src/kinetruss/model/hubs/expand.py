@@ -22,14 +22,16 @@ TRIED = 1000
 
 
 def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
-    """The tables of a model that change when its hubs get their arms, by field; hubs that have them stay as they are."""
+    """The tables of a model that change when its hubs get their arms, by field; the joints of hubs that have them are moved to
+    where their arms end.
+    """
     every = {hub: arms_of(model, hub) for hub in model.hubs}
     new = {hub: arms for hub, arms in every.items() if not _expanded(model, hub, arms)}
-    if not new:
-        return {}
     found: dict[str, dict[str, Any]] = {
         field: dict(getattr(model, field)) for field in ("nodes", "bars", "active", "bodies", "fixed", "support_motion")
     }
+    for hub in every.keys() - new.keys():
+        _move(model, hub, every[hub], found["nodes"])
     for hub, arms in new.items():
         _add_arms(model, hub, arms, found)
     for hub, arms in new.items():
@@ -45,13 +47,24 @@ def _expanded(model: ModelData, hub: str, arms: list[Arm]) -> bool:
     return f"{hub}.hub" in model.bodies
 
 
+def _move(model: ModelData, hub: str, arms: list[Arm], nodes: dict[str, Any]) -> None:
+    """Put the joints and apexes of a hub where its record and its node say."""
+    for arm in arms:
+        nodes[arm.name] = nodes[arm.name].with_(at=arm.at)
+    if (body := model.bodies.get(f"{hub}.hub")) is None:
+        return
+    beside = [node for node in body.nodes if node.startswith(f"{hub}.hub.apex")]
+    places = apexes(np.array([nodes[node].at for node in body.nodes if node not in beside]))
+    if len(places) == len(beside):
+        nodes.update({node: nodes[node].with_(at=tuple(at.tolist())) for node, at in zip(beside, places, strict=True)})
+
+
 def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
     """Add the nodes at the tips of a hub and the bars to them, and let its members end there."""
     record, grounded = model.hubs[hub], is_grounded(model, hub)
     matter = {"section": record.section, "material": record.material}
-    kind: Literal["free", "rigid"] = (
-        "free" if grounded else "rigid"
-    )  # between fixed nodes a rigid bar would be in a state of self-stress
+    # between fixed nodes a rigid bar would be in a state of self-stress
+    kind: Literal["free", "rigid"] = "free" if grounded else "rigid"
     for arm in arms:
         found["nodes"][arm.name] = Node(at=arm.at, coincident=True)
         found["bars"][arm.name] = Bar(ends=(hub, arm.name), kind=kind, buckling="clamped-free", **matter)
