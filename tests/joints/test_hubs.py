@@ -225,7 +225,10 @@ def test_arms_come_once() -> None:
     """Building again changes nothing; what would be left over is a fault; hubs may come one after the other."""
     model = four_bar(**REAL)
     again = model.with_(title="again")
-    assert (again.bars, again.nodes, again.bodies) == (model.bars, model.nodes, model.bodies)
+    for field in ("nodes", "bars", "bodies"):
+        assert list(getattr(again, field).items()) == list(getattr(model, field).items())
+    space = stewart()
+    assert list(space.with_(title="again").nodes) == list(space.nodes)
     with pytest.raises(kt.ModelError, match="has no arm for 'coupler', which still ends at one"):
         model.with_(hubs=model.hubs | {"C": kt.Hub(clamped=["rocker"])})
     with pytest.raises(kt.ModelError, match="states a section of its arms"):
@@ -293,3 +296,15 @@ def test_joints_follow_their_hub() -> None:
     higher = space.with_(nodes=space.nodes | {"C": (0, 0, 0.7)})
     x, y, z = space.nodes["C.L3"].at
     assert np.allclose(higher.nodes["C.L3"].at, (x, y, z + 0.1))
+
+
+def test_what_a_hub_clamps_may_change() -> None:
+    """Its body is the one that it now has; a hub that comes off the ground needs the ideal model."""
+    model = four_bar(**REAL)
+    loose = model.with_(hubs=model.hubs | {"B": kt.Hub(arms={"coupler": (0.03, 0.04)})})
+    assert loose.bodies["B.hub"].nodes == ("B", "B.coupler")
+    assert kt.kinematics.mobility(loose).degrees_of_freedom == kt.kinematics.mobility(model).degrees_of_freedom + 1
+    with pytest.raises(
+        kt.ModelError, match="is not on the ground, but its arm 'D.rocker' was made for a hub that stands still"
+    ):
+        model.with_(fixed=["A", "D.rocker"])

@@ -102,6 +102,10 @@ def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
                 yield Fault(path, message, f"Rename it in {table}.", about=((table, arm.name),))
         return
     own, record = model.bars.get(arm.name), model.hubs[arm.hub]
+    if own is not None and (own.kind == "free") != is_grounded(model, arm.hub):
+        now, made = ("is not on the ground", "stands still") if own.kind == "free" else ("is on the ground", "moves")
+        mend = f"Fix or release {arm.hub!r} in the model whose members end at its nodes, and give that the hub."
+        yield Fault(path, f"{now}, but its arm {arm.name!r} was made for a hub that {made}.", mend)
     for field in ("section", "material"):
         said = getattr(record, field)
         if own is not None and said is not None and getattr(own, field) != said:

@@ -30,8 +30,8 @@ def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {
         field: dict(getattr(model, field)) for field in ("nodes", "bars", "active", "bodies", "fixed", "support_motion")
     }
-    for hub in every.keys() - new.keys():
-        _move(model, hub, every[hub], found["nodes"])
+    for hub in [hub for hub in every if hub not in new]:
+        _move(model, hub, every[hub], found)
     for hub, arms in new.items():
         _add_arms(model, hub, arms, found)
     for hub, arms in new.items():
@@ -47,16 +47,30 @@ def _expanded(model: ModelData, hub: str, arms: list[Arm]) -> bool:
     return f"{hub}.hub" in model.bodies
 
 
-def _move(model: ModelData, hub: str, arms: list[Arm], nodes: dict[str, Any]) -> None:
-    """Put the joints and apexes of a hub where its record and its node say."""
+def _move(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
+    """Put the joints of a hub where its record and its node say, and give it the body that it then has."""
     for arm in arms:
-        nodes[arm.name] = nodes[arm.name].with_(at=arm.at)
-    if (body := model.bodies.get(f"{hub}.hub")) is None:
+        found["nodes"][arm.name] = found["nodes"][arm.name].with_(at=arm.at)
+    if (body := found["bodies"].get(f"{hub}.hub")) is None:
         return
     beside = [node for node in body.nodes if node.startswith(f"{hub}.hub.apex")]
-    places = apexes(np.array([nodes[node].at for node in body.nodes if node not in beside]))
-    if len(places) == len(beside):
-        nodes.update({node: nodes[node].with_(at=tuple(at.tolist())) for node, at in zip(beside, places, strict=True)})
+    nodes = _nodes(model, hub, arms, found)
+    places = apexes(np.array([found["nodes"][node].at for node in nodes]))
+    if [*nodes, *beside] == list(body.nodes) and len(places) == len(beside):
+        moved = {node: found["nodes"][node].with_(at=tuple(at.tolist())) for node, at in zip(beside, places, strict=True)}
+        found["nodes"].update(moved)
+        return
+    for node in beside:
+        found["nodes"].pop(node)
+    _add_body(model, hub, arms, found)
+
+
+def _nodes(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> list[str]:
+    """The nodes of a hub's body without apexes: its centre, the tips, and the far ends of clamped members."""
+    nodes = [hub, *(arm.name for arm in arms)]
+    for name in clamped_at(model, hub):
+        nodes += [node for node in found["bars"][name].ends if node != hub]
+    return nodes
 
 
 def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
@@ -87,9 +101,7 @@ def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict
 
 def _add_body(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
     """Add the rigid body of the centre, the tips and the far ends of clamped members, with apexes where these are flat."""
-    nodes = [hub, *(arm.name for arm in arms)]
-    for name in clamped_at(model, hub):
-        nodes += [node for node in found["bars"][name].ends if node != hub]
+    nodes = _nodes(model, hub, arms, found)
     points = np.array([found["nodes"][node].at for node in nodes])
     for k, place in enumerate(apexes(points), start=1):
         nodes.append(f"{hub}.hub.apex{k}")
