@@ -212,6 +212,7 @@ QUANTITIES: dict[str, Quantity] = {
     "strain": _quantity("strain"),
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
+    "second rate": _quantity("m/s^2", "rad/s^2"),
     "spring stiffness": _quantity("N/m", "N m/rad", "N m"),
     "spring damping": _quantity("N s/m", "N m s/rad", "N m s"),
     "force or moment": _quantity("N", "N m"),
@@ -221,6 +222,7 @@ QUANTITIES: dict[str, Quantity] = {
 EITHER = {
     "coordinate": "m, or rad",
     "rate": "m/s, or rad/s",
+    "second rate": "m/s^2, or rad/s^2",
     "spring stiffness": "N/m, or N m/rad",
     "spring damping": "N s/m, or N m s/rad",
     "force or moment": "N, or N m",

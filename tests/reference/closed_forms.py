@@ -9,6 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.special import ellipj
 
+from reference.joint_forms import joints
 from reference.spring_forms import springs
 
 __all__ = ["ALL"]
@@ -263,6 +264,14 @@ def statics() -> Numbers:
         "gauges.level_bar.axial": axial,
         "gauges.level_bar.bending_3": bending,
         "gauges.level_bar.bridge": (1 + change) / (2 + change) - 0.5,
+        "budget.two_bars.x": 1.25 / 1.5,
+        "budget.two_bars.y": -1.25 / 2,
+        "budget.two_bars.worst_case": 2e-4 * 1.25 / 2,
+        "budget.two_bars.root_sum_square": math.sqrt(2) * 1e-4 * 1.25 / 2,
+        "gauges.rosette.largest": 200 + math.hypot(300, 150),
+        "gauges.rosette.least": 200 - math.hypot(300, 150),
+        "gauges.rosette.tangent": 300 / 600,
+        "gauges.shunt.strain": -120 / (2 * (120 + 59880)),
         "sizing.bracket.outer": float(least),
         "sizing.bracket.utilisation": used[least],
         "sizing.bracket.one_size_smaller": used[least - 1],
@@ -379,5 +388,6 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     equal_turns,
     small_motions,
     flexible,
+    joints,
     springs,
 )

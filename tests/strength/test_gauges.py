@@ -249,7 +249,7 @@ def test_a_steady_record_has_no_correlation(tmp_path, model):
         ),
         ("t,G1\n0,5.3\n1,5.4\n", "2:1", r"holds a strain of 5\.3 m/m\. Give the unit in the header: G1 \[microstrain\]"),
         ("t,G1 [mm]\n0,5.3\n1,5.4\n", "1:3", r"has the unit \[mm\], which is not a unit of strain"),
-        ("t,G1\n0,1e-6\n0,2e-6\n", "3:1", "time does not increase"),
+        ("t,G1\n1,1e-6\n0,2e-6\n", "3:1", "time does not increase"),
         ("t\n0\n1\n", "1:1", "has no column but t"),
         ("t,G1\n0,\n1,2e-6\n", "2:3", "the cell is empty"),
     ],

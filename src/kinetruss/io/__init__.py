@@ -14,6 +14,7 @@ from kinetruss.io.models.read import placed, read
 from kinetruss.io.models.set_value import set_value, set_values
 from kinetruss.io.models.write import write
 from kinetruss.io.tables.history import NodeHistory, read_history
+from kinetruss.io.tables.measured import read_measured
 from kinetruss.io.tables.strains import StrainHistory, read_strains
 from kinetruss.late import late
 
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "placed", "read", "read_catalogue", "read_cell",
-    "read_history", "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values", "write",
+    "read_history", "read_measured", "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values",
+    "write",
 ]  # fmt: skip
 
 # reading a model needs no run store

@@ -16,7 +16,12 @@ _LIBRARY = {
     "anyOf": [{"type": "string"}, {"type": "object", "properties": {"name": {"type": "string"}}, "required": ["name"]}],
 }
 _FILE = {"type": "string", "description": "CSV table, relative to this file, in place of times and values"}
-_FROM_FILE = {"Spline": ("times", "values"), "NodalForce": (), "History": ("times", "displacements")}
+_FROM_FILE = {
+    "Spline": ("times", "values"),
+    "Measured": ("times", "values"),
+    "NodalForce": (),
+    "History": ("times", "displacements"),
+}
 """Records that ``file`` may fill -> the fields that it gives."""
 
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics._check import check, notes
     from kinetruss.kinematics.given.arrays import from_arrays
     from kinetruss.kinematics.given.from_csv import from_csv
+    from kinetruss.kinematics.given.measured import Smoothed, measured
     from kinetruss.kinematics.modes.assembly_modes import assembly_modes
     from kinetruss.kinematics.path.assemble import assemble
     from kinetruss.kinematics.path.follow import follow
@@ -34,10 +35,10 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.freedom import Mobility, mobility
 
 __all__ = [
-    "Mobility", "Sampled", "assemble", "assembly_modes", "chain_lengths", "chain_pose", "check", "conditioning",
+    "Mobility", "Sampled", "Smoothed", "assemble", "assembly_modes", "chain_lengths", "chain_pose", "check", "conditioning",
     "first_order", "follow", "freedoms", "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse", "jacobian",
-    "joint", "member_rates", "mobility", "notes", "platform", "platform_jacobian", "pose", "sample", "transfer_functions",
-    "workspace",
+    "joint", "measured", "member_rates", "mobility", "notes", "platform", "platform_jacobian", "pose", "sample",
+    "transfer_functions", "workspace",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -48,6 +49,7 @@ __getattr__, __dir__ = late(
         "kinetruss.mechanics.freedom": "Mobility mobility",
         "given.arrays": "from_arrays",
         "given.from_csv": "from_csv",
+        "given.measured": "Smoothed measured",
         "modes.assembly_modes": "assembly_modes",
         "path.assemble": "assemble",
         "path.follow": "follow",

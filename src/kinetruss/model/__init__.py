@@ -31,6 +31,7 @@ from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults
+from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -69,10 +70,12 @@ from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, Gi
 from kinetruss.model.motion.trajectories import (
     ConstantRate,
     Cyclic,
+    Measured,
     Quintic,
     Sine,
     Spline,
     StepResponse,
+    Tabulated,
     Trapezoid,
     moved_by,
 )
@@ -81,20 +84,23 @@ from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.parts.body_mass import body_mass
 from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
 from kinetruss.model.parts.elastic import natural_length, stiffness
-from kinetruss.model.parts.gauges import Gauge, GaugeZero
-from kinetruss.model.parts.joints import GROUND, Hinge, Joint
+from kinetruss.model.parts.gauges import Bridge, Gauge, GaugeZero
+from kinetruss.model.parts.joints import GROUND, Bearing, Hinge, Joint
 from kinetruss.model.parts.loads import History, LoadCase, NodalForce
-from kinetruss.model.parts.members import Active, Bar, Node, Part, PlanarBody
+from kinetruss.model.parts.members import Active, Bar, Compliance, Node, Part, PlanarBody
 from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
 
 __all__ = [
     "Active",
     "Amplifier",
     "AngleDrive",
+    "Bearing",
     "Bar",
     "Body",
+    "Compliance",
     "BodyCouple",
     "BodyForce",
+    "Bridge",
     "ConstantRate",
     "CoordinateDrive",
     "Cyclic",
@@ -113,6 +119,7 @@ __all__ = [
     "LengthDrive",
     "LoadCase",
     "Material",
+    "Measured",
     "Model",
     "Motor",
     "Node",
@@ -133,6 +140,7 @@ __all__ = [
     "StepInput",
     "StepResponse",
     "TableInput",
+    "Tabulated",
     "Trapezoid",
     "Tube",
     "Catalogue",
@@ -161,6 +169,7 @@ __all__ = [
     "Taylor",
     "Coupling",
     "HingeDrive",
+    "Hub",
     "OffsetCoordinate",
     "geared",
     "turns",

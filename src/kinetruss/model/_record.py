@@ -57,6 +57,7 @@ __all__ = [
     "PositiveLength",
     "PositiveNumber",
     "PositiveRate",
+    "PositiveResistance",
     "PositiveTime",
     "Rate",
     "Record",
@@ -64,8 +65,10 @@ __all__ = [
     "Resisting",
     "RotaryFrictions",
     "SecondMoment",
+    "SecondRate",
     "Series",
     "SignedTorque",
+    "SignedVoltage",
     "Span",
     "Speed",
     "SpringDamping",
@@ -79,6 +82,7 @@ __all__ = [
     "VelocityVector",
     "Voltage",
     "Whole",
+    "positive",
     "Width",
     "short_form",
 ]
@@ -168,7 +172,8 @@ def _short(annotation: str) -> str:
     return _short(annotation[:start] + annotation[first:comma] + annotation[k + 1 :])
 
 
-def _positive(value: float) -> float:
+def positive(value: float) -> float:
+    """A rule for values: greater than 0."""
     if value <= 0:
         raise ValueError(f"{value:g} must be greater than 0. Give a positive value.")
     if value < SMALLEST:
@@ -298,49 +303,51 @@ Whole = Annotated[
 Count = Annotated[Whole, Field(ge=1, le=MOST_COUNT)]
 
 Length = Annotated[float, Of("length")]
-PositiveLength = Annotated[float, Of("length", _positive)]
+PositiveLength = Annotated[float, Of("length", positive)]
 Mass = Annotated[float, Of("mass", _not_negative)]
 LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]
-PositiveTime = Annotated[float, Of("time", _positive)]
-Span = Annotated[float, Of("time", _positive, endless=True)]
+PositiveTime = Annotated[float, Of("time", positive)]
+Span = Annotated[float, Of("time", positive, endless=True)]
 """A time that only matters as a multiple of another: the end of a run, a step."""
 Angle = Annotated[float, Of("angle")]
-AngularRate = Annotated[float, Of("angular rate", _positive)]
-Area = Annotated[float, Of("area", _positive)]
-SecondMoment = Annotated[float, Of("second moment of area", _positive)]
+AngularRate = Annotated[float, Of("angular rate", positive)]
+Area = Annotated[float, Of("area", positive)]
+SecondMoment = Annotated[float, Of("second moment of area", positive)]
 Density = Annotated[float, Of("density", _not_negative)]
-Stress = Annotated[float, Of("stress", _positive)]
+Stress = Annotated[float, Of("stress", positive)]
 Force = Annotated[float, Of("force")]
 Torque = Annotated[float, Of("torque", _not_negative)]
 SignedTorque = Annotated[float, Of("torque")]
-Stiffness = Annotated[float, Of("stiffness", _positive)]
+Stiffness = Annotated[float, Of("stiffness", positive)]
 Damping = Annotated[float, Of("damping constant", _not_negative)]
 RotaryFriction = Annotated[float, Of("rotary friction", _not_negative)]
 RotaryFrictions = Annotated[tuple[RotaryFriction, RotaryFriction], OneForBoth()]
 Acceleration = Annotated[float, Of("acceleration")]
-Speed = Annotated[float, Of("speed", _positive)]
+Speed = Annotated[float, Of("speed", positive)]
 Inertia = Annotated[float, Of("moment of inertia", _not_negative)]
 Resistance = Annotated[float, Of("resistance", _not_negative)]
+PositiveResistance = Annotated[float, Of("resistance", positive)]
 Inductance = Annotated[float, Of("inductance", _not_negative)]
-Voltage = Annotated[float, Of("voltage", _positive)]
-Current = Annotated[float, Of("current", _positive)]
+Voltage = Annotated[float, Of("voltage", positive)]
+Current = Annotated[float, Of("current", positive)]
 SignedVoltage = Annotated[float, Of("voltage")]
 SignedCurrent = Annotated[float, Of("current")]
-Transconductance = Annotated[float, Of("transconductance", _positive)]
-TorqueConstant = Annotated[float, Of("torque constant", _positive)]
+Transconductance = Annotated[float, Of("transconductance", positive)]
+TorqueConstant = Annotated[float, Of("torque constant", positive)]
 BackEmf = Annotated[float, Of("back-emf constant", _not_negative)]
-Lead = Annotated[float, Of("lead", _positive)]
+Lead = Annotated[float, Of("lead", positive)]
 Number = Annotated[float, Of("number")]
-PositiveNumber = Annotated[float, Of("number", _positive)]
+PositiveNumber = Annotated[float, Of("number", positive)]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
-PositiveRate = Annotated[float, Of("rate", _positive)]
+PositiveRate = Annotated[float, Of("rate", positive)]
 Width = Annotated[float, Of("coordinate", _not_negative)]
 SpringStiffness = Annotated[float, Of("spring stiffness", _not_negative)]
 SpringDamping = Annotated[float, Of("spring damping", _not_negative)]
 SpringForce = Annotated[float, Of("force or moment")]
 Resisting = Annotated[float, Of("force or moment", _not_negative)]
+SecondRate = Annotated[float, Of("second rate")]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]

@@ -12,14 +12,18 @@ from kinetruss.runs._result import RunResult, load
 
 if TYPE_CHECKING:
     from kinetruss.runs._run import resume, run
+    from kinetruss.runs.accuracy.budget import Budget, budget
+    from kinetruss.runs.accuracy.standard_errors import standard_errors
     from kinetruss.runs.blocks.forces_at import forces_at, forces_at_peak, forces_at_rest
     from kinetruss.runs.blocks.gauge_strains import gauge_strains
     from kinetruss.runs.many.run_variants import VariantRuns, run_variants
     from kinetruss.runs.many.variants import variants
 
 __all__ = [
+    "Budget",
     "RunResult",
     "VariantRuns",
+    "budget",
     "forces_at",
     "forces_at_peak",
     "forces_at_rest",
@@ -28,6 +32,7 @@ __all__ = [
     "resume",
     "run",
     "run_variants",
+    "standard_errors",
     "variants",
 ]
 
@@ -35,6 +40,8 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "_run": "resume run",
+        "accuracy.budget": "Budget budget",
+        "accuracy.standard_errors": "standard_errors",
         "blocks.forces_at": "forces_at forces_at_peak forces_at_rest",
         "blocks.gauge_strains": "gauge_strains",
         "many.run_variants": "VariantRuns run_variants",

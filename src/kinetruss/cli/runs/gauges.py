@@ -26,8 +26,10 @@ Examples:
 @click.option(
     "--measured",
     type=click.Path(path_type=Path),
+    multiple=True,
     metavar="FILE",
-    help="A measured record to compare with: CSV, t and columns GAUGE or GROUP.axial [microstrain].",
+    help="A measured record to compare with: CSV, t and columns GAUGE or GROUP.axial [microstrain], or GAUGE [mV]. Several are "
+    "averaged.",
 )
 @click.option(
     "-o",
@@ -39,18 +41,16 @@ Examples:
 @json_option
 @max_size_option
 def gauges(
-    model: Path, name: str | None, case: str | None, measured: Path | None, file: Path | None, as_json: bool, max_size: int
+    model: Path, name: str | None, case: str | None, measured: tuple[Path, ...], file: Path | None, as_json: bool, max_size: int
 ) -> None:
     """Compute the readings of a model's strain gauges along a run, and compare them with a measured record.
 
     The run is computed exactly at the measured times.
     """
     loaded, chosen = model_and_run(model, name, max_size)
-    from kinetruss.io import read_strains
-
-    record = None if measured is None else read_strains(measured, loaded, max_size=max_size)
     from kinetruss import report, runs, strength
 
+    record = strength.measured_strains(loaded, measured, max_size=max_size) if measured else None
     strains = runs.gauge_strains(loaded, chosen, load_case=case, measured=record)
     compared = None if record is None else strength.compare_gauges(strains, record)
     page = report.gauges(strains, compared)

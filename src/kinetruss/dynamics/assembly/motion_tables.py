@@ -16,7 +16,7 @@ import numpy as np
 from kinetruss.kernels.constraints.motions import POLYNOMIAL, SINE
 from kinetruss.kinematics import sample
 from kinetruss.kinematics.given import check_reach, monotone
-from kinetruss.model import ConstantRate, Cyclic, Model, Quintic, Sine, Spline, Trapezoid
+from kinetruss.model import ConstantRate, Cyclic, Model, Quintic, Sine, Spline, Tabulated, Trapezoid, moved_by
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,10 +59,9 @@ def stack(tables: list[Table]) -> dict[str, NDArray[Any]]:
 
 def drive_tables(model: Model, trajectory: Any, t_end: float) -> dict[str, Table]:
     """The motion of every drive that a trajectory moves, from 0 to t_end (s); drives at rest are left out."""
-    if isinstance(trajectory, Spline):
+    if isinstance(trajectory, Tabulated):
         check_reach("the trajectory (counted from its first row)", 0.0, trajectory.duration, 0.0, t_end)
-    moved = getattr(trajectory, "moves", None) or getattr(trajectory, "rates", None) or getattr(trajectory, "amplitudes", None)
-    names = moved or trajectory.values
+    names = moved_by(trajectory)[1]
     posed = [
         name for pose, record in model.poses.items() for name in record.drives if any(n.startswith(f"{pose}.") for n in names)
     ]
@@ -135,7 +134,7 @@ def _sampled(model: Model, trajectory: Any, name: str, t_end: float) -> Table:
     breaks = [0.0, trajectory.duration]
     if isinstance(trajectory, Trapezoid):
         breaks += [trajectory.ramp * trajectory.duration, (1.0 - trajectory.ramp) * trajectory.duration]
-    if isinstance(trajectory, Spline):
+    if isinstance(trajectory, Tabulated):
         breaks += [t - trajectory.times[0] for t in trajectory.times]
     return coordinate_table(law, sorted({t for t in breaks if t < t_end} | {t_end}))
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics.actions import braces_of_hubs, grounded_tips
 from kinetruss.dynamics.free_bodies.instant import Instant, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.model import CoordinateDrive, Model, nearest
@@ -213,6 +214,8 @@ _SYMBOLS = {
     "body": ("B", "weight less m a of body"),
     "friction": ("C", "friction at"),
     "spring": ("K", "spring"),
+    "bearing": ("C", "bearing"),
+    "hub": ("H", "centre of hub"),
 }
 
 
@@ -254,12 +257,15 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
 def _node(here: Instant, name: str, case: str) -> FreeBody:
     system, n = here.system, here.system.node_index(name)
     forces: list[tuple[str, str, NDArray[np.float64]]] = []
+    left_out, tips = braces_of_hubs(system), grounded_tips(system, name)
     for i, member in enumerate(system.members):
         for e, end in enumerate((system.p[i], system.q[i])):
-            if end == n:
+            if end == n and i not in left_out:
                 forces.append((f"-F_{'AB'[e]}", f"{member}, end {'AB'[e]}", -here.data["joint_force"].values[i, e]))
-    if name in system.supports:
-        forces.append(("R", "support", here.data["reaction"].sel(support=name).values))
+    for one in (name, *(tips or ())) if tips != [] else ():  # the ground holds a hub at its centre
+        if one in system.supports:
+            words = "support" if one == name else f"support {one}"
+            forces.append(("R", words, here.data["reaction"].sel(support=one).values))
     for drive, record in system.model.all_drives.items():
         if isinstance(record, CoordinateDrive) and record.node == name:
             push = np.zeros(system.dim)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.actions.bar_actions import acting_along
-from kinetruss.dynamics.actions.records import Action
+from kinetruss.dynamics.actions.records import Action, CarriedBy
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.given import check_motion
@@ -108,7 +108,8 @@ class Instant:
             drive = self.data["drive_force"].values[None]
             coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
             spring = self.data["spring_force"].values[None] if system.springs else spring
-        found, acting = acting_along(system, self.loads, states, drive, coupling, spring)
+        carried = None if unit else self._carried()
+        found, acting = acting_along(system, self.loads, states, drive, coupling, spring, carried)
         made = []
         for k, action in enumerate(found.actions):
             worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
@@ -116,6 +117,19 @@ class Instant:
             lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
             made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
         return tuple(made)
+
+    def _carried(self) -> CarriedBy | None:
+        """Forces of bars and supports, which load the arms of hubs."""
+        if not (self.system.model.hubs or self.system.model.bearings):
+            return None
+        couple = np.zeros((1, 0, 3))
+        if "bearing_couple" in self.data:
+            values = self.data["bearing_couple"].values
+            couple = np.pad(values, ((0, 0), (3 - values.shape[1], 0)))[None]
+        support = np.zeros((1, *self.system.x0.shape))
+        for name, force in zip(self.system.supports, self.data["reaction"].values, strict=True):
+            support[0, self.system.node_index(name), : self.system.dim] = force
+        return CarriedBy(self.data["member_force"].values[None], support, couple)
 
     @cached_property
     def on_bars(self) -> tuple[OnBar, ...]:

@@ -161,7 +161,7 @@ def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
     """
     joint_force = forces.data["joint_force"].copy()
     for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
-        if not action.counted and action.kind != "friction":
+        if not action.counted and action.kind not in ("friction", "bearing"):
             joint_force[:, action.member] += forces.arrays["action_force"].values[:, k]
     return joint_force
 

@@ -115,7 +115,7 @@ def newton_euler(
 
     Raises
     ------
-    InputError : a time outside the motion, a model with more than 2500 unknowns.
+    InputError : a time outside the motion, a model with more than 2500 unknowns, a model with hubs.
 
     Notes
     -----
@@ -128,6 +128,8 @@ def newton_euler(
     Nothing else of the mass matrix of `inverse` is used: agreement shows that its consistent masses and mean tensions are
     equivalent to Newton and Euler's equations. Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
+    if model.hubs:
+        raise InputError("The braces of hubs have no equations of their own. Use dynamics.free_body of the arms and nodes.")
     here = instant_of(model, motion, forces, time)
     apart = model.dim == 2 if rods is None else rods == "apart"
     made = _Builder(here)

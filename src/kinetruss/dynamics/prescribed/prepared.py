@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics.prescribed.bearings import with_friction
 from kinetruss.dynamics.prescribed.inverse import solve
 from kinetruss.dynamics.prescribed.tables import Carried, Read, carried
 from kinetruss.errors import InputError
@@ -162,8 +163,10 @@ class PreparedModel:
         else:
             refuse_turns(system, places.t, x, v)
         loads = case_loads(system, places.t, self.load_case).at(x)
-        solved = solve(system, places.drive_position, loads, States(x, v, a))
-        read = Read(length, length_rate, places.drive_position, places.drive_velocity)
+        states, read = States(x, v, a), Read(length, length_rate, places.drive_position, places.drive_velocity)
+        solved = with_friction(
+            system, read, loads, states, lambda pushed: solve(system, places.drive_position, pushed, states), at_rest=static
+        )
         return carried(system, read, loads, solved, static)[0]
 
 

@@ -11,6 +11,7 @@ from statistics import median
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError, UnitError
+from kinetruss.io.tables.measured import measured_columns, read_measured_table
 from kinetruss.io.tables.table import Table, read_table
 from kinetruss.units import Tagged, parse
 
@@ -50,7 +51,7 @@ class Reading:
 def with_files(reading: Reading) -> None:
     """Replace ``file:`` by the table; entries with a faulty table are removed and reported."""
     for name, entry in reading.entries("trajectories"):
-        _put(reading, ("trajectories", name), entry, _spline)
+        _put(reading, ("trajectories", name), entry, _tabulated)
     for name, entry in reading.entries("loads"):
         _put(reading, ("loads", name), entry, _forces)
     for name, entry in reading.entries("support_motion"):
@@ -58,7 +59,7 @@ def with_files(reading: Reading) -> None:
     for name, entry in reading.entries("runs"):
         inline = entry.get("trajectory")
         if isinstance(inline, Mapping) and "file" in inline:
-            table = _from_file(reading, ("runs", name, "trajectory"), inline, _spline)
+            table = _from_file(reading, ("runs", name, "trajectory"), inline, _tabulated)
             reading.put("runs", name, None if table is None else {**entry, "trajectory": table})
         if isinstance(entry.get("motion"), str):
             _motion(reading, name, entry)
@@ -90,7 +91,13 @@ def _named(fault: Fault, path: Place, file: str) -> Fault:
     return replace(fault, path=(*path, *fault.path))
 
 
-def _spline(path: Path, entry: Mapping[str, Any], max_size: int) -> dict[str, Any]:
+def _tabulated(path: Path, entry: Mapping[str, Any], max_size: int) -> dict[str, Any]:
+    if entry.get("kind") == "measured":
+        table = read_measured_table(path, max_size)
+        columns = measured_columns(table)
+        if faults := _gaps(table, entry.get("largest_gap", 10.0)):
+            raise ModelError(faults)
+        return {"times": table.times.tolist(), **columns}
     table = read_table(path, lambda _: "coordinate", max_size=max_size, least_rows=4)
     if faults := _gaps(table, entry.get("largest_gap", 10.0)):
         raise ModelError(faults)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,12 +24,17 @@ LARGEST = 0.1
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class StrainHistory:
-    """A measured record: times (n_times,) s, columns by name (n_times,) in 1e-6, the file, and the line of each row."""
+    """A measured record: times (n_times,) s, columns by name (n_times,) in 1e-6, the file, and the line of each row.
+
+    errors : standard error of every value, NaN where there is one reading only. volts : columns that are still voltages, V.
+    """
 
     times: NDArray[np.float64]
     columns: dict[str, NDArray[np.float64]]
     source: str
     lines: tuple[int, ...]
+    errors: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    volts: tuple[str, ...] = ()
 
 
 def strain_columns(model: Model) -> list[str]:
@@ -45,7 +50,8 @@ def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) ->
     Parameters
     ----------
     path : CSV: ``t``, then a column per gauge or part of a group, e.g. ``G1 [microstrain]``, ``M6.axial [microstrain]``; a
-    column without unit is strain in m/m. max_size : bytes; a larger file is not read.
+    column without unit is strain in m/m. Readings of a gauge may be volts, ``G1 [mV]``: `strength.measured_strains` turns them
+    into strain. Rows of the same time are averaged. max_size : bytes; a larger file is not read.
 
     Raises
     ------
@@ -54,9 +60,10 @@ def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) ->
     """
     known = strain_columns(model)
     try:
-        table = read_table(Path(path), lambda _: "strain", max_size=max_size)
+        table = read_table(Path(path), lambda _: ("strain", "voltage"), max_size=max_size, repeats=True)
     except ModelError as error:
         raise ModelError([replace(fault, path=("measured",)) for fault in error.faults]) from None
+    volts = tuple(name for name, one in table.columns.items() if one.quantity == "voltage")
     faults = [
         table.fault(f"column {name!r} is not a gauge or group of the model.", nearest(name, known), column=one.at)
         for name, one in table.columns.items()
@@ -64,11 +71,23 @@ def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) ->
     ]
     if not table.columns:
         faults.append(table.fault("has no column but t.", f"Give one of: {', '.join(known) or 'no gauge in the model'}."))
-    faults += [_too_large(table, name) for name, one in table.columns.items() if np.abs(one.values).max() > LARGEST]
+    faults += [
+        _too_large(table, name)
+        for name, one in table.columns.items()
+        if name not in volts and np.abs(one.values).max() > LARGEST
+    ]
     if faults:
         raise ModelError([replace(fault, path=("measured",)) for fault in faults])
-    columns = {name: 1e6 * one.values for name, one in table.columns.items()}
-    return StrainHistory(times=table.times, columns=columns, source=str(path), lines=tuple(table.lines))
+    times, first, which, count = np.unique(table.times, return_index=True, return_inverse=True, return_counts=True)
+    columns, errors = {}, {}
+    for name, one in table.columns.items():
+        values = one.values if name in volts else 1e6 * one.values
+        mean = np.bincount(which, values) / count
+        spread = np.bincount(which, (values - mean[which]) ** 2)
+        columns[name] = mean
+        errors[name] = np.where(count > 1, np.sqrt(spread / np.maximum(count - 1, 1) / count), np.nan)
+    lines = tuple(table.lines[int(k)] for k in first)
+    return StrainHistory(times=times, columns=columns, errors=errors, source=str(path), lines=lines, volts=volts)
 
 
 def _too_large(table: Table, name: str) -> Fault:

@@ -15,7 +15,7 @@ import numpy as np
 
 from kinetruss.errors import Fault, ModelError, UnitError
 from kinetruss.io.formats.text import read_text
-from kinetruss.units import NUMBER, parse, shown, unit_of
+from kinetruss.units import NUMBER, Tagged, parse, shown, unit_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -53,21 +53,28 @@ class Table:
         return Fault((), message, mend, self.header if line is None else line, column, file=self.path)
 
 
-def read_table(path: Path, quantity_of: Callable[[str], str | None], *, max_size: int, least_rows: int = 2) -> Table:
+def read_table(
+    path: Path,
+    quantity_of: Callable[[str], str | tuple[str, ...] | None],
+    *,
+    max_size: int,
+    least_rows: int = 2,
+    repeats: bool = False,
+) -> Table:
     """Read a table.
 
     Parameters
     ----------
     path : CSV file, UTF-8.
-    quantity_of : quantity of a column by its name; None for an unknown column.
-    max_size : bytes. least_rows : smallest number of rows.
+    quantity_of : quantity of a column by its name, or several of which its unit chooses; None for an unknown column.
+    max_size : bytes. least_rows : smallest number of rows. repeats : times may be repeated.
 
     Raises
     ------
     ModelError : all faults of the table, each with file, line and column: missing or unknown columns, cells that are not a
     number, times that do not increase.
     """
-    reader = _Reader(str(path), quantity_of)
+    reader = _Reader(str(path), quantity_of, repeats)
     try:
         text = read_text(path, max_size)
     except ModelError as error:
@@ -85,8 +92,9 @@ def _in_file(fault: Fault, path: str) -> Fault:
 class _Reader:
     """Reads the lines of a table one by one and collects their faults."""
 
-    def __init__(self, path: str, quantity_of: Callable[[str], str | None]) -> None:
+    def __init__(self, path: str, quantity_of: Callable[[str], str | tuple[str, ...] | None], repeats: bool) -> None:
         self._path = path
+        self._repeats = repeats
         self._quantity_of = quantity_of
         self._faults: list[Fault] = []
         self._names: list[str] = []
@@ -138,7 +146,8 @@ class _Reader:
 
     def _column(self, name: str, unit: str | None, line: int, at: int) -> None:
         first = not self._names
-        quantity = "time" if first else self._quantity_of(name)
+        known = "time" if first else self._quantity_of(name)
+        quantity, several = (known, False) if known is None or isinstance(known, str) else (_meant(unit, known), True)
         if first and name not in ("t", "time"):
             mend = "Give a header such as: t, M7 [mm]." if NUMBER.fullmatch(name) else "Call it t."
             self._fault(f"the first column is called {shown(name)}; expected t.", mend, line, at)
@@ -153,8 +162,10 @@ class _Reader:
             except UnitError:
                 mend = f"Write for example [{unit_of(quantity)}], or no unit for SI."
                 self._fault(f"column {shown(name)} has the unit [{unit}], which is not a unit of {quantity}.", mend, line, at)
+        if several:
+            scale = Tagged(scale, quantity)
         self._names.append(name)
-        self._scales.append(scale if unit is not None else 1.0)
+        self._scales.append(scale if unit is not None or several else 1.0)
         self._at.append(at)
 
     def _row(self, number: int, line: str) -> None:
@@ -170,11 +181,22 @@ class _Reader:
                 what = f"{shown(text)} is not a number" if text else "the cell is empty"
                 self._fault(f"{what}, in column {shown(name)}.", "Give a number; fill gaps.", number, at)
             row.append(value)
-        if self._rows and row[0] <= self._rows[-1][0]:
+        if self._rows and (row[0] < self._rows[-1][0] or (row[0] == self._rows[-1][0] and not self._repeats)):
             message = f"time does not increase: {row[0]:g} after {self._rows[-1][0]:g} in line {self._lines[-1]}."
             self._fault(message, "Sort the table by time, and keep one row for each instant.", number, cells[0][0])
         self._rows.append(row)
         self._lines.append(number)
+
+
+def _meant(unit: str | None, known: tuple[str, ...]) -> str:
+    """The quantity that has the unit, of some; without a unit, or if none has it, the first."""
+    for quantity in known if unit is not None else ():
+        try:
+            parse(f"1 {unit}", quantity)
+        except UnitError:
+            continue
+        return quantity
+    return known[0]
 
 
 def _cells(line: str) -> list[tuple[int, str]]:

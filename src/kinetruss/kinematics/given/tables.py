@@ -10,7 +10,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.motion.profiles import spline
-from kinetruss.model import Model, Spline
+from kinetruss.kinematics.given.measured import measured_notes
+from kinetruss.model import Measured, Model, Spline
 
 __all__ = ["check_reach", "monotone", "swings", "table_notes", "through"]
 
@@ -100,6 +101,8 @@ def table_notes(model: Model, *trajectories: Any) -> str:
     for one in trajectories:
         if isinstance(one, Spline) and one.shape == "spline":
             said += swings("", np.array(one.times), {name: np.array(column) for name, column in one.values.items()})
+        if isinstance(one, Measured):
+            said.append(measured_notes(one))
     for node, history in model.support_motion.items():
         if history.shape == "spline" and node in model.fixed:
             table = np.array(history.displacements)

@@ -10,7 +10,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.lengths import turn_rates
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import kept
-from kinetruss.model import Cyclic, Sine, Spline
+from kinetruss.model import Cyclic, Sine, Tabulated
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,7 +36,7 @@ def between(trajectory: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
         return t
     if isinstance(trajectory, Sine | Cyclic):
         return _filled(t, np.ceil(np.diff(t) * A_PERIOD / trajectory.period))
-    if isinstance(trajectory, Spline):
+    if isinstance(trajectory, Tabulated):
         knots = np.array(trajectory.times) - trajectory.times[0]
         return np.union1d(t, knots[(knots > t[0]) & (knots < t[-1])])
     return t

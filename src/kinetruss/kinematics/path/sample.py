@@ -14,6 +14,7 @@ from kinetruss.arrays import array_of
 from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
 from kinetruss.kernels.motion import profiles as profiles
 from kinetruss.kernels.motion.gimbal import gimbal_inverse
+from kinetruss.kinematics.given.measured import measured_law
 from kinetruss.kinematics.given.tables import check_reach, through
 from kinetruss.kinematics.poses.gimbal import gimbal_pose, unreachable
 from kinetruss.kinematics.targets.pose_fits import check_pose
@@ -24,11 +25,12 @@ from kinetruss.model import (
     ConstantRate,
     CoordinateDrive,
     Cyclic,
+    Measured,
     Model,
     Quintic,
     Sine,
-    Spline,
     StepResponse,
+    Tabulated,
     Trapezoid,
     moved_by,
     trajectory_faults,
@@ -135,7 +137,7 @@ def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -
     Raises `InputError` for times outside a table.
     """
     names = moved_by(trajectory)[1]
-    if isinstance(trajectory, Spline):
+    if isinstance(trajectory, Tabulated):
         value, rate, acceleration = _table(trajectory, times)
         return {name: (value[:, k], rate[:, k], acceleration[:, k]) for k, name in enumerate(names)}
     law = _law(trajectory, times)
@@ -186,13 +188,16 @@ def _law(trajectory: Any, t: Floats) -> Law:
     raise InputError(f"{type(trajectory).__name__} is not a trajectory. Give one of the trajectory records, e.g. kt.Quintic.")
 
 
-def _table(trajectory: Spline, t: Floats) -> Law:
+def _table(trajectory: Tabulated, t: Floats) -> Law:
     """A measured table; times count from its first row."""
     if t.size:
         check_reach("the trajectory (counted from its first row)", 0.0, trajectory.duration, float(t.min()), float(t.max()))
     rows = np.array(trajectory.times)
+    inside = np.clip(rows[0] + t, rows[0], rows[-1])
+    if isinstance(trajectory, Measured):
+        return measured_law(trajectory, inside)
     columns = np.array(list(trajectory.values.values())).T
-    return through(np.clip(rows[0] + t, rows[0], rows[-1]), rows, columns, trajectory.shape)
+    return through(inside, rows, columns, getattr(trajectory, "shape", "spline"))
 
 
 def _standing_poses(model: Model, poses: list[str], start: Mapping[str, float], names: Mapping[str, Any]) -> dict[str, float]:

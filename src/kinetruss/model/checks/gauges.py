@@ -61,6 +61,9 @@ def _place(model: ModelData, name: str, gauge: Any) -> Iterator[Fault]:
     if gauge.radius is None and getattr(record, "kind", None) == "general":
         mend = "Give radius: its distance from the axis."
         yield Fault(path, "sits on a general section, whose surface is not known.", mend, about=about)
+    if gauge.direction and (gauge.radius is not None or getattr(record, "kind", None) == "general"):
+        mend = "Leave out radius, and use a round or rectangular section: shear is known on their surface only."
+        yield Fault((*path, "direction"), "is given where the shear of the surface is not known.", mend, about=about)
     if gauge.distance is not None:
         yield from _distance(model, name, gauge, part)
 
@@ -94,6 +97,8 @@ def _group(model: ModelData, group: str) -> Iterator[Fault]:
             mend = "Put gauges of one group at one section, or give them groups of their own."
             message = f"is of group {group!r} like {first!r}, but sits at another place."
             yield Fault(("gauges", name), message, mend, about=about)
+    if any(gauge.direction for gauge in gauges.values()):
+        return
     if not _separates([gauge.angle for gauge in gauges.values()], model.dim == 2):
         angles = ", ".join(f"{math.degrees(gauge.angle):g}" for gauge in gauges.values())
         mend = "Add gauges: two opposite each other, or three around the section."

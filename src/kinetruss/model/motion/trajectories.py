@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, Tag, model_validator
 
@@ -18,21 +18,24 @@ from kinetruss.model._record import (
     PositiveTime,
     Rate,
     Record,
+    SecondRate,
     Series,
     Time,
     Whole,
 )
-from kinetruss.model._table import Filled
+from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model.parts.loads import Shape, check_times
 
 __all__ = [
     "ConstantRate",
     "Cyclic",
+    "Measured",
     "Move",
     "Quintic",
     "Sine",
     "Spline",
     "StepResponse",
+    "Tabulated",
     "Trajectory",
     "TrajectoryOrName",
     "Trapezoid",
@@ -121,24 +124,15 @@ class StepResponse(Record):
         return self.third_pole * self.frequency if self.order == 3 else None
 
 
-class Spline(Record):
-    """A measured table: times (s) and one column a coordinate; a quintic spline through all points (cubic below 6 points).
+class Tabulated(Record):
+    """A table in time: times (s) and one column a coordinate, without long gaps."""
 
-    `shape`: a spline may overshoot its points, most where values repeat. ``monotone`` interpolates the same points by quintics
-    with continuous acceleration that rise only where the table rises, and are constant where it is. It turns at rows only, so
-    if the measured motion turns between rows, the accelerations there are not the measured ones. In a file, ``file:
-    table.csv`` (columns t, coordinate names) is read into times and values. `largest_gap` refuses a table with a longer pause
-    between two samples than this many times the median step.
-    """
-
-    kind: Literal["spline"] = "spline"
     times: Annotated[tuple[Time, ...], Field(min_length=4), Series]
     values: Filled[Name, Annotated[tuple[Coordinate, ...], Series]]
-    shape: Shape = "spline"
     largest_gap: Annotated[Number, Field(gt=1)] = 10.0
 
     @model_validator(mode="after")
-    def _table(self) -> Spline:
+    def _table(self) -> Self:
         check_times(self.times)
         for name, column in self.values.items():
             if len(column) != len(self.times):
@@ -159,7 +153,70 @@ class Spline(Record):
         return self.times[-1] - self.times[0]
 
 
-Trajectory = Annotated[Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline, Field(discriminator="kind")]
+class Spline(Tabulated):
+    """A measured table: times (s) and one column a coordinate; a quintic spline through all points (cubic below 6 points).
+
+    `shape`: a spline may overshoot its points, most where values repeat. ``monotone`` interpolates the same points by quintics
+    with continuous acceleration that rise only where the table rises, and are constant where it is. It turns at rows only, so
+    if the measured motion turns between rows, the accelerations there are not the measured ones. In a file, ``file:
+    table.csv`` (columns t, coordinate names) is read into times and values. `largest_gap` refuses a table with a longer pause
+    between two samples than this many times the median step. A noisy table is a `Measured` one.
+    """
+
+    kind: Literal["spline"] = "spline"
+    shape: Shape = "spline"
+
+
+class Measured(Tabulated):
+    """A record with noise: it is smoothed; rates and accelerations that are given are used as they are.
+
+    `rates` and `accelerations` are columns as `values` are; a coordinate has its rates, or rates and accelerations, or
+    neither. What is not given comes from the smoothed values (or the smoothed rates). Between the rows the motion is the
+    quintic with value, rate and acceleration of the rows. `smoothing`: ``spline``, a quintic smoothing spline; or
+    ``savitzky_golay``, for even steps, with an odd number of rows as `window` (by default the best by cross-validation).
+    `outliers`: ``keep`` reports them, ``replace`` smooths without them too. In a file, ``file: table.csv`` has columns ``t``,
+    ``M7``, ``M7.rate``, ``M7.acceleration``. See `kinematics.measured`.
+    """
+
+    kind: Literal["measured"] = "measured"
+    rates: Table[Name, Annotated[tuple[Rate, ...], Series]] = ReadOnly()
+    accelerations: Table[Name, Annotated[tuple[SecondRate, ...], Series]] = ReadOnly()
+    smoothing: Literal["spline", "savitzky_golay"] = "spline"
+    window: Whole | None = None
+    outliers: Literal["keep", "replace"] = "keep"
+
+    @model_validator(mode="after")
+    def _columns(self) -> Measured:
+        for field in ("rates", "accelerations"):
+            for name, column in getattr(self, field).items():
+                if name not in self.values:
+                    raise ValueError(f"{field} has a column {name!r}, but there are no values of {name!r}. Give both.")
+                if len(column) != len(self.times):
+                    raise ValueError(f"{field}: column {name!r} has {len(column)} values for {len(self.times)} times.")
+                kinds = {getattr(column[0], "quantity", None), getattr(self.values[name][0], "quantity", None)} - {None}
+                if len(kinds) > 1:
+                    raise ValueError(
+                        f"{field}: column {name!r} has a unit of angles, its values one of lengths, or the reverse."
+                    )
+        if alone := [name for name in self.accelerations if name not in self.rates]:
+            raise ValueError(f"accelerations of {alone[0]!r} are given without its rates. Give the rates, or leave them out.")
+        if self.window is not None and self.smoothing == "spline":
+            raise ValueError("window is given, but a smoothing spline has none. Set smoothing: savitzky_golay, or remove it.")
+        if self.window is not None and not (self.window % 2 and 7 <= self.window <= len(self.times)):
+            raise ValueError(
+                f"window {self.window} is not an odd number from 7 to the {len(self.times)} rows. Give one, or none."
+            )
+        return self
+
+    @property
+    def smoothed(self) -> bool:
+        """True if at least one column is smoothed."""
+        return any(name not in self.accelerations for name in self.values)
+
+
+Trajectory = Annotated[
+    Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline | Measured, Field(discriminator="kind")
+]
 TrajectoryOrName = Annotated[Annotated[Trajectory, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
 
 
@@ -170,7 +227,7 @@ def moved_by(trajectory: Any) -> tuple[str, Mapping[str, Any]]:
     ------
     InputError : the argument is not a trajectory.
     """
-    for field in ("moves", "rates", "amplitudes", "values"):
+    for field in ("moves", "values", "rates", "amplitudes"):
         if isinstance(trajectory, Record) and field in type(trajectory).model_fields:
             return field, getattr(trajectory, field)
     if isinstance(trajectory, Mapping):

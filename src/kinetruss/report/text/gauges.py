@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["gauges", "gauges_picture"]
 
 READING = ("gauge", "on", "start", "end", "least", "at", "largest", "at")
-COMPARED = ("column", "rows", "offset", "rms", "scatter", "correlation", "largest", "at")
+COMPARED = ("column", "rows", "offset", "scale", "rms", "scatter", "correlation", "lag", "largest", "at", "error")
 
 
 def gauges(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Page:
@@ -48,9 +48,11 @@ def _text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
             (
                 name,
                 str(compared.sizes["time"]),
-                *(number(entry[key], 4) for key in ("offset", "rms", "scatter", "correlation")),
+                *(number(entry[key], 4) for key in ("offset", "scale", "rms", "scatter", "correlation")),
+                instant(entry["shift"]) if math.isfinite(entry["shift"]) else "-",
                 number(entry["largest"], 4),
                 instant(entry["largest_time"]),
+                number(entry["standard_error"], 3) if math.isfinite(entry["standard_error"]) else "-",
             )
             for name, entry in _comparison(compared).items()
         ]
@@ -85,7 +87,7 @@ def _extremes(times: NDArray[np.float64], values: NDArray[np.float64]) -> dict[s
 
 
 def _comparison(compared: xr.Dataset) -> dict[str, dict[str, float]]:
-    keys = ("offset", "rms", "scatter", "correlation", "largest", "largest_time")
+    keys = ("offset", "scale", "rms", "scatter", "correlation", "shift", "largest", "largest_time", "standard_error")
     return {
         str(name): {key: float(compared[key].values[k]) for key in keys} for k, name in enumerate(compared["column"].values)
     }

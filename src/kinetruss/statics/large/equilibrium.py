@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.actions import mean_tension_at_rest
+from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian
@@ -273,7 +273,10 @@ def forces_of(
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
     last = len(system.measures) - len(system.springs)
     own = last - len(system.model.couplings)
-    mean = balance.tension(x) + tension + mean_tension_at_rest(system, x, drive, -on_measures[own:last])
+    mean = balance.tension(x) + tension
+    support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
+    carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
+    mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
     springs = {}
     if system.springs:
         value, _, force, _ = spring_motions(system, x[None])

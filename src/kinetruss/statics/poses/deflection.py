@@ -56,8 +56,8 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     of the kinematics a sample. Redundant structures and such with elastic bars are solved by the stiffness method under the
     same nodal forces f - M a instead. The work of those forces, found without N, closes the check (principle of virtual
     work). First order: the deflection changes neither the geometry nor, by its own inertia, the forces; it is valid if the
-    first natural frequency is well above the frequencies of the motion. An active member counts with the E and A of the weaker
-    of its two parts, over its whole length.
+    first natural frequency is well above the frequencies of the motion. An active member counts with its
+    `Compliance`, else with the E and A of the weaker of its two parts, over its whole length.
     """
     system = compile(model)
     if list(forces.arrays["member"].values) != list(system.members):

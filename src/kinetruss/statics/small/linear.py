@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 from scipy.sparse import csr_array
 
-from kinetruss.dynamics.actions import mean_tension_at_rest
+from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
@@ -183,9 +183,6 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     total = solved.force + tension
     force[held.row_member[bars]] = total[bars]
     on_springs = -total[spring_rows(held)] * system.measure_scale[system.spring_measure]
-    if len(system.measures):
-        drive, coupling = _on_measures(held, total)
-        force += mean_tension_at_rest(system, x, drive, coupling, on_springs)
     length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
     # the energy that the load adds to a prestressed bar: (N + N0) e/2 + N0 e/2
@@ -195,6 +192,10 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     held_now[system.coordinate_drive[:, 0]] = False
     more = _continuum(system, x) @ solved.displacement  # forces of membranes and solids
     reaction = np.where(held_now, G.T @ total + more - continua_force - load, 0.0).reshape(-1, 3)
+    if len(system.measures) or system.model.hubs:
+        drive, coupling = _on_measures(held, total)
+        acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
+        force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_springs)
     stored = stored_by.sum() + (0.5 * more - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)

@@ -69,11 +69,12 @@ def spring_rows(held: System) -> NDArray[np.int64]:
 def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones, infinite for slack cables and springs in play.
 
-    For elastic bars, cables and springs: one over the slope of their law at their present length.
+    Active members have their `Compliance`; elastic bars, cables and springs one over the slope of their law at their present
+    length.
     """
     i = held.row_member
     length = ends_of(held, x, i)[1]
-    found = np.nan_to_num(held.compliance[i]) * length
+    found = np.nan_to_num(held.compliance[i]) * length + held.yielding[i]
     if held.law.any():
         pulling = held.law[i] != NONE
         with np.errstate(divide="ignore"):

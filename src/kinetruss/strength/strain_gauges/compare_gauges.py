@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import Fault, ModelError
+from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.results import variable
 
 if TYPE_CHECKING:
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from kinetruss.io import StrainHistory
 
 __all__ = ["compare_gauges", "inside"]
+
+TOLD = 0.3
+"""Smallest part of the rate of a history that is neither constant nor like it: with less, a lag looks like an offset."""
 
 _SUMMARY = {
     "offset": "mean of measured minus simulated",
@@ -36,12 +39,16 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
     Returns
     -------
     Dataset. ``measured``, ``simulated``, ``difference`` (time, column), 1e-6; ``offset``, ``rms``, ``scatter`` (rms about the
-    offset), ``largest`` (column), 1e-6; ``correlation`` (column), NaN for a column that stays the same; ``largest_time`` s.
+    offset), ``largest`` (column), 1e-6; ``scale``: slope of measured over simulated, ``correlation`` (column), ``shift`` s: the
+    time by which the measured record lags, that of the best fit, NaN where offset and scale do as much; ``largest_time`` s;
+    ``standard_error`` (column), 1e-6: of the means in the record, NaN for single readings.
 
     Raises
     ------
-    ModelError : measured times outside the simulated ones, each with file and line.
+    ModelError : measured times outside the simulated ones, each with file and line. InputError : columns in volts.
     """
+    if measured.volts:
+        raise InputError(f"{measured.source} is in volts. Read it by strength.measured_strains(model, file).")
     times = strains["time"].values
     inside(measured, float(times[0]), float(times[-1]))
     there = np.stack(list(measured.columns.values()), axis=1)
@@ -60,6 +67,12 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
     data = {name: variable(per, values, "1e-6", f"{name} strain") for name, values in history.items()}
     data |= {name: variable(("column",), values, "1e-6", _SUMMARY[name]) for name, values in summary.items()}
     data["correlation"] = variable(("column",), _correlation(there, here), "", "correlation of measured and simulated")
+    data["scale"] = variable(("column",), _scale(there, here), "", "slope of measured over simulated")
+    shift = np.array([_shift(times, _column(strains, name), measured.times, one) for name, one in measured.columns.items()])
+    data["shift"] = variable(("column",), shift, "s", "time by which the measured record lags")
+    errors = [measured.errors.get(name, np.full(len(measured.times), np.nan)) for name in measured.columns]
+    mean = [float(np.sqrt(np.nanmean(one**2))) if np.isfinite(one).any() else np.nan for one in errors]
+    data["standard_error"] = variable(("column",), np.array(mean), "1e-6", "standard error of a measured mean")
     data["largest_time"] = variable(("column",), measured.times[at], "s", "time of the largest difference")
     time = variable(("time",), measured.times, "s", "time")
     return xr.Dataset(
@@ -107,3 +120,46 @@ def _correlation(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArra
     flat = (np.ptp(one, axis=0) < 1e-9 * np.abs(one).max(axis=0)) | (np.ptp(other, axis=0) < 1e-9 * np.abs(other).max(axis=0))
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.asarray(np.where(flat, np.nan, (a * b).sum(axis=0) / size))
+
+
+def _scale(measured: NDArray[np.float64], simulated: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Slope of the line of least squares, measured over simulated."""
+    a, b = measured - measured.mean(axis=0), simulated - simulated.mean(axis=0)
+    flat = np.ptp(simulated, axis=0) < 1e-9 * np.abs(simulated).max(axis=0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(np.where(flat, np.nan, (a * b).sum(axis=0) / (b * b).sum(axis=0)))
+
+
+def _shift(
+    times: NDArray[np.float64], simulated: NDArray[np.float64], rows: NDArray[np.float64], measured: NDArray[np.float64]
+) -> float:
+    """The lag of a measured history, s, within a tenth of its length: that with which offset + scale x simulated fits best;
+    NaN if it cannot be told from these.
+    """
+    from scipy.interpolate import make_interp_spline
+    from scipy.optimize import minimize_scalar
+
+    span = 0.1 * float(np.ptp(rows))
+    inner = (rows >= times[0] + span) & (rows <= times[-1] - span)
+    if (
+        inner.sum() < 5
+        or np.ptp(simulated) < 1e-9 * np.abs(simulated).max()
+        or np.ptp(measured) < 1e-9 * np.abs(measured).max()
+    ):
+        return float("nan")
+    curve, y = make_interp_spline(times, simulated, k=min(3, len(times) - 1)), measured[inner]
+
+    def misfit(lag: float) -> float:
+        here = curve(rows[inner] - lag)
+        design = np.stack([np.ones(len(here)), here], axis=1)
+        return float(((y - design @ np.linalg.lstsq(design, y, rcond=None)[0]) ** 2).sum())
+
+    grid = np.linspace(-span, span, 41)
+    k = int(np.argmin([misfit(lag) for lag in grid]))
+    here, slope = curve(rows[inner] - grid[k]), curve(rows[inner] - grid[k], 1)
+    design = np.stack([np.ones(len(here)), here], axis=1)
+    rest = slope - design @ np.linalg.lstsq(design, slope, rcond=None)[0]
+    if np.linalg.norm(rest) < TOLD * np.linalg.norm(slope):
+        return float("nan")
+    bounds = (grid[max(k - 1, 0)], grid[min(k + 1, 40)])
+    return float(minimize_scalar(misfit, bounds=bounds, method="bounded", options={"xatol": 1e-6 * span}).x)

@@ -33,7 +33,8 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     Dataset. ``strain`` (time, gauge), 1e-6; ``bridge`` (time, gauge), V/V: output of a quarter bridge over its excitation;
     ``group_strain`` (time, group, component), 1e-6: ``axial``, ``bending_2``, ``bending_3`` (in the plane without 2), as in
     `components`: bending at the extreme fibre, with the sign of its moment; NaN where the gauges do not determine it.
-    ``zero`` (gauge), 1e-6: the subtracted reading.
+    ``group_force`` (time, group, inner): the section forces ``T`` N, ``M2``, ``M3`` N m, ``V2``, ``V3`` N that a group measures
+    (shear by gauges with a direction); NaN likewise. ``zero`` (gauge), 1e-6: the subtracted reading.
 
     Raises
     ------
@@ -42,9 +43,11 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
 
     Notes
     -----
-    At (y, z) along member axes 2 and 3: strain = (T/A + M2 z/I2 - M3 y/I3)/E, with T and M at the gauge's own section (T is not
-    the mean over the length). Groups by least squares; three gauges 120 degrees apart: axial = their mean. Quarter bridge:
-    output = k e/(4 + 2 k e), k the gauge factor. Set to zero at rest, at the sample nearest to a time given as zero.
+    At (y, z) along member axes 2 and 3: strain e = (T/A + M2 z/I2 - M3 y/I3)/E, with T and M at the gauge's own section (T is
+    not the mean over the length). A gauge in the direction d reads e (cos^2 d - nu sin^2 d) + g sin d cos d, with the shear
+    strain g = tau/G of V2 and V3 along the surface: as in the stresses, exact for a thin tube. Groups by least squares; three
+    gauges 120 degrees apart: axial = their mean. Quarter bridge: output = k e/(4 + 2 k e), k the gauge factor. Set to zero at
+    rest, at the sample nearest to a time given as zero.
     Source: Lacy (1991, section 5.4: three gauges on M6); Window, Strain Gauge Technology (1992), for the bridge.
     """
     if not model.gauges:
@@ -72,14 +75,23 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     groups = list(dict.fromkeys(gauge.group for gauge in model.gauges.values() if gauge.group is not None))
     if groups:
         across = ["bending_3"] if model.dim == 2 else ["bending_2", "bending_3"]
-        coords |= {"group": groups, "component": ["axial", *across]}
+        inner = ["T", "M3", "V2"] if model.dim == 2 else ["T", "M2", "M3", "V2", "V3"]
+        coords |= {"group": groups, "component": ["axial", *across], "inner": inner}
         split = np.stack([_split(model, group, places, strain) for group in groups], axis=1)
-        data["group_strain"] = variable(("time", "group", "component"), split, "1e-6", "axial and bending strain of a group")
+        parts_of_groups = [k[next(i for i, one in enumerate(model.gauges.values()) if one.group == group)] for group in groups]
+        force = 1e-6 * split / np.stack([_per_force(parts, int(i), model.dim) for i in parts_of_groups])
+        kept = 1 + len(across)
+        data["group_strain"] = variable(
+            ("time", "group", "component"), split[..., :kept], "1e-6", "axial and bending strain of a group"
+        )
+        data["group_force"] = variable(("time", "group", "inner"), force, "N, N m", "section forces that a group measures")
     return xr.Dataset(data, coords=coords, attrs={"kind": "gauges", "load_case": forces.load_case})
 
 
 class _Places:
-    """Places of the gauges: part (gauges,), fraction of its length xi, (y, z) along axes 2 and 3, m."""
+    """Places of the gauges: part (gauges,), fraction of its length xi, (y, z) along axes 2 and 3, m; what a gauge reads of the
+    axial strain at its place (gauges,), and of the largest shear strains of V2 and V3 (gauges, 2).
+    """
 
     def __init__(self, model: Model, parts: Parts) -> None:
         self.parts = parts
@@ -89,8 +101,14 @@ class _Places:
         length = parts.lengths(_lengths(model)[None])[0, self.part]
         self.xi = np.array([_fraction(gauge, l) for gauge, l in zip(records, length, strict=True)])
         c = np.stack([parts.c2, parts.c3], axis=1)[self.part]
-        round_ = [getattr(model.section_of(_owner(model, gauge)), "round", True) for gauge in records]
+        sections = [model.section_of(_owner(model, gauge)) for gauge in records]
+        round_ = [getattr(section, "round", True) for section in sections]
         self.y, self.z = np.array([_point(gauge, c[k, 0], c[k, 1], round_[k]) for k, gauge in enumerate(records)]).T
+        turn = np.array([gauge.direction for gauge in records])
+        nu = parts.E[self.part] / (2 * parts.G[self.part]) - 1
+        self.along = np.cos(turn) ** 2 - nu * np.sin(turn) ** 2
+        flow = np.array([_flow(gauge, c[k], round_[k]) for k, gauge in enumerate(records)])
+        self.shear = (np.sin(turn) * np.cos(turn))[:, None] * flow
 
 
 def _places(model: Model) -> _Places:
@@ -128,17 +146,40 @@ def _point(gauge: Any, c2: float, c3: float, is_round: bool) -> tuple[float, flo
     return radius * cosine, radius * sine
 
 
+def _flow(gauge: Any, c: NDArray[np.float64], is_round: bool) -> tuple[float, float]:
+    """Shear stress towards growing angle at a gauge, over the largest ones of V2 and V3 alone."""
+    cosine, sine = np.cos(gauge.angle), np.sin(gauge.angle)
+    if is_round:
+        return -float(sine), float(cosine)
+    y, z = _point(gauge, c[0], c[1], is_round)
+    if abs(y) >= abs(z) * c[0] / c[1]:  # on the face across axis 2
+        return 0.0, float(np.sign(cosine) * (1 - (z / c[1]) ** 2))
+    return -float(np.sign(sine) * (1 - (y / c[0]) ** 2)), 0.0
+
+
 def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64]:
     """(times, gauges), 1e-6."""
     stations = np.unique(places.xi)
     found, parts, k = sections(model, forces, stations).data, places.parts, places.part
     at = np.searchsorted(stations, places.xi)
     stress = found["section_T"].values[:, k, at] / parts.area[k]
-    M = found["section_M"].values[:, k, at]
+    M, V = found["section_M"].values[:, k, at], found["section_V"].values[:, k, at]
     stress = stress - M[..., -1] * places.y / parts.I3[k]
     if M.shape[-1] == 2:
         stress = stress + M[..., 0] * places.z / parts.I2[k]
-    return np.asarray(1e6 * stress / parts.E[k])
+    strain = places.along * stress / parts.E[k]
+    if places.shear.any():
+        per = (parts.factor / parts.area / parts.G)[k]
+        V = V[..., -2:] if V.shape[-1] > 1 else V
+        strain = strain + per * (V * places.shear[:, : V.shape[-1]]).sum(axis=-1)
+    return np.asarray(1e6 * strain)
+
+
+def _per_force(parts: Parts, k: int, dim: int) -> NDArray[np.float64]:
+    """Largest strain of a part for a unit of T, M2, M3, V2, V3 (in the plane T, M3, V2)."""
+    axial, shear = 1 / (parts.E[k] * parts.area[k]), parts.factor[k] / (parts.area[k] * parts.G[k])
+    M2, M3 = parts.c3[k] / (parts.E[k] * parts.I2[k]), parts.c2[k] / (parts.E[k] * parts.I3[k])
+    return np.array([axial, M3, shear] if dim == 2 else [axial, M2, M3, shear, shear])
 
 
 def _reference(model: Model, forces: Forces, zero: GaugeZero) -> Forces:
@@ -163,18 +204,25 @@ def _reference(model: Model, forces: Forces, zero: GaugeZero) -> Forces:
 
 
 def _split(model: Model, group: str, places: _Places, strain: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Axial and bending strain (times, components) of a group, by least squares; NaN if its gauges do not suffice."""
+    """Strains (times, k) of a group by T, M2, M3 (extreme fibre), V2, V3 (largest shear), in the plane by T, M3, V2: by least
+    squares; NaN for those that its gauges do not determine.
+    """
     chosen = [k for k, gauge in enumerate(model.gauges.values()) if gauge.group == group]
     parts, part = places.parts, places.part[chosen[0]]
-    columns = [np.ones(len(chosen)), -places.y[chosen] / parts.c2[part]]
+    along, shear = places.along[chosen], places.shear[chosen]
+    columns = [along, -along * places.y[chosen] / parts.c2[part], shear[:, 0]]
     if model.dim == 3:
-        columns.insert(1, places.z[chosen] / parts.c3[part])
+        columns = [columns[0], along * places.z[chosen] / parts.c3[part], columns[1], shear[:, 0], shear[:, 1]]
     design = np.stack(columns, axis=1)
     inverse = np.linalg.pinv(design, rcond=1e-9)
     unseen = np.abs(np.eye(design.shape[1]) - inverse @ design).max(axis=1) > 1e-9
-    if unseen[0]:
+    if unseen[0] and not shear.any():
         raise InputError(
             f"The gauges of group {group!r} lie on one line, so axial strain cannot be separated from bending. Spread them."
+        )
+    if unseen.all():
+        raise InputError(
+            f"The gauges of group {group!r} determine no single section force. Add gauges, e.g. pairs at +-45 deg."
         )
     found = strain[:, chosen] @ inverse.T
     found[:, unseen] = np.nan

@@ -41,3 +41,16 @@ def level_bar() -> dict[str, float]:
     readings = {str(name): found["strain"].sel(gauge=name).item() for name in turns}
     parts = {str(name): found["group_strain"].sel(group="mid", component=name).item() for name in ("axial", "bending_3")}
     return readings | parts | {"bridge": found["bridge"].sel(gauge="low").item()}
+
+
+def rosette() -> dict[str, float]:
+    """Principal strains of a rosette at 0, 45, 90 degrees that reads 500, 350, -100, and their angle."""
+    found = kt.strength.rosette([500.0, 350.0, -100.0], np.radians([0, 45, 90]))
+    return {"largest": float(found.principal[0]), "least": float(found.principal[1]), "tangent": float(np.tan(2 * found.angle))}
+
+
+def shunt() -> dict[str, float]:
+    """Reading of a 120 ohm gauge, factor 2, with a resistor of 59,880 ohm across it, from the voltage of its bridge."""
+    arm = 120 * 59880 / (120 + 59880)
+    strain = kt.strength.bridge_strain(10 * (arm / (arm + 120) - 0.5), kt.Bridge(excitation=10), 2.0)
+    return {"strain": float(strain)}

@@ -1,0 +1,1 @@
+"""How sure results are: standard errors of measured motions, error budgets of poses."""

@@ -1,0 +1,177 @@
+"""The uncertain parameters of a model: lengths, play, temperature, and any number at a dotted path."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, UnitError, shown
+from kinetruss.model import LengthDrive, Model, Record, nearest
+from kinetruss.units import parse
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Parameter", "driven_lengths", "parameters"]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Parameter:
+    """An uncertain number. tolerance : half the width of its range. lengths : change of every member's length (members,), m,
+    for a change of 1; zero for a number at a `path`, which has the value `nominal`.
+    """
+
+    name: str
+    tolerance: float
+    lengths: NDArray[np.float64]
+    path: str | None = None
+    nominal: float = 0.0
+
+
+def parameters(model: Model, tolerances: Mapping[str, Any], expansion: float | None) -> list[Parameter]:
+    """The parameters that the keys of `tolerances` stand for; see `budget`.
+
+    Raises
+    ------
+    InputError : a key that fits nothing, a tolerance that is no positive number of its unit, a parameter named twice.
+    """
+    found: list[Parameter] = []
+    for key, given in tolerances.items():
+        name, _, last = key.rpartition(".")
+        if key == "temperature":
+            found.append(_temperature(model, given, expansion))
+        elif last in ("length", "play") and "." not in name:
+            found += _lengths(model, key, given) if last == "length" else _play(model, key, given)
+        else:
+            found += _paths(model, key, given)
+    names = [one.name for one in found]
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise InputError(f"{twice[0]} has two tolerances. Give one: patterns must not overlap.")
+    if not found:
+        raise InputError("No tolerance is given. Give for example tolerances={'M*.length': '0.1 mm'}.")
+    return found
+
+
+def driven_lengths(model: Model, chosen: list[Parameter]) -> tuple[Model, list[str | None]]:
+    """The model with every uncertain length driven, and the drive of each member (None: its length is certain)."""
+    moved = np.any([one.lengths != 0 for one in chosen], axis=0)
+    own = {drive.bar: name for name, drive in model.all_drives.items() if isinstance(drive, LengthDrive)}
+    bars, drives = dict(model.bars), []
+    for name, uncertain in zip(model.members, moved, strict=True):
+        if uncertain and name not in own:
+            if bars[name].kind != "rigid":
+                raise InputError(f"The length of {name!r} is no parameter: it is {bars[name].kind}. Leave it out.")
+            bars[name] = bars[name].with_(kind="driven")
+        drives.append(own.get(name, name) if uncertain else None)
+    return model.with_(bars=bars), drives
+
+
+def _half_width(given: Any, quantity: str, key: str) -> float:
+    try:
+        value = float(parse(given, quantity))
+    except UnitError as error:
+        raise InputError(f"Tolerance of {key}: {error}") from None
+    if value <= 0:
+        raise InputError(f"Tolerance of {key}: {value:g}, expected a positive number. Leave it out if it is exact.")
+    return value
+
+
+def _one_length(model: Model, name: str) -> NDArray[np.float64]:
+    return np.array([float(name == one) for one in model.members])
+
+
+def _lengths(model: Model, key: str, given: Any) -> list[Parameter]:
+    pattern, tolerance = key.removesuffix(".length"), _half_width(given, "length", key)
+    fits = [name for name in model.members if fnmatchcase(name, pattern)]
+    if not fits:
+        raise InputError(f"No member fits {key!r}. {nearest(pattern, list(model.members))}".rstrip())
+    if "*" in pattern or "?" in pattern:
+        fits = [name for name in fits if getattr(model.members[name], "kind", "driven") in ("rigid", "driven")]
+    return [Parameter(name=f"{name}.length", tolerance=tolerance, lengths=_one_length(model, name)) for name in fits]
+
+
+def _play(model: Model, key: str, given: Any) -> list[Parameter]:
+    """Play of a joint: every member at the node may sit off it by the play, along its own axis."""
+    pattern, tolerance = key.removesuffix(".play"), _half_width(given, "length", key)
+    fits = [name for name in model.nodes if fnmatchcase(name, pattern)]
+    if not fits:
+        raise InputError(f"No node fits {key!r}. {nearest(pattern, list(model.nodes))}".rstrip())
+    return [
+        Parameter(name=f"{node}.play of {name}", tolerance=tolerance, lengths=_one_length(model, name))
+        for node in fits
+        for name, member in model.members.items()
+        if node in member.ends
+    ]
+
+
+def _temperature(model: Model, given: Any, expansion: float | None) -> Parameter:
+    tolerance = _half_width(given, "number", "temperature (K)")
+    at = {name: np.array(node.at) for name, node in model.nodes.items()}
+    change = []
+    for name, member in model.members.items():
+        parts = [member] if not hasattr(member, "tube") else [member.tube]
+        own = [getattr(model.material_of(part), "thermal_expansion", None) for part in parts]
+        share = own[0] if own[0] is not None else expansion
+        if share is None:
+            raise InputError(f"{name!r} has no thermal expansion. Give its material one, or expansion=12e-6 (1/K).")
+        length = member.length or float(np.linalg.norm(at[member.ends[1]] - at[member.ends[0]]))
+        kept = getattr(member, "kind", "driven") in ("rigid", "driven")
+        change.append(share * length if kept else 0.0)
+    return Parameter(name="temperature", tolerance=tolerance, lengths=np.array(change))
+
+
+def _paths(model: Model, key: str, given: Any) -> list[Parameter]:
+    found = []
+    for path in _expanded(model, key.split(".")):
+        nominal = _value(model, path, key)
+        text = given.strip() if isinstance(given, str) else None
+        if text is not None and text.endswith("%"):
+            tolerance = _half_width(text[:-1].strip(), "number", key) / 100 * abs(nominal)
+        else:
+            tolerance = _half_width(given, "number", key)
+        if tolerance == 0:
+            raise InputError(f"{'.'.join(path)} is 0: a tolerance in percent of it is nothing. Give a number.")
+        none = np.zeros(len(model.members))
+        found.append(Parameter(name=".".join(path), tolerance=tolerance, lengths=none, path=".".join(path), nominal=nominal))
+    return found
+
+
+def _expanded(model: Model, keys: list[str]) -> list[list[str]]:
+    """The paths of a pattern: ``*`` stands for every name of a table."""
+    paths: list[tuple[list[str], Any]] = [([], model)]
+    for key in keys:
+        paths = [
+            ([*path, name], _entry(place, name))
+            for path, place in paths
+            for name in (
+                [one for one in place if fnmatchcase(one, key)] if isinstance(place, Mapping) and "*" in key else [key]
+            )
+        ]
+    return [path for path, _ in paths]
+
+
+def _entry(place: Any, key: str) -> Any:
+    if isinstance(place, Mapping):
+        return place.get(key)
+    if isinstance(place, Record):
+        return getattr(place, key, None)
+    return place[int(key)] if isinstance(place, tuple) and key.isdigit() and int(key) < len(place) else None
+
+
+def _value(model: Model, path: list[str], key: str) -> float:
+    place: Any = model
+    for k, name in enumerate(path):
+        if isinstance(place, str):
+            so_far = ".".join(path[:k])
+            raise InputError(f"{key}: {so_far} names {place!r}. Give the path of that record, e.g. sections.{place}.{name}.")
+        place = _entry(place, name)
+    if isinstance(place, bool) or not isinstance(place, float | int):
+        raise InputError(
+            f"{key!r} is no number of the model (found {shown(place)}). Give NAME.length, NODE.play, temperature, or a dotted "
+            "path such as materials.tube.density."
+        )
+    return float(place)

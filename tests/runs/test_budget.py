@@ -1,0 +1,138 @@
+"""Error budgets: closed forms, the linear budget against the Monte Carlo, and faults."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import kinetruss as kt
+
+BAY = kt.library.vgt.double_octahedral(gravity=(0, 0, 9.81), tip_force=(0, 0, 46))
+EACH = {"M*.length": "0.1 mm"}
+
+
+def two_bars(height=1.0, half=0.75, **changes):
+    """A symmetric pair of bars under a weight at its top, hanging: N = W l/(2 h)."""
+    fields = {
+        "nodes": {"A": (-half, 0), "B": (half, 0), "C": kt.model.Node(at=(0, -height), mass=10.0)}, "fixed": ["A", "B"],
+        "bars": {"left": ("A", "C"), "right": ("B", "C")}, "gravity": (0, -9.81),
+        "section": kt.Rod(diameter=0.02), "material": kt.Material(E=210e9, density=0.0),
+    }  # fmt: skip
+    return kt.Model(**fields | changes)
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.floats(0.3, 2.0), st.floats(0.3, 2.0))
+def test_two_bars_in_closed_form(height, half):
+    """Heron: the top of a triangle of sides l1, l2 over the base 2c; dy/dl1 = l1 (c - x)/(2 c y), dx/dl1 = l1/(2 c)."""
+    found = kt.runs.budget(two_bars(height, half), ["C.x", "C.y", "left.force"], {"*.length": 1e-4}, samples=200)
+    side = math.hypot(height, half)
+    x, y = side / (2 * half), -side / (2 * height)
+    np.testing.assert_allclose(found.sensitivity.values[0], [x, -x], rtol=1e-9)
+    np.testing.assert_allclose(found.sensitivity.values[1], [y, y], rtol=1e-9)
+    # N1 = W l1 (c - x)/(2 c h): with its derivatives by l1, of l1, x and h
+    N = 98.1 * side / (2 * height)
+    assert found.nominal.values[2] == pytest.approx(N)
+    first = N * (1 / side - x / half - side / (2 * height) / height)
+    other = N * (x / half - side / (2 * height) / height)
+    np.testing.assert_allclose(found.sensitivity.values[2], [first, other], rtol=1e-6, atol=1e-6 * N)
+    assert found.worst_case.values[0] == pytest.approx(2e-4 * x)
+    assert found.root_sum_square.values[0] == pytest.approx(math.sqrt(2) * 1e-4 * x)
+
+
+def test_linear_budget_and_monte_carlo_agree_within_its_noise():
+    of = ["bay.beta", "bay.gamma", "bay.height", "N8.x", "M6.force", "M7.drive_force"]
+    found = kt.runs.budget(BAY, of, EACH, at={"bay.beta": 0.1, "bay.gamma": -0.05}, samples=4000, seed=2)
+    off = (found.monte_carlo - found.root_sum_square) / found.monte_carlo_error
+    assert np.abs(off).max() < 4
+    assert (found.root_sum_square <= found.worst_case).all()
+    # the mean of a linear model does not move
+    assert (np.abs(found.monte_carlo_shift) < 4 * found.root_sum_square / 3 / math.sqrt(4000) + 1e-9).all()
+    assert float((found.sensitivity_error / np.abs(found.sensitivity).max()).max()) < 1e-4
+
+
+def test_pose_coordinates_turn_with_bars_that_no_drive_moves():
+    """T85: d gamma/d M6 of the upright bay; the three lengths of the drives do not change."""
+    found = kt.runs.budget(BAY, "bay.gamma", {"M6.length": 1e-4}, samples=10)
+    exact = kt.kinematics.jacobian(BAY, of="bay.gamma", wrt="M6").item()
+    assert found.sensitivity.item() == pytest.approx(exact, rel=1e-9)
+    assert abs(exact) > 0.1
+
+
+def test_draws_are_assembled_as_a_model_with_these_lengths():
+    """The table of drive lengths and a model assembled with another length put the node at one place."""
+    tolerance = 0.01
+    found = kt.runs.budget(BAY, ["N8.x", "N8.y"], {"M6.length": tolerance}, samples=400, deviations=1.0)
+    length = kt.kinematics.assemble(BAY)
+    l6 = np.linalg.norm(length[list(BAY.nodes).index("N5")] - length[list(BAY.nodes).index("N2")])
+    x = [kt.kinematics.assemble(BAY, lengths={"M6": l6 + s * tolerance})[list(BAY.nodes).index("N8")] for s in (1, -1)]
+    slope = (x[0] - x[1])[:2] / 2
+    np.testing.assert_allclose(found.sensitivity.values[:, 0] * tolerance, slope, rtol=2e-2)
+
+
+def test_temperature_of_a_free_bar_and_of_a_similar_figure():
+    """All bars of a triangle grow alike: it stays similar, and its top rises by alpha dT h, if the base grows too."""
+    model = two_bars(fixed={"A": "xy", "B": "y"}, bars={"left": ("A", "C"), "right": ("B", "C"), "base": ("A", "B")})
+    found = kt.runs.budget(model, ["C.y", "B.x", "left.force"], {"temperature": 20}, expansion=12e-6, samples=50)
+    np.testing.assert_allclose(found.share.values[:2, 0], [-12e-6 * 20, 12e-6 * 20 * 1.5], rtol=1e-9)
+    assert abs(found.share.values[2, 0]) < 1e-6  # forces of a similar figure are the same
+
+
+def test_forces_are_linear_in_masses():
+    found = kt.runs.budget(two_bars(), "left.force", {"nodes.C.mass": "2 %"}, samples=200, seed=1)
+    assert found.share.item() == pytest.approx(0.02 * found.nominal.item(), rel=1e-9)
+    assert found.monte_carlo.item() == pytest.approx(found.root_sum_square.item(), abs=4 * found.monte_carlo_error.item())
+
+
+def test_play_moves_every_member_of_its_node():
+    found = kt.runs.budget(two_bars(), "C.y", {"C.play": "0.05 mm"}, samples=50)
+    assert list(found.parameter.values) == ["C.play of left", "C.play of right"]
+    assert found.worst_case.item() == pytest.approx(2 * 0.05e-3 * 1.25 / 2, rel=1e-9)
+
+
+def test_strain_and_friction_and_text():
+    model = two_bars(gauges={"G": {"member": "left"}}, sections={"rod": kt.Rod(diameter=0.02)}, section="rod")
+    found = kt.runs.budget(model, ["G.strain", "left.force"], {"sections.*.diameter": "1 %"}, samples=100)
+    assert found.share.values[0, 0] == pytest.approx(-0.02 * found.nominal.values[0], rel=1e-3)  # area goes with d^2
+    assert abs(found.share.values[1, 0]) < 1e-9
+    assert "worst case" in found.text
+    assert "sections.rod.diameter" in found.text
+
+
+def test_inertia_forces_of_a_motion_count():
+    slew = kt.Quintic(moves={"bay.beta": (-0.2, 0.2)}, duration=0.4)
+    still = kt.runs.budget(BAY, "M7.drive_force", {"M7.length": 1e-4}, at={"bay.beta": 0.0}, samples=10)
+    moving = kt.runs.budget(BAY, "M7.drive_force", {"M7.length": 1e-4}, at=(slew, 0.1), samples=10)
+    motion = kt.kinematics.follow(BAY, slew, times=[0.1])
+    own = kt.dynamics.inverse(BAY, motion).drive_force.sel(drive="M7").item()
+    assert moving.nominal.item() == pytest.approx(own, rel=1e-9)
+    assert abs(moving.nominal.item() - still.nominal.item()) > 1
+
+
+@pytest.mark.parametrize(("of", "tolerances", "said"), [
+    ("C.z", {"*.length": 1e-4}, "No coordinate called 'C.z'"),
+    ("C.x", {"lft.length": 1e-4}, "No member fits 'lft.length'"),
+    ("C.x", {"left.length": "1 kg"}, "Tolerance of left.length"),
+    ("C.x", {"left.length": 0}, "expected a positive number"),
+    ("C.x", {"left.length": 1e-4, "*.length": 1e-4}, "two tolerances"),
+    ("C.x", {"materials.x.density": 1}, "is no number of the model"),
+    ("C.x", {"temperature": 10}, "no thermal expansion"),
+    ("C.x", {}, "No tolerance is given"),
+    ("C", {"left.length": 1e-4}, "stands for 2 coordinates"),
+])  # fmt: skip
+def test_faults(of, tolerances, said):
+    with pytest.raises(kt.InputError, match=said.replace("(", r"\(")):
+        kt.runs.budget(two_bars(), of, tolerances)
+
+
+def test_a_length_that_others_hold_too_is_refused():
+    model = two_bars(bars={"left": ("A", "C"), "right": ("B", "C"), "base": ("A", "B"), "twice": ("B", "C")})
+    with pytest.raises((kt.InputError, kt.AnalysisError)):
+        kt.runs.budget(model, "C.x", {"twice.length": 1e-4})
+
+
+def test_out_of_reach_within_the_tolerances_is_said():
+    with pytest.raises((kt.InputError, kt.AnalysisError)):
+        kt.runs.budget(two_bars(height=0.01), "C.y", {"*.length": 0.5})
