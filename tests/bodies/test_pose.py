@@ -250,3 +250,12 @@ def test_messages_name_the_record_that_does_it():
     bay = kt.library.vgt.double_octahedral()
     with pytest.raises(kt.ModelError, match="kt.library.bodies.rigid"):
         bay.with_(bodies={"top": kt.Body(nodes=("N7", "N9", "N8"), mass=3.0, center=(0, 0, 1.2), inertia=(1, 1, 1.5))})
+
+
+def test_a_bar_by_its_name():
+    """In the plane a bar has a pose; a point off it turns with it."""
+    bar = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"], drives={"turn": kt.AngleDrive("b")})
+    motion = kt.kinematics.follow(bar, kt.ConstantRate(rates={"turn": 1.0}, duration=1.0), samples=5)
+    found = kt.kinematics.pose(bar, motion, "b", frame=kt.Frame(origin=(0.4, 0.1)))
+    c, s = np.cos(motion.data.time), np.sin(motion.data.time)
+    assert np.allclose(found.position, np.stack([0.4 * c - 0.1 * s, 0.4 * s + 0.1 * c], axis=1), atol=1e-14)

@@ -221,3 +221,24 @@ def test_conditioning_of_a_two_bar_crane_in_closed_form():
     np.testing.assert_allclose(dexterity.condition, found.condition, rtol=1e-12)
     with pytest.raises(InputError, match="wrt is given without of"):
         kt.kinematics.conditioning(model, motion, wrt="a")
+
+
+def test_axes_and_inertia_of_members_over_time():
+    """The cosine matrix is orthonormal with u first; the inertia of an active member is that of its rods at every length."""
+    model = kt.Model(
+        nodes={"A": (0, 0, 0), "B": (0, 1, 0), "C": (0, 0, 1), "D": (1, 0.2, 0.3)},
+        fixed=["A", "B", "C"],
+        bars={"b": kt.Bar(ends=("B", "D"), mass=1.2), "c": kt.Bar(ends=("C", "D"), mass=0.6)},
+        active={"a": kt.Active(ends=("A", "D"), base=kt.Part(length=0.7, mass=3.0), tube=kt.Part(length=0.5, mass=1.0))},
+    )
+    motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"a": 0.05}, duration=1.0), samples=5)
+    found = kt.kinematics.member_rates(model, motion)
+    axes = found.member_axes.values
+    assert np.allclose(np.einsum("tmij,tmkj->tmik", axes, axes), np.eye(3), atol=1e-14)
+    assert np.allclose(axes[:, :, 0], found.direction, atol=1e-14)
+    L = motion.data.length
+    along = L.sel(member="a").values
+    centre = (3.0 * 0.35 + 1.0 * (along - 0.25)) / 4.0
+    exact = 3 * 0.7**2 / 12 + 3 * (centre - 0.35) ** 2 + 0.5**2 / 12 + (along - 0.25 - centre) ** 2
+    assert np.allclose(found.moment_of_inertia.sel(member="a"), exact, rtol=1e-13)
+    assert np.allclose(found.moment_of_inertia.sel(member="b"), 1.2 * L.sel(member="b") ** 2 / 12, rtol=1e-13)

@@ -9,6 +9,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.special import ellipj
 
+from reference.joint_forms import joints
+from reference.spring_forms import springs
+
 __all__ = ["ALL"]
 
 Numbers = dict[str, float]
@@ -385,4 +388,6 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     equal_turns,
     small_motions,
     flexible,
+    joints,
+    springs,
 )

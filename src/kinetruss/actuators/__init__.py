@@ -1,5 +1,6 @@
 """Lead screws, gears and motors: what the drives of active members must deliver, and what they do when they are fed."""
 
+from kinetruss.actuators.demand.couples import screw_couples
 from kinetruss.actuators.demand.evaluate import evaluate
 from kinetruss.actuators.demand.exceeded import Exceeded, exceeded
 from kinetruss.actuators.demand.moves import Move, moves
@@ -23,5 +24,5 @@ from kinetruss.actuators.trains.train_of import train_of
 __all__ = [
     "Exceeded", "Gains", "Move", "breakaway_torque", "evaluate", "exceeded", "gear_ratio_for", "holding_torque",
     "is_self_locking", "largest_self_locking_lead", "lowering_torque", "merge_summaries", "motor_demand", "moves",
-    "place_poles", "power_flow", "raising_torque", "screw_torque", "simulate_drive", "summarise", "train_of",
+    "place_poles", "power_flow", "raising_torque", "screw_couples", "screw_torque", "simulate_drive", "summarise", "train_of",
 ]  # fmt: skip

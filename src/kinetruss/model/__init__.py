@@ -32,6 +32,7 @@ from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults
 from kinetruss.model.checks.targets import target_faults
+from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -65,6 +66,7 @@ from kinetruss.model.motion.methods import (
     Taylor,
 )
 from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.springs import Spring
 from kinetruss.model.motion.targets import (
     TARGETS,
     Circle,
@@ -96,17 +98,19 @@ from kinetruss.model.parts.body_mass import body_mass
 from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
 from kinetruss.model.parts.elastic import natural_length, stiffness
 from kinetruss.model.parts.gauges import Bridge, Gauge, GaugeZero
-from kinetruss.model.parts.joints import GROUND, Hinge, Joint
+from kinetruss.model.parts.joints import GROUND, Bearing, Hinge, Joint
 from kinetruss.model.parts.loads import History, LoadCase, NodalForce
-from kinetruss.model.parts.members import Active, Bar, Node, Part, PlanarBody
+from kinetruss.model.parts.members import Active, Bar, Compliance, Node, Part, PlanarBody
 from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
 
 __all__ = [
     "Active",
     "Amplifier",
     "AngleDrive",
+    "Bearing",
     "Bar",
     "Body",
+    "Compliance",
     "BodyCouple",
     "BodyForce",
     "Bridge",
@@ -153,6 +157,7 @@ __all__ = [
     "Sine",
     "SineInput",
     "Spline",
+    "Spring",
     "StepInput",
     "StepResponse",
     "TableInput",
@@ -187,6 +192,7 @@ __all__ = [
     "Taylor",
     "Coupling",
     "HingeDrive",
+    "Hub",
     "OffsetCoordinate",
     "geared",
     "turns",

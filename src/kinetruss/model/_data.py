@@ -9,15 +9,17 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._table import Filled, ReadOnly, Table
+from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.springs import Spring
 from kinetruss.model.motion.trajectories import Trajectory
 from kinetruss.model.parts.bodies import Body
 from kinetruss.model.parts.body_loads import Load
 from kinetruss.model.parts.continua import Membrane, Solid
 from kinetruss.model.parts.gauges import Gauge, GaugeZero
-from kinetruss.model.parts.joints import Joint
+from kinetruss.model.parts.joints import Bearing, Joint
 from kinetruss.model.parts.loads import History, LoadCase
 from kinetruss.model.parts.members import Active, Bar, Node
 from kinetruss.model.parts.sections import Material, MaterialOrName, Section, SectionOrName
@@ -63,6 +65,8 @@ class ModelData(Record):
     active: Table[Name, Active] = ReadOnly()
     bodies: Table[Name, Body] = ReadOnly()
     joints: Table[Name, Joint] = ReadOnly()
+    hubs: Table[Name, Hub] = ReadOnly()
+    bearings: Table[Name, Bearing] = ReadOnly()
     membranes: Table[Name, Membrane] = ReadOnly()
     solids: Table[Name, Solid] = ReadOnly()
     section: SectionOrName | None = None
@@ -80,6 +84,7 @@ class ModelData(Record):
     velocities: Table[Name, VelocityVector] = ReadOnly()
     drives: Table[Name, Drive] = ReadOnly()
     couplings: Table[Name, Coupling] = ReadOnly()
+    springs: Table[Name, Spring] = ReadOnly()
     poses: Table[Name, Pose] = ReadOnly()
     trajectories: Table[Name, Trajectory] = ReadOnly()
     runs: Table[Name, Run] = ReadOnly()

@@ -14,6 +14,8 @@ from kinetruss.model._library_names import with_library_records
 from kinetruss.model._table import ReadOnly
 from kinetruss.model.checks.bodies import body_faults
 from kinetruss.model.checks.faults import dimension, faults, misfits
+from kinetruss.model.hubs.checks import hub_faults
+from kinetruss.model.hubs.expand import with_arms
 from kinetruss.model.parts.bracing import braced
 from kinetruss.model.parts.members import Node
 
@@ -29,6 +31,8 @@ class Model(ModelData):
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
     joints : records of the joints that `library.joints` has built from nodes and bars.
+    bearings : pins and balls whose friction follows from their force.
+    hubs : nodes of finite size, by node; their arms are added to `nodes`, `bars` and `bodies` (see `Hub`).
     membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
     section, material : used by every bar that names none. Here and in its records a name refers to a table of the model,
     or to the library: ``material="steel_s235"``.
@@ -58,6 +62,12 @@ class Model(ModelData):
         odd, fitting = misfits(self)
         # data that no longer name a node of another dimension can still be checked
         judged = self if not odd else BaseModel.model_copy(self, update={"nodes": fitting})
+        if wrong := hub_faults(judged):
+            raise ModelError([*odd, *wrong])
+        for field, table in (with_arms(judged) if judged.hubs else {}).items():
+            judged.__dict__[field] = ReadOnly(table)
+            judged.__pydantic_fields_set__.add(field)
+            judged.__dict__.pop("members", None)
         if judged.bodies or any(bar.brace for bar in judged.bars.values()):
             judged.__dict__["bars"] = ReadOnly(braced(judged, _faulty_bodies(judged)))
             judged.__pydantic_fields_set__.add("bars")

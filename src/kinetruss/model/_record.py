@@ -25,7 +25,7 @@ from pydantic_core import core_schema
 from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
 from kinetruss.model._words import faults_of
-from kinetruss.units import NUMBER, parse, unit_of
+from kinetruss.units import EITHER, NUMBER, parse, unit_of
 
 __all__ = [
     "Acceleration",
@@ -56,11 +56,13 @@ __all__ = [
     "Point",
     "PositiveLength",
     "PositiveNumber",
+    "PositiveRate",
     "PositiveResistance",
     "PositiveTime",
     "Rate",
     "Record",
     "Resistance",
+    "Resisting",
     "RotaryFrictions",
     "SecondMoment",
     "SecondRate",
@@ -69,6 +71,9 @@ __all__ = [
     "SignedVoltage",
     "Span",
     "Speed",
+    "SpringDamping",
+    "SpringForce",
+    "SpringStiffness",
     "Stiffness",
     "Stress",
     "Time",
@@ -77,6 +82,8 @@ __all__ = [
     "VelocityVector",
     "Voltage",
     "Whole",
+    "positive",
+    "Width",
     "short_form",
 ]
 
@@ -165,7 +172,8 @@ def _short(annotation: str) -> str:
     return _short(annotation[:start] + annotation[first:comma] + annotation[k + 1 :])
 
 
-def _positive(value: float) -> float:
+def positive(value: float) -> float:
+    """A rule for values: greater than 0."""
     if value <= 0:
         raise ValueError(f"{value:g} must be greater than 0. Give a positive value.")
     if value < SMALLEST:
@@ -212,7 +220,8 @@ class Of:
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
         unit = unit_of(self.quantity)
-        described = f"{self.quantity}: a number in {unit}, or text with a unit" if unit else self.quantity
+        units = EITHER.get(self.quantity, unit)
+        described = f"{self.quantity}: a number in {units}, or text with a unit" if unit else self.quantity
         text = _NUMBER_AND_UNIT if unit else _NUMBER
         return {"anyOf": [{"type": "number"}, {"type": "string", "pattern": text}], "description": described, "x-unit": unit}
 
@@ -294,44 +303,50 @@ Whole = Annotated[
 Count = Annotated[Whole, Field(ge=1, le=MOST_COUNT)]
 
 Length = Annotated[float, Of("length")]
-PositiveLength = Annotated[float, Of("length", _positive)]
+PositiveLength = Annotated[float, Of("length", positive)]
 Mass = Annotated[float, Of("mass", _not_negative)]
 LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]
-PositiveTime = Annotated[float, Of("time", _positive)]
-Span = Annotated[float, Of("time", _positive, endless=True)]
+PositiveTime = Annotated[float, Of("time", positive)]
+Span = Annotated[float, Of("time", positive, endless=True)]
 """A time that only matters as a multiple of another: the end of a run, a step."""
 Angle = Annotated[float, Of("angle")]
-AngularRate = Annotated[float, Of("angular rate", _positive)]
-Area = Annotated[float, Of("area", _positive)]
-SecondMoment = Annotated[float, Of("second moment of area", _positive)]
+AngularRate = Annotated[float, Of("angular rate", positive)]
+Area = Annotated[float, Of("area", positive)]
+SecondMoment = Annotated[float, Of("second moment of area", positive)]
 Density = Annotated[float, Of("density", _not_negative)]
-Stress = Annotated[float, Of("stress", _positive)]
+Stress = Annotated[float, Of("stress", positive)]
 Force = Annotated[float, Of("force")]
 Torque = Annotated[float, Of("torque", _not_negative)]
 SignedTorque = Annotated[float, Of("torque")]
-Stiffness = Annotated[float, Of("stiffness", _positive)]
+Stiffness = Annotated[float, Of("stiffness", positive)]
 Damping = Annotated[float, Of("damping constant", _not_negative)]
 RotaryFriction = Annotated[float, Of("rotary friction", _not_negative)]
 RotaryFrictions = Annotated[tuple[RotaryFriction, RotaryFriction], OneForBoth()]
 Acceleration = Annotated[float, Of("acceleration")]
-Speed = Annotated[float, Of("speed", _positive)]
+Speed = Annotated[float, Of("speed", positive)]
 Inertia = Annotated[float, Of("moment of inertia", _not_negative)]
 Resistance = Annotated[float, Of("resistance", _not_negative)]
-PositiveResistance = Annotated[float, Of("resistance", _positive)]
+PositiveResistance = Annotated[float, Of("resistance", positive)]
 Inductance = Annotated[float, Of("inductance", _not_negative)]
-Voltage = Annotated[float, Of("voltage", _positive)]
-Current = Annotated[float, Of("current", _positive)]
+Voltage = Annotated[float, Of("voltage", positive)]
+Current = Annotated[float, Of("current", positive)]
 SignedVoltage = Annotated[float, Of("voltage")]
 SignedCurrent = Annotated[float, Of("current")]
-Transconductance = Annotated[float, Of("transconductance", _positive)]
-TorqueConstant = Annotated[float, Of("torque constant", _positive)]
+Transconductance = Annotated[float, Of("transconductance", positive)]
+TorqueConstant = Annotated[float, Of("torque constant", positive)]
 BackEmf = Annotated[float, Of("back-emf constant", _not_negative)]
-Lead = Annotated[float, Of("lead", _positive)]
+Lead = Annotated[float, Of("lead", positive)]
 Number = Annotated[float, Of("number")]
-PositiveNumber = Annotated[float, Of("number", _positive)]
+PositiveNumber = Annotated[float, Of("number", positive)]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
+PositiveRate = Annotated[float, Of("rate", positive)]
+Width = Annotated[float, Of("coordinate", _not_negative)]
+SpringStiffness = Annotated[float, Of("spring stiffness", _not_negative)]
+SpringDamping = Annotated[float, Of("spring damping", _not_negative)]
+SpringForce = Annotated[float, Of("force or moment")]
+Resisting = Annotated[float, Of("force or moment", _not_negative)]
 SecondRate = Annotated[float, Of("second rate")]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from kinetruss.report.pictures.picture import picture
     from kinetruss.report.pictures.plot import plot
     from kinetruss.report.pictures.quantities import curves
+    from kinetruss.report.text.beside import beside
     from kinetruss.report.text.compare import compare
     from kinetruss.report.text.explain import explain
     from kinetruss.report.text.gauges import gauges, gauges_picture
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
     from kinetruss.report.text.variants import variants
 
 __all__ = [
-    "Page", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "picture", "plot",
+    "Page", "beside",
+    "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "picture", "plot",
     "summary", "variants", "write_document",
 ]  # fmt: skip
 
@@ -36,6 +38,7 @@ __getattr__, __dir__ = late(
         "pictures.picture": "picture",
         "pictures.plot": "plot",
         "pictures.quantities": "curves",
+        "text.beside": "beside",
         "text.compare": "compare",
         "text.explain": "explain",
         "text.gauges": "gauges gauges_picture",

@@ -34,6 +34,7 @@ HISTORIES = {
     "actuator_power": ("W", "power of the thrust"),
     "screw_torque": ("N m", "torque on the screw, positive when it drives the member longer"),
     "screw_torque_frictionless": ("N m", "torque on the screw if it had no friction"),
+    "axis_torque": ("N m", "torque about the member's axis from A to B, of the joint at B on the tube; at A the opposite"),
     "screw_speed": ("rad/s", "speed of the screw"),
     "motor_speed": ("rad/s", "speed of the motor"),
     "motor_torque": ("N m", "motor torque (torque constant x current)"),
@@ -63,7 +64,8 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     Returns
     -------
     Demand. Over (time, active): ``thrust`` N, ``length_rate`` m/s, ``stroke`` m, ``actuator_power`` W, ``screw_torque`` N m and
-    ``screw_torque_frictionless``, ``screw_speed`` rad/s, ``motor_speed``, ``motor_torque`` and ``motor_torque_frictionless``,
+    ``screw_torque_frictionless``, ``axis_torque``, ``screw_speed`` rad/s, ``motor_speed``, ``motor_torque`` and
+    ``motor_torque_frictionless``,
     ``holding_torque`` and ``breakaway_torque`` at the motor, ``current``, ``voltage``, ``mechanical_power``,
     ``electrical_power``, and ``amplifier_input`` V where there are amplifiers; NaN where a member has no screw or no motor.
     Drives of angles with a gear or a motor stand behind the active members (`Model.actuators`). They have ``drive_torque`` N m
@@ -73,6 +75,11 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
 
     Notes
     -----
+    The joints of a member must hold its screw: ``axis_torque`` is the torque about the axis from A to B that the joint at B
+    exerts on the tube, and the joint at A the opposite on the base. A right-handed screw that drives the member longer turns in
+    the negative sense about this axis, and the friction of its thread is included: the sign is that of ``screw_torque``,
+    reversed for a left-handed thread. Pins and ball joints do not hold it; see `screw_couples`.
+
     A screw raises its load where the thrust does positive work (thrust x rate > 0), lowers it where it does negative work,
     and holds at standstill (rates below 1e-9 m/s); see `screw_torque` and `motor_demand`. Break-away is counted in the
     direction of the motion, at standstill in that of the acceleration, and where there is none against the load. Where a
@@ -166,7 +173,13 @@ def _member(
         return found
     moving = np.where(np.abs(rate) < STANDSTILL, 0.0, rate)
     torque, bare = screw_torque(screw, thrust, moving), thrust * screw.lead
-    found |= {"screw_torque": torque, "screw_torque_frictionless": bare, "screw_speed": rate / screw.lead}
+    hand = 1.0 if screw.hand == "right" else -1.0
+    found |= {
+        "screw_torque": torque,
+        "axis_torque": hand * torque,
+        "screw_torque_frictionless": bare,
+        "screw_speed": rate / screw.lead,
+    }
     if motor is None:
         return found
     demand = _at_motor(parts, motor, time, torque, thrust, moving, acceleration)

@@ -14,12 +14,38 @@ if TYPE_CHECKING:
         actions_of,
         mean_tension_at_rest,
     )
+    from kinetruss.dynamics.actions.bearings import (
+        couples_on_ends,
+        friction_directions,
+        refuse_bearings,
+        relative_rates,
+        seats_of,
+    )
+    from kinetruss.dynamics.actions.hubs import braces_of_hubs, grounded_tips
+    from kinetruss.dynamics.actions.records import CarriedBy
 
-__all__ = ["acting_along", "action_coordinates", "action_variables", "actions_of", "mean_tension_at_rest"]
+__all__ = [
+    "CarriedBy",
+    "acting_along",
+    "action_coordinates",
+    "action_variables",
+    "actions_of",
+    "braces_of_hubs",
+    "couples_on_ends",
+    "friction_directions",
+    "refuse_bearings",
+    "relative_rates",
+    "seats_of",
+    "grounded_tips",
+    "mean_tension_at_rest",
+]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "bar_actions": "acting_along action_coordinates action_variables actions_of mean_tension_at_rest",
+        "bearings": "couples_on_ends friction_directions refuse_bearings relative_rates seats_of",
+        "hubs": "braces_of_hubs grounded_tips",
+        "records": "CarriedBy",
     },
 )

@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import bars_of
+from kinetruss.dynamics.actions.bearings import actions_of_bearings
 from kinetruss.dynamics.actions.friction import actions_of_friction
+from kinetruss.dynamics.actions.hubs import actions_of_hubs
 from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
-from kinetruss.dynamics.actions.records import Acting, Action, Instants, NotOnBars, evaluate
+from kinetruss.dynamics.actions.records import Acting, Action, CarriedBy, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics import System, compile, ends_of, kept
+from kinetruss.mechanics.assembly import spring_motions
 from kinetruss.model import NodalForce
 from kinetruss.results import Column, variable
 
@@ -55,7 +58,8 @@ def actions_of(system: System, case: str) -> BarActions:
     chosen = model.load_cases[case].loads if case in model.load_cases else None
     loads = list(model.loads) if chosen is None else list(chosen)
     on_bodies = any(not isinstance(model.loads[name], NodalForce) for name in loads)
-    if not (len(system.measures) or np.any(system.row_kind == ANGLE) or model.bodies or on_bodies or system.friction.any()):
+    records = len(system.measures) or model.bodies or model.hubs or model.bearings
+    if not (records or np.any(system.row_kind == ANGLE) or on_bodies or system.friction.any()):
         return BarActions(actions=(), names=(), loose=())
     bars = bars_of(system)
     found = [
@@ -63,6 +67,8 @@ def actions_of(system: System, case: str) -> BarActions:
         *actions_of_bodies(system, bars),
         *actions_of_loads(system, bars, loads),
         *actions_of_friction(system),
+        *actions_of_hubs(system, bars),
+        *actions_of_bearings(system),
     ]
     actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)
     met: Counter[str] = Counter()
@@ -97,38 +103,66 @@ def not_on_bars(model: Model, case: str = "all") -> tuple[NotOnBars, ...]:
 
 
 def acting_along(
-    system: System, loads: Loads, states: States, drive: NDArray[np.float64], coupling: NDArray[np.float64]
+    system: System,
+    loads: Loads,
+    states: States,
+    drive: NDArray[np.float64],
+    coupling: NDArray[np.float64],
+    spring: NDArray[np.float64] | None = None,
+    carried: CarriedBy | None = None,
 ) -> tuple[BarActions, Acting]:
-    """Actions along a motion, from drive and coupling forces (times, drives or couplings)."""
+    """Actions along a motion, from drive, coupling and spring forces (times, drives or couplings or springs) and the forces of
+    truss bars.
+
+    Forces of springs follow from their laws if none are given.
+    """
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
-    here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads)
+    force = spring_motions(system, x, v).force if spring is None and system.springs else spring
+    amounts |= _of_springs(system, force)
+    here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads, carried=carried)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
 
 
 def mean_tension_at_rest(
-    system: System, x: NDArray[np.float64], drive: NDArray[np.float64], coupling: NDArray[np.float64]
+    system: System,
+    x: NDArray[np.float64],
+    drive: NDArray[np.float64],
+    coupling: NDArray[np.float64],
+    carried: CarriedBy,
+    spring: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
-    """`mean_tension` (members,) at positions x (n, 3) from drive forces (drives,) and coupling forces (couplings,)."""
+    """`mean_tension` (members,) at positions x (n, 3) from the forces of drives (drives,), couplings and springs, and those of
+    truss bars and supports, one sample each.
+
+    Forces of springs follow from their laws if none are given.
+    """
     actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
     if not actions:
         return np.zeros(len(system.members))
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
-    here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts)
+    force = spring_motions(system, x[None]).force[0] if spring is None and system.springs else spring
+    amounts |= _of_springs(system, None if force is None else force[None])
+    here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts, carried=carried)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
+
+
+def _of_springs(system: System, force: NDArray[np.float64] | None) -> dict[tuple[str, str], NDArray[np.float64]]:
+    """Forces of springs (times, springs), N or N m, by source."""
+    return {} if force is None else {("spring", name): one for name, one in zip(system.springs, force.T, strict=True)}
 
 
 def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
-    return action.kind in ("drive", "coupling") and not action.counted
+    return action.kind in ("drive", "coupling", "spring", "hub") and not action.counted
 
 
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mean axial force of each member by drives and couplings (times, members), N: f_A . u - (1 - s) q . u."""
+    """Mean axial force of each member by drives, couplings, springs and hubs (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):

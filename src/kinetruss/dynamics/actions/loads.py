@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars
+from kinetruss.dynamics.actions.hubs import hub_bodies
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure, body_mass
 from kinetruss.model.parts import barycentric, placed
@@ -41,7 +42,7 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
                 yield Action(source=name, kind="body", member=i, worth=worth, place=place)
             continue
         own = {system.node_index(node) for node in body.nodes}
-        inside = bars.inside(own)
+        inside = () if name in hub_bodies(system) else bars.inside(own)
         if inside and (body.mass or bars.braced(own)):
             yield NotOnBars(source=name, kind="body", nodes=tuple(body.nodes), members=inside)
 
@@ -61,7 +62,11 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
         if i >= 0:
             place = _place(system, i, load) if body is None else _share(system, bars, i, body, getattr(load, "at", None))
             yield Action(source=name, kind="load", member=i, worth=partial(_load, i, name), place=place)
-        elif body is not None and (inside := bars.inside({system.node_index(node) for node in body.nodes})):
+        elif (
+            load.body not in hub_bodies(system)
+            and body is not None
+            and (inside := bars.inside({system.node_index(node) for node in body.nodes}))
+        ):
             yield NotOnBars(source=name, kind="load", nodes=tuple(body.nodes), members=inside)
 
 

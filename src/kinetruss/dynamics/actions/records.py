@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -25,18 +25,29 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.mechanics.assembly import Loads
 
-__all__ = ["GIVEN", "Acting", "Action", "Instants", "NotOnBars", "evaluate"]
+__all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "evaluate"]
 
 
-GIVEN = ("load", "body", "friction")
+GIVEN = ("load", "body", "friction", "spring", "hub", "bearing")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
+
+
+class CarriedBy(NamedTuple):
+    """What follows from solved forces: tension (t, members) N; support (t, n, 3) N on the structure, 0 at free nodes; couple
+    (t, bearings, 3) N m on the members of bearings, without bearings at rest.
+    """
+
+    tension: NDArray[np.float64]
+    support: NDArray[np.float64]
+    couple: NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Instants:
     """The input of actions: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
 
-    amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
+    amounts : of drives, couplings and springs, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
+    carried : the forces that load the arms of hubs; without them the actions on arms are NaN, and bearings do not rub.
     """
 
     system: System
@@ -46,6 +57,7 @@ class Instants:
     gravity: NDArray[np.float64]
     amounts: dict[tuple[str, str], NDArray[np.float64]]
     loads: Loads | None = None
+    carried: CarriedBy | None = None
 
     def along(self, i: int) -> NDArray[np.float64]:
         """From end A of member i to its end B, (t, 3) m."""
@@ -65,7 +77,7 @@ class Instants:
 class Action:
     """An action on a member.
 
-    source : name of a drive, coupling, load or body, or of the node of a pin with friction, and kind : which of these.
+    source : name of a drive, coupling, load, body, hub or bearing, or of the node of a pin with friction; kind : which of them.
     member : index.
     worth : function for the equivalent end forces f_A, f_B (t, 2, 3), N. place : function for the fraction from A (t,), or a
         number; None: spread along the bar. counted : the row belongs to the member itself, so that its joint forces include

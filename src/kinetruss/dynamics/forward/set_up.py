@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.dynamics.actions import refuse_bearings
 from kinetruss.dynamics.assembly.equations import equations, held_by_none
 from kinetruss.dynamics.assembly.user import user_force_of
 from kinetruss.dynamics.forward.problem import Problem
@@ -117,6 +118,7 @@ def _kept(system: System, t_end: float, asked: Asked) -> Problem:
 
 def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     """`problem_of` without reuse of an earlier set-up."""
+    refuse_bearings(model, "A simulation")
     run = _checked(model, t_end, asked)
     chosen, method = asked.method is None, DOP853() if asked.method is None else asked.method
     system, load_case = compile(model), asked.load_case

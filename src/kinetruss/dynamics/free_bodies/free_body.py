@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics.actions import braces_of_hubs, grounded_tips
 from kinetruss.dynamics.free_bodies.instant import Instant, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.model import CoordinateDrive, Model, nearest
@@ -132,8 +133,8 @@ def free_body(
     Returns
     -------
     FreeBody. Its bodies are the bar; base and tube of an active member, each with the force and moment between them at the
-    tube's free end; or the node. Drives (``T``), couplings (``Q``), loads (``P``), bodies (``B``) act on a bar at the place
-    that `inverse` reports. On a node act the members, the forces of drives and couplings that act on no bar (``Q``), and the
+    tube's free end; or the node. Drives (``T``), couplings (``Q``), springs (``K``), loads (``P``), bodies (``B``) act on a bar
+    at the place that `inverse` reports. On a node act the members, the forces of these that act on no bar (``Q``), and the
     membranes and solids that it belongs to (``E``), with its part of their mass.
 
     Raises
@@ -212,6 +213,9 @@ _SYMBOLS = {
     "load": ("P", "load"),
     "body": ("B", "weight less m a of body"),
     "friction": ("C", "friction at"),
+    "spring": ("K", "spring"),
+    "bearing": ("C", "bearing"),
+    "hub": ("H", "centre of hub"),
 }
 
 
@@ -253,12 +257,15 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
 def _node(here: Instant, name: str, case: str) -> FreeBody:
     system, n = here.system, here.system.node_index(name)
     forces: list[tuple[str, str, NDArray[np.float64]]] = []
+    left_out, tips = braces_of_hubs(system), grounded_tips(system, name)
     for i, member in enumerate(system.members):
         for e, end in enumerate((system.p[i], system.q[i])):
-            if end == n:
+            if end == n and i not in left_out:
                 forces.append((f"-F_{'AB'[e]}", f"{member}, end {'AB'[e]}", -here.data["joint_force"].values[i, e]))
-    if name in system.supports:
-        forces.append(("R", "support", here.data["reaction"].sel(support=name).values))
+    for one in (name, *(tips or ())) if tips != [] else ():  # the ground holds a hub at its centre
+        if one in system.supports:
+            words = "support" if one == name else f"support {one}"
+            forces.append(("R", words, here.data["reaction"].sel(support=one).values))
     for drive, record in system.model.all_drives.items():
         if isinstance(record, CoordinateDrive) and record.node == name:
             push = np.zeros(system.dim)
@@ -267,7 +274,7 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
     forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
     for one, (amount, _) in here.several.items():
         if (left := here.left_on(n, one)).any():
-            forces.append(("Q", f"{'drive' if one in system.drives else 'coupling'} {one}", amount * left))
+            forces.append(("Q", f"{here.kind_of(one)} {one}", amount * left))
     mass = float(system.lump[n])
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics.actions import refuse_bearings
 from kinetruss.dynamics.linear.record import Linearisation
 from kinetruss.dynamics.linear.reduce import Reduced, reduced, signal_rows
 from kinetruss.dynamics.linear.signals import Input, Names, Output, inputs_of, outputs_of
@@ -83,6 +84,7 @@ def linearise(
     >>> round(found.angular_frequency.item() ** 2, 12) == round(1.5 * 9.81 / 2, 12)
     True
     """
+    refuse_bearings(model, "A linearisation")
     here = state_at(model, state, load_case, tasks, time)
     at = dof_basis(here.balance.system, dofs, here.x, free)
     signals = inputs_of(at.system, inputs)

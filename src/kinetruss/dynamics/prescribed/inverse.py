@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.dynamics.prescribed.bearings import with_friction
 from kinetruss.dynamics.prescribed.free import free_forces
-from kinetruss.dynamics.prescribed.tables import force_arrays
+from kinetruss.dynamics.prescribed.tables import Read, force_arrays
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
@@ -44,11 +45,12 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     coupling, a pin on it, a load, a body): ``action_force`` (time, action, end, axis) N, the equivalent forces at its ends;
     ``action_couple`` (time, action, rotation) N m at ``action_place`` (time, action), a fraction from A, NaN if distributed
     along the member; coordinates ``action_member`` and ``action_source``. ``joint_force``, ``end_force`` and ``member_force``
-    are without these actions.
+    are without these actions. ``bearing_couple`` (time, bearing, rotation): of friction on the members of bearings, N m;
+    ``forces.static`` is without it.
 
     Raises
     ------
-    InputError : an unknown load case, or a motion of another model.
+    InputError : an unknown load case, or a motion of another model. AnalysisError : bearings that jam.
 
     Notes
     -----
@@ -61,7 +63,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     states = States(*(flat(system, motion, name) for name in ("position", "velocity", "acceleration")))
     loads = case_loads(system, motion.arrays["time"].values, load_case).at(states.x)
     values = motion.arrays["drive_position"].values
-    solved = solve(system, values, loads, states)
+    solved = with_friction(system, Read.of(motion), loads, states, lambda pushed: solve(system, values, pushed, states))
     still = None
     if static:
         still = _record(system, motion, loads, solve(system, values, loads, _at_rest(states)), None, at_rest=True)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics.prescribed.bearings import with_friction
 from kinetruss.dynamics.prescribed.inverse import solve
 from kinetruss.dynamics.prescribed.tables import Carried, Read, carried
 from kinetruss.errors import InputError
@@ -29,7 +30,7 @@ from kinetruss.kinematics.path import (
 )
 from kinetruss.kinematics.targets import course_to
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.assembly import case_loads
+from kinetruss.mechanics.assembly import case_loads, refuse_turns
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Status
 
@@ -159,9 +160,13 @@ class PreparedModel:
         length, length_rate, _ = _lengths(system, x, v, a)
         if static:
             v = a = np.zeros((1, x.shape[1]))
+        else:
+            refuse_turns(system, places.t, x, v)
         loads = case_loads(system, places.t, self.load_case).at(x)
-        solved = solve(system, places.drive_position, loads, States(x, v, a))
-        read = Read(length, length_rate, places.drive_position, places.drive_velocity)
+        states, read = States(x, v, a), Read(length, length_rate, places.drive_position, places.drive_velocity)
+        solved = with_friction(
+            system, read, loads, states, lambda pushed: solve(system, places.drive_position, pushed, states), at_rest=static
+        )
         return carried(system, read, loads, solved, static)[0]
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kinetruss.dynamics.actions import relative_rates
 from kinetruss.dynamics.actions.bar_actions import (
     BarActions,
     acting_along,
@@ -15,15 +16,16 @@ from kinetruss.dynamics.actions.bar_actions import (
     adds_tension,
     mean_tension,
 )
-from kinetruss.dynamics.actions.records import Acting
+from kinetruss.dynamics.actions.records import Acting, CarriedBy
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.interface import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
+from kinetruss.kinematics.path import Passed, refined
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_balance, structure_of
+from kinetruss.mechanics.assembly import bar_laws, nodal_loads, refuse_turns, spring_motions, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
@@ -74,13 +76,15 @@ def carried(
     count = len(rest)
     drive_force = _drive_forces(system, read, solved["N"], rest)
     coupling_force = _coupling_forces(system, solved["N"])
-    found, acting = acting_along(system, loads, States(solved["x"], solved["v"], solved["a"]), drive_force, coupling_force)
+    mean = _member_forces(system, read, solved["N"], at_rest)
+    index, fixed = _supports(system)
+    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
+    by = _carried_by(system, mean, reaction, solved.get("bearing", np.zeros((count, 0, 3))))
+    states = States(solved["x"], solved["v"], solved["a"])
+    found, acting = acting_along(system, loads, states, drive_force, coupling_force, carried=by)
     _take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
-    index, fixed = _supports(system)
-    reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
-    mean = _member_forces(system, read, solved["N"], at_rest)
     if any(adds_tension(action) for action in found.actions):
         mean += mean_tension(system, found.actions, acting, solved["x"])
     unsure = np.zeros(len(system.members), np.bool_)
@@ -103,6 +107,16 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
+    if system.springs:
+        if not at_rest:
+            t, states = motion.arrays["time"].values, (solved["x"], solved["v"], solved["a"])
+            whole = refined(t, *states, Passed.of(system, motion))
+            refuse_turns(system, whole.t, whole.x, whole.v)
+        data |= _springs(system, solved["x"], solved["v"])
+    if "bearing" in solved:
+        turns = slice(2, 3) if dim == 2 else slice(0, 3)
+        couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"
+        data["bearing_couple"] = variable(("time", "bearing", "rotation"), couples, "N m", words)
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, read, loads, solved, every.drive_force)
@@ -147,6 +161,19 @@ def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
     return tuple(found)
 
 
+def _carried_by(
+    system: System, mean: NDArray[np.float64], reaction: NDArray[np.float64], couple: NDArray[np.float64]
+) -> CarriedBy | None:
+    """Forces of truss bars, and of supports at all nodes, from those of the supports (times, supports, 3); None if nothing
+    depends on them.
+    """
+    if not (system.model.hubs or system.model.bearings):
+        return None
+    support = np.zeros((len(mean), len(system.nodes), 3))
+    support[:, _supports(system)[0]] = reaction
+    return CarriedBy(mean.copy(), support, couple)
+
+
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
     """Subtract the actions on members from the joint forces (times, members, 2, 3)."""
     for k, action in enumerate(found.actions):
@@ -158,6 +185,10 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 def _axes(system: System, case: str) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
+    if system.springs:
+        couplings["spring"] = list(system.springs)
+    if system.model.bearings:
+        couplings["bearing"] = list(system.model.bearings)
     return Axes(
         couplings
         | action_coordinates(system, actions_of(system, case))
@@ -206,6 +237,15 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
+def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[str, Column]:
+    """Values of the coordinates of springs, and the forces on them."""
+    found, per = spring_motions(system, x, v), ("time", "spring")
+    return {
+        "spring_value": variable(per, found.value, "m or rad", "coordinate of the spring"),
+        "spring_force": variable(per, found.force, "N or N m", "force or torque of the spring on its coordinate"),
+    }
+
+
 def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting) -> dict[str, Column]:
     active = np.flatnonzero(system.two_rods)
     if not len(active):
@@ -247,9 +287,12 @@ def _power(
     if len(loads.node):
         nodal = v.reshape(len(v), len(system.nodes), 3)
         power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+    if "bearing" in solved:
+        place, moving = (y.reshape(len(y), -1, 3) for y in (x, v))
+        energy[:, 2] -= np.einsum("tkc,tkc->t", solved["bearing"], relative_rates(system, place, moving))
     power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
     time = ("time",)
-    resists = system.damping.any() or system.friction.any()
+    resists = system.damping.any() or system.friction.any() or system.spring_law[:, 2:4].any() or "bearing" in solved
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

@@ -19,7 +19,8 @@ __all__ = ["nodes_of", "start_frame"]
 
 
 def nodes_of(model: Model, body: str | Sequence[str]) -> tuple[str, ...]:
-    """Names of a body's nodes, or the given names; of ``ground`` the nodes that are fixed in all directions.
+    """Names of a body's nodes, or the given names; of ``ground`` the nodes that are fixed in all directions; in the plane also
+    the ends of a bar.
 
     Raises
     ------
@@ -29,6 +30,8 @@ def nodes_of(model: Model, body: str | Sequence[str]) -> tuple[str, ...]:
         return tuple(names_of(body, "a body, or nodes that move as one, e.g. ('P1', 'P2', 'P3')"))
     if body == "ground" and body not in model.bodies:
         return tuple(name for name, axes in model.fixed.items() if set(axes) >= set("xyz"[: model.dim]))
+    if body not in model.bodies and model.dim == 2 and body in model.members:
+        return model.members[body].ends
     if body not in model.bodies:
         hint = nearest(body, model.bodies) if model.bodies else "The model has no bodies: name nodes, e.g. ('P1', 'P2', 'P3')."
         raise InputError(f"No body called {body!r}. {hint}")

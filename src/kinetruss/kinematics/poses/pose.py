@@ -55,7 +55,8 @@ def pose(
 
     Parameters
     ----------
-    body : name of a body, or the names of nodes that move as one (three or more not on a line; in the plane two or more).
+    body : name of a body, in the plane also of a bar, or the names of nodes that move as one (three or more not on a line; in
+        the plane two or more).
     frame : axes fixed in the body, given in the start configuration; by default the body's own frame, with its
         origin at the centre of mass if none is given; of bare nodes their centroid and the global axes.
     seen_from : another body (or nodes): everything is then relative to it and in its axes, as seen by an observer on it.

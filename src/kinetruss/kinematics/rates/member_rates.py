@@ -10,6 +10,7 @@ import xarray as xr
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import System, compile, direction_rates, turned
 from kinetruss.mechanics.freedom import flat_positions
+from kinetruss.mechanics.structure import local_axes
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 
@@ -27,7 +28,10 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
 
     Returns
     -------
-    Dataset. ``direction`` (time, member, axis): u, from end A to B. ``angular_velocity`` rad/s, ``angular_acceleration``
+    Dataset. ``direction`` (time, member, axis): u, from end A to B. ``member_axes`` (time, member, local, axis): axes 1, 2, 3
+    of `strength.sections` as rows, the cosine matrix from global to member axes (in the plane 1 and 2). ``moment_of_inertia``
+    (time, member): of the member about an axis across it through its centre of mass, kg m^2; it changes with the length of an
+    active member. ``angular_velocity`` rad/s, ``angular_acceleration``
     rad/s^2 (time, member, rotation): normal to the member (the spin of a bar about its own axis is not part of the model),
     global axes; in the plane about z. ``centre``, ``centre_velocity``, ``centre_acceleration`` (time, member, axis): of the
     member's mass, m, m/s, m/s^2; the middle of a massless member. ``part_centre`` and its rates (time, part, axis): the same
@@ -56,6 +60,13 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     dim, turns = system.dim, slice(2, 3) if system.dim == 2 else slice(0, 3)
     member, rotation = ("time", "member", "axis"), ("time", "member", "rotation")
     data = {
+        "member_axes": variable(
+            ("time", "member", "local", "axis"),
+            local_axes(system, motion.data["position"].values)[:, :, :dim, :dim],
+            "",
+            "axes",
+        ),
+        "moment_of_inertia": variable(("time", "member"), _inertia(system, L[..., 0]), "kg m^2", "about the centre"),
         "direction": variable(member, u[0][..., :dim], "", "direction from end A to B"),
         "angular_velocity": variable(rotation, w[..., turns], "rad/s", "angular velocity"),
         "angular_acceleration": variable(rotation, alpha[..., turns], "rad/s^2", "angular acceleration"),
@@ -70,10 +81,24 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
         "time": time,
         "member": motion.data["member"],
         "axis": motion.data["axis"],
+        "local": ["1", "2", "3"][:dim],
         "rotation": ["x", "y", "z"][turns],
         "part": [name for name, _, _ in names],
     }
     return xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"})
+
+
+def _inertia(system: System, L: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Moment of inertia of every member across it about its centre of mass (times, members), kg m^2, at lengths L."""
+    m, _, i, m_t, l_t, i_t = system.rods.T
+    two = system.two_rods
+    l_b = np.where(two, system.rods[:, 1], L)
+    whole = np.where(two, m + m_t, 1.0)
+    # each rod about its own centre, and both about the common one
+    apart = L - 0.5 * (l_b + l_t)
+    reduced = np.divide(m * m_t, whole, out=np.zeros_like(m), where=two & (whole > 0))
+    found = m * l_b**2 / 12 + i + np.where(two, m_t * l_t**2 / 12 + i_t, 0.0) + reduced * apart**2
+    return np.asarray(np.where(system.is_body, system.body[:, 3], found))
 
 
 def _parts(system: System, ends: Ends, u: Rates) -> tuple[list[tuple[str, int, float]], Rates]:

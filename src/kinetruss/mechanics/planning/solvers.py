@@ -84,7 +84,7 @@ def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray
     if r and len(system.free) <= LARGEST_DENSE:
         found = redundant_nearby(system)
         return found.arrangement.redundant, found.arrangement.weight, found.sure, found.bound
-    soft = system.compliance[system.row_member] * system.length0[system.row_member]
+    soft = system.compliance[system.row_member] * system.length0[system.row_member] + system.yielding[system.row_member]
     if not shared or not np.isfinite(soft).all() or (system.row_kind != 0).any():
         return np.zeros(0, np.int64), np.ones(r), False, False
     return np.zeros(0, np.int64), soft / soft.mean(), False, False

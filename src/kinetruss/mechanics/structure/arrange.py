@@ -105,7 +105,7 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
     touched = np.abs(states) > 1e-9
     # states of self-stress that share bars belong together
     _, group = connected_components(csr_array((touched.astype(int) @ touched.T.astype(int)) > 0), directed=False)
-    soft = system.compliance[system.row_member] * system.length0[system.row_member]
+    soft = system.compliance[system.row_member] * system.length0[system.row_member] + system.yielding[system.row_member]
     soft[system.row_kind != LENGTH] = np.nan
     # w = l/(E A), scaled to a mean of 1, where all bars of the group have one
     for g in np.unique(group):

@@ -8,6 +8,7 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.model import Active, Bar, Model, natural_length, stiffness
+from kinetruss.model.hubs import arms_of, clamped_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,6 +28,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "rods": np.zeros((count, 6)),
         "two_rods": np.zeros(count, np.bool_),
         "compliance": np.full(count, np.nan),
+        "yielding": np.zeros(count),
         "law": np.zeros(count, np.int8),
         "spring": np.zeros(count),
         "natural": np.ones(count),
@@ -47,7 +49,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
             base, tube = member.base, member.tube
             found["two_rods"][i] = True
             found["rods"][i] = (*_rod(model, base, base.length), *_rod(model, tube, tube.length))
-            soft[i] = _weakest([_compliance(model, base), _compliance(model, tube)])
+            soft[i], found["yielding"][i] = _in_series(model, member)
             continue
         if name not in driven:
             kinds[i] = _KINDS[member.kind]
@@ -67,6 +69,9 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         if member.kind != "rigid":
             lawful.append((i, member))
     found["kind"][:], found["compliance"][:] = kinds, soft
+    # hubs are rigid bodies, with their arms and with the members clamped to them
+    of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
+    found["compliance"][[i for i, name in enumerate(model.members) if name in of_hubs]] = np.nan
     length = found["length0"]
     found["rods"][:, :2] = np.where(
         uniform[:, None], np.stack([np.array(lines) * length, length], axis=1), found["rods"][:, :2]
@@ -96,6 +101,18 @@ def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
         mass = material.density * section.area * length if section is not None and material is not None else 0.0
     rotary = mass * section.second_moments[1] / section.area if part.rotary_inertia else 0.0
     return mass, length, rotary
+
+
+def _in_series(model: Model, member: Active) -> tuple[float, float]:
+    """1/(E A), 1/N, by the length of an active member, and the part of its flexibility that does not change with it, m/N."""
+    base, tube = _compliance(model, member.base), _compliance(model, member.tube)
+    given = member.compliance
+    if given is None:
+        return _weakest([base, tube]), 0.0
+    screw = base if given.screw is None else 1 / given.screw
+    # (l - l_t)/E A + l_t/E A_t + 1/k_nut + 1/k_base
+    springs = sum(1 / k for k in (given.nut, given.base) if k is not None)
+    return screw, member.tube.length * (tube - screw) + springs
 
 
 def _compliance(model: Model, part: Any) -> float:

@@ -32,7 +32,7 @@ class System:
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
     tube; law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.plan), with spring (m,) k, N/m, else 0, natural (m,) l0,
     m, and damping (m,) c, N s/m; friction (m, 2) of the bearings at its ends, N m s; compliance (m,) 1/(E A), or 1/(k l0), 1/N,
-    NaN unknown;
+    NaN unknown, and yielding (m,) m/N, which adds to compliance times length;
     is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
     pair_p, pair_q (k,) nodes, pair_mass (k,), pair_skew (k,) kg: mass of bodies, m times the unit matrix between two nodes
     (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
@@ -40,10 +40,13 @@ class System:
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths, angles and sums; row_member (of a sum any), row_kind, row_drive (-1 none), row_value,
     row_measure (-1 none).
-    Measures (kernels.constraints.terms), of drives first, then of couplings: measures (k,) names, measure_ptr (k + 1,)
-    their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of those
-    of lengths,
+    Measures (kernels.constraints.terms), of drives first, then of couplings, then of springs: measures (k,) names, measure_ptr
+    (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
+    those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
+    Springs (kernels.constraints.springs): springs (s,) names, spring_measure (s,), spring_law (s, 7) : stiffness, rest,
+    damping, friction, slip, play, preload; spring_table_ptr (s + 1,), spring_table (p, 4) points: deflection, force, slope,
+    energy.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -67,6 +70,7 @@ class System:
     damping: NDArray[np.float64]
     friction: NDArray[np.float64]
     compliance: NDArray[np.float64]
+    yielding: NDArray[np.float64]
     body: NDArray[np.float64]
     is_body: NDArray[np.bool_]
     pair_p: NDArray[np.int32]
@@ -92,6 +96,11 @@ class System:
     measure_period: NDArray[np.float64]
     measure_start: NDArray[np.float64]
     drive_measure: NDArray[np.int64]
+    springs: tuple[str, ...]
+    spring_measure: NDArray[np.int64]
+    spring_law: NDArray[np.float64]
+    spring_table_ptr: NDArray[np.int64]
+    spring_table: NDArray[np.float64]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
@@ -270,8 +279,9 @@ def _row_arrays(
             length_drive[place[drive.bar]] = d
             start.append(fields["length0"][place[drive.bar]])
     kept = np.flatnonzero(np.isin(fields["kind"], (RIGID, DRIVEN)))
-    own = len(fields["measures"]) - len(model.couplings)
-    rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in range(own, len(fields["measures"]))]
+    last = len(fields["measures"]) - len(model.springs)
+    held = range(last - len(model.couplings), last)
+    rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in held]
     member, kind, drive_of, value, measure = zip(*rows, strict=True) if rows else ((), (), (), (), ())
     driven = np.full(len(members), -1)
     driven[list(length_drive)] = list(length_drive.values())

@@ -11,17 +11,19 @@ from kinetruss.errors import Fault
 from kinetruss.model.checks.bodies import body_faults, planar_body_faults
 from kinetruss.model.checks.common import a_bar, components, unknown
 from kinetruss.model.checks.continua import continuum_faults
-from kinetruss.model.checks.coordinates import coupling_faults, measured_faults
+from kinetruss.model.checks.coordinates import coupling_faults, measured_faults, spring_faults
 from kinetruss.model.checks.gauges import gauge_faults
 from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
 from kinetruss.model.checks.loads import load_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
 from kinetruss.model.checks.targets import target_faults
+from kinetruss.model.hubs.bearings import bearing_faults
 from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
 from kinetruss.model.motion.trajectories import moved_by
 from kinetruss.model.parts.elastic import elastic_faults
+from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
@@ -39,10 +41,12 @@ def faults(model: ModelData) -> list[Fault]:
         *planar_body_faults(model),
         *body_faults(model, dim),
         *joint_faults(model),
+        *(bearing_faults(model) if model.bearings else ()),
         *_tables(model),
         *_loads(model, dim),
         *_drives(model),
         *coupling_faults(model),
+        *spring_faults(model),
         *_trajectories(model),
         *_runs(model),
         *_gauges(model),
@@ -100,6 +104,20 @@ def _nodes(model: ModelData, dim: int) -> Iterator[Fault]:
     yield from velocity_faults(model, dim)
 
 
+def _compliance(model: ModelData, name: str, member: Active) -> Iterator[Fault]:
+    """The stiffness of every part in series must be known."""
+    given = member.compliance
+    if given is None:
+        return
+    screw = ("screw", member.base) if given.screw is None else None
+    for role, part in filter(None, (screw, ("tube", member.tube))):
+        if model.section_of(part) is None or model.material_of(part) is None:
+            mend = "Give the tube a section and a material."
+            if role == "screw":
+                mend = "Give compliance: {screw: E A in N}, or the base a section and a material."
+            yield Fault(("active", name, "compliance"), f"is given, but E A of its {role} is not known.", mend)
+
+
 def _members(model: ModelData) -> Iterator[Fault]:
     for name in model.active.keys() & model.bars.keys():
         yield Fault(("active", name), f"{name!r} is also the name of a bar.", "Give each member its own name.")
@@ -115,6 +133,7 @@ def _members(model: ModelData) -> Iterator[Fault]:
         yield from _bar(model, name, bar)
     for name, active in model.active.items():
         yield from _active(model, name, active)
+        yield from _compliance(model, name, active)
 
 
 def _ends(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Fault]:

@@ -52,6 +52,7 @@ class LeadScrew(Record):
 
     `flank` is the thread half-angle: 0 for a square thread, 14.5 deg for Acme, 15 deg for trapezoidal metric.
     `static_friction` is the coefficient at rest; by default that of the running screw.
+    `hand` : of the thread; it gives the sign of the torque about the axis of the member.
     """
 
     lead: Lead
@@ -59,6 +60,7 @@ class LeadScrew(Record):
     friction: Number = 0.0
     flank: Angle = 0.0
     static_friction: Number | None = None
+    hand: Literal["right", "left"] = "right"
 
     @field_validator("friction")
     @classmethod

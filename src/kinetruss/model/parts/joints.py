@@ -1,4 +1,4 @@
-"""Joints by name: their nodes, bars, couplings, angles and slides."""
+"""Joints by name: their nodes, bars, couplings, angles and slides; and bearings with friction."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
-from kinetruss.model._record import Name, Record, Series
+from kinetruss.model._record import Name, PositiveLength, PositiveNumber, Record, Series
 
 if TYPE_CHECKING:
     pass
 
-__all__ = ["FREEDOMS", "GROUND", "Hinge", "SHARED", "Joint"]
+__all__ = ["Bearing", "FREEDOMS", "GROUND", "Hinge", "SHARED", "Joint"]
 
 GROUND = "ground"
 """Name of the fixed frame, in place of a body."""
@@ -81,3 +81,26 @@ class Joint(Record):
     def freedoms(self) -> int:
         """Relative degrees of freedom that it leaves."""
         return FREEDOMS[self.kind]
+
+
+class Bearing(Record):
+    """A pin or ball joint at an end of a member whose friction follows from the force in it (Coulomb).
+
+    member, node : the member and the node at its end (or the hub whose arm it ends at). radius : of the pin or ball, m.
+    friction : coefficient mu. against : the other member, or ``ground``; by default the ground where the node is fixed, else
+    the one other member there. In space the ground.
+
+    The couple on the member is mu r |R| against its relative turning rate, with R its joint force; the other part feels the
+    opposite. Where the rate is 0 it acts against the turning acceleration; where both are 0 it is not determined and counts as
+    none. In inverse dynamics only. Source: friction circle, e.g. Hamrock, Schmid & Jacobson, Machine Elements.
+
+    >>> import kinetruss as kt
+    >>> kt.Bearing(member="arm", node="O", radius="20 mm", friction=0.1).radius
+    0.02
+    """
+
+    member: Name
+    node: Name
+    radius: PositiveLength
+    friction: PositiveNumber
+    against: Name | None = None

@@ -14,11 +14,13 @@ from kinetruss.model._record import (
     Inertia,
     Length,
     Name,
+    Of,
     Point,
     PositiveLength,
     Record,
     RotaryFrictions,
     Stiffness,
+    positive,
     short_form,
 )
 from kinetruss.model._record import LumpMass as Mass
@@ -26,7 +28,7 @@ from kinetruss.model.motion.drivetrain import AmplifierOrName, GearOrName, Motor
 from kinetruss.model.parts.sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
 
-__all__ = ["Active", "Bar", "EndCondition", "Node", "Part", "PlanarBody"]
+__all__ = ["Active", "Bar", "Compliance", "EndCondition", "Node", "Part", "PlanarBody"]
 
 _ENDS = ("pinned-pinned", "clamped-pinned", "clamped-clamped", "clamped-free")
 
@@ -139,6 +141,19 @@ class Part(Record):
     rotary_inertia: Flag = False
 
 
+class Compliance(Record):
+    """What an active member gives way by besides its tube, in series: screw, nut and base. In elastic analyses.
+
+    screw : E A of the screw, N, by default that of the base rod; it is loaded from the base to the nut, over the length of the
+        member less that of the tube. nut : stiffness of nut and thread, N/m. base : of bearing and housing, N/m. Those that are
+        not given are rigid.
+    """
+
+    screw: Annotated[float, Of("force", positive)] | None = None
+    nut: Stiffness | None = None
+    base: Stiffness | None = None
+
+
 class Active(Record):
     """An active member: a base rod clamped at its first end and a tube clamped at its second, overlapping.
 
@@ -147,6 +162,8 @@ class Active(Record):
     base, tube : the two rods. screw, gear, motor, amplifier : records, or names.
     length : at the start, m; by default the distance of the nodes. limits : least and largest length, m.
     friction : as of a `Bar`. orientation, buckling : as of a `Bar`; the whole member buckles.
+    compliance : of screw, nut and base; its flexibility is then (l - l_t)/E A + l_t/E A_t + 1/k_nut + 1/k_base with the lengths
+        l of the member and l_t of the tube. Without it, l/E A with the weaker of base and tube.
     """
 
     ends: tuple[Name, Name]
@@ -158,6 +175,7 @@ class Active(Record):
     amplifier: AmplifierOrName | None = None
     length: PositiveLength | None = None
     limits: tuple[PositiveLength, PositiveLength] | None = None
+    compliance: Compliance | None = None
     friction: RotaryFrictions = (0.0, 0.0)
     orientation: Name | None = None
     buckling: EndCondition = "pinned-pinned"

@@ -80,7 +80,7 @@ SECTIONS = ("section_T", "section_V", "section_M")
 DEMAND = (
     "thrust", "actuator_power", "screw_torque", "screw_speed", "motor_speed", "motor_torque", "current", "voltage",
     "screw_torque_frictionless", "motor_torque_frictionless", "holding_torque", "breakaway_torque", "mechanical_power",
-    "electrical_power", "stroke", "drive_torque", "angle_rate",
+    "electrical_power", "stroke", "drive_torque", "angle_rate", "axis_torque",
 )  # fmt: skip
 TURNING = ("drive_torque", "angle_rate")
 _STRAINS = tuple(f"{name}_microstrain" for name in COMPONENTS)

@@ -182,7 +182,13 @@ def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]],
     for source, member, along in pairs:
         kind, _, name = source.partition(" ")
         told.append(
-            {"source": name, "kind": kind, "member": members[member], "spread": along, "mean": kind in ("drive", "coupling")}
+            {
+                "source": name,
+                "kind": kind,
+                "member": members[member],
+                "spread": along,
+                "mean": kind in ("drive", "coupling", "spring", "hub"),
+            }
         )
     return told, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}
 

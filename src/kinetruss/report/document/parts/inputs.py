@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from kinetruss.display import Markup, Table, quantity
 from kinetruss.model import Active, Model, Of, Record, Run
-from kinetruss.units import unit_of
+from kinetruss.units import EITHER, unit_of
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -35,6 +35,7 @@ def inputs(run: RunResult) -> list[Markup]:
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
+        ("Springs on coordinates (SI)", "name", _named(model.springs)),
         ("Loads and load cases", "name", _named({**model.loads, **model.load_cases})),
         ("Tasks of drives and events", "name", _named({**model.runs[run.name].tasks, **model.runs[run.name].events})),
     )
@@ -153,8 +154,8 @@ def _unit(metadata: Iterable[Any], annotation: Any) -> str:
     """The unit of a field, or of the numbers in it."""
     for rule in metadata:
         if isinstance(rule, Of):
-            # what a trajectory moves may be a length or an angle
-            return "" if rule.quantity in ("coordinate", "rate") else unit_of(rule.quantity)
+            # what a trajectory moves or a spring holds may be a length or an angle
+            return "" if rule.quantity in EITHER else unit_of(rule.quantity)
     return next((found for one in get_args(annotation) if (found := _unit(getattr(one, "__metadata__", ()), one))), "")
 
 

@@ -1,0 +1,125 @@
+"""Arms of hubs: cantilevers from the centre, loaded at their tips by the members that end there.
+
+The bars of a hub are those of a truss: arms carry axial forces only, and massless braces between the tips the rest. Here the
+forces of braces and supports at the tip of an arm are moved to its root, where they become a force and a couple. With that
+every arm is a free body: loaded at the tip by members and loads, clamped at the centre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.dynamics.actions.bars_between import Bars, bars_of
+from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
+from kinetruss.mechanics import kept
+from kinetruss.model.hubs import arms_of, clamped_at, is_grounded, loops
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics import System
+
+__all__ = ["actions_of_hubs", "braces_of_hubs", "grounded_tips", "hub_bodies"]
+
+
+def hub_bodies(system: System) -> set[str]:
+    """Names of the bodies of hubs."""
+    return {f"{hub}.hub" for hub in system.model.hubs} & set(system.model.bodies)
+
+
+@kept()
+def braces_of_hubs(system: System) -> frozenset[int]:
+    """Braces whose forces the arms of hubs take: the free body of a node has the arms instead."""
+    bars, model, found = bars_of(system), system.model, set[int]()
+    for hub in model.hubs:
+        if not _shared(system, bars, hub):
+            found.update(_braces(system, bars, hub))
+    return frozenset(found)
+
+
+def grounded_tips(system: System, node: str) -> list[str] | None:
+    """The tips of a hub on the ground by its centre; an empty list at a tip of one; None at other nodes."""
+    model = system.model
+    for hub in model.hubs:
+        if is_grounded(model, hub):
+            tips = [arm.name for arm in arms_of(model, hub)]
+            if node == hub:
+                return tips
+            if node in tips:
+                return []
+    return None
+
+
+def _braces(system: System, bars: Bars, hub: str) -> list[int]:
+    return [i for i, name in enumerate(system.members) if bars.brace[i] and name.startswith(f"{hub}.hub.")]
+
+
+def _arms(system: System, bars: Bars, hub: str) -> list[int]:
+    model = system.model
+    return [bars.index[arm.name] for arm in arms_of(model, hub)] + [bars.index[name] for name in clamped_at(model, hub)]
+
+
+def _shared(system: System, bars: Bars, hub: str) -> bool:
+    """Whether others share the moments of a hub, so that statics alone does not give them."""
+    return hub in loops(system.model) or _held_elsewhere(system, bars, hub, set(_arms(system, bars, hub)))
+
+
+def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
+    """What braces and supports at the tips of arms do to them; hubs whose moments statics alone does not give."""
+    model = system.model
+    for hub in model.hubs:
+        arms = _arms(system, bars, hub)
+        tips = {i: int(system.nodes[bars.ends(i)[0]] == hub) for i in arms}
+        if _shared(system, bars, hub):
+            nodes = tuple(system.nodes[bars.ends(i)[tip]] for i, tip in tips.items())
+            yield NotOnBars(source=hub, kind="hub", nodes=(hub, *nodes), members=tuple(system.members[i] for i in arms))
+            continue
+        braces = _braces(system, bars, hub)
+        on_body = (name for name, load in model.loads.items() if getattr(load, "body", None) == f"{hub}.hub")
+        own = frozenset(on_body)
+        for i, tip in tips.items():
+            node = bars.ends(i)[tip]
+            pulled = tuple((k, bars.ends(k).index(node)) for k in braces if node in bars.ends(k))
+            worth = partial(_passed_on, tip, node, pulled, own, is_grounded(model, hub))
+            yield Action(source=hub, kind="hub", member=i, worth=worth, place=float(1 - tip))
+
+
+def _held_elsewhere(system: System, bars: Bars, hub: str, own: set[int]) -> bool:
+    """Whether other rigid bars or bodies join nodes of the hub too, so that they share its moments."""
+    model = system.model
+    body = model.bodies.get(f"{hub}.hub")
+    if body is None:
+        return False
+    nodes = set(body.nodes)
+    edges = [{system.nodes[n] for n in bars.ends(i)} for i in own]
+    for name, other in model.bodies.items():
+        shared = nodes & set(other.nodes)
+        if name != f"{hub}.hub" and len(shared) > 1 and not any(shared <= edge for edge in edges):
+            return True
+    inside = {i for i in range(len(bars.brace)) if not bars.brace[i] and {system.nodes[n] for n in bars.ends(i)} <= nodes}
+    return bool(inside - own)
+
+
+def _passed_on(
+    tip: int, node: int, pulled: tuple[tuple[int, int], ...], own: frozenset[str], fixed: bool, here: Instants
+) -> NDArray[np.float64]:
+    """Two opposite forces (t, 2, 3), N, on an arm: at its tip minus those that braces and a support exert on the node there."""
+    found = np.zeros((len(here.x), 2, 3))
+    if here.carried is None:
+        return found * np.nan
+    push = found[:, tip]
+    for k, end in pulled:
+        d = here.along(k) * (1.0 if end else -1.0)  # outward from the brace at its end
+        push -= (here.carried.tension[:, k] / np.linalg.norm(d, axis=1))[:, None] * d
+    if here.loads is not None:  # loads on the body of a hub act at its centre
+        for k, (load, at) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):
+            if at == node and load in own:
+                push += here.loads.force[:, k]
+    if fixed:
+        push += here.carried.support[:, node]
+    found[:, 1 - tip] = -push
+    return found

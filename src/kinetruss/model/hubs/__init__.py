@@ -1,0 +1,37 @@
+"""Nodes of finite size: rigid hubs whose members end at the tips of arms."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.model.hubs.arms import apexes, arms_of, clamped_at, free_length, hub_of, is_grounded, loops
+    from kinetruss.model.hubs.bearings import bearing_faults, seat_of
+    from kinetruss.model.hubs.expand import with_arms
+    from kinetruss.model.hubs.record import Hub
+
+__all__ = [
+    "Hub",
+    "apexes",
+    "arms_of",
+    "bearing_faults",
+    "clamped_at",
+    "free_length",
+    "hub_of",
+    "is_grounded",
+    "loops",
+    "seat_of",
+    "with_arms",
+]
+
+__getattr__, __dir__ = late(
+    __name__,
+    {
+        "arms": "apexes arms_of clamped_at free_length hub_of is_grounded loops",
+        "bearings": "bearing_faults seat_of",
+        "expand": "with_arms",
+        "record": "Hub",
+    },
+)

@@ -1,0 +1,134 @@
+"""The arms of hubs: the members at a hub, their joints, and what is left of their lengths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.model.checks.places import beside
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model._data import ModelData
+    from kinetruss.model.parts.members import Active, Bar
+
+__all__ = ["FLAT", "Arm", "apexes", "arms_of", "clamped_at", "free_length", "hub_of", "ideal_ends", "is_grounded"]
+
+FLAT = 1e-6
+"""Tips within this fraction of the size of a hub from a plane count as lying in it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Arm:
+    """The arm of a member at a hub.
+
+    name : of the arm, and of the node at its tip. end : of the member (0 is A). at (dim,) : place of the tip, m.
+    """
+
+    hub: str
+    member: str
+    name: str
+    end: int
+    at: tuple[float, ...]
+
+
+def ideal_ends(model: ModelData, name: str, member: Bar | Active) -> tuple[str, str]:
+    """The nodes at the ends of a member as if no hub had arms."""
+    first, second = (hub_of(model, node, name) or node for node in member.ends)
+    return first, second
+
+
+def hub_of(model: ModelData, node: str, member: str) -> str:
+    """The hub at whose arm of this member the node is the tip; empty if there is none."""
+    hub = node.removesuffix(f".{member}")
+    return hub if hub != node and hub in model.hubs else ""
+
+
+def is_grounded(model: ModelData, hub: str) -> bool:
+    """Whether the hub is bolted to the ground."""
+    return not model.hubs[hub].turns and len(model.fixed.get(hub, "")) == len(model.nodes[hub].at)
+
+
+def members_at(model: ModelData, hub: str) -> dict[str, int]:
+    """Members at a hub besides its own arms and braces, with their end there."""
+    found = {}
+    for name, member in model.members.items():
+        if getattr(member, "brace", False) or member.ends == (hub, name):
+            continue
+        ends = ideal_ends(model, name, member)
+        if hub in ends:
+            found[name] = ends.index(hub)
+    return found
+
+
+def arms_of(model: ModelData, hub: str) -> list[Arm]:
+    """The arms of a hub whose members are known, in the order of the members."""
+    record, found = model.hubs[hub], []
+    for name, end in members_at(model, hub).items():
+        offset: Any = record.arms.get(name, None if name in record.clamped else record.reach)
+        if offset is None:
+            continue
+        centre, far = (np.array(model.nodes[node].at, float) for node in _centre_first(model, name, end))
+        along = far - centre
+        length = float(np.linalg.norm(along))
+        step = np.array(offset) if isinstance(offset, tuple) else offset / length * along if length else along
+        if step.shape == centre.shape:
+            at = tuple((centre + step).tolist())
+            found.append(Arm(hub=hub, member=name, name=f"{hub}.{name}", end=end, at=at))
+    return found
+
+
+def _centre_first(model: ModelData, name: str, end: int) -> tuple[str, str]:
+    ends = ideal_ends(model, name, model.members[name])
+    return ends[end], ends[1 - end]
+
+
+def clamped_at(model: ModelData, hub: str) -> dict[str, str]:
+    """Members clamped at a hub, with the node at their other end."""
+    here = members_at(model, hub)
+    return {name: model.bars[name].ends[1 - here[name]] for name in model.hubs[hub].clamped if name in here}
+
+
+def free_length(model: ModelData, name: str) -> tuple[float, float]:
+    """Length of a member between its nodes and between its joints as drawn, m; the second negative where hubs overlap."""
+    ends = ideal_ends(model, name, model.members[name])
+    centres = [np.array(model.nodes[node].at, float) for node in ends]
+    places = list(centres)
+    for end, hub in enumerate(ends):
+        if hub in model.hubs:
+            places[end] = next((np.array(arm.at) for arm in arms_of(model, hub) if arm.member == name), places[end])
+    whole = float(np.linalg.norm(centres[1] - centres[0]))
+    rest: float = float((places[1] - places[0]) @ (centres[1] - centres[0])) / whole if whole else 0.0
+    return whole, float(np.linalg.norm(places[1] - places[0])) if rest > 0 else rest
+
+
+def apexes(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Places of the nodes that a hub in space with these nodes (k, 3) needs beside them, so that bars hold it."""
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    span = int(np.sum(spread > FLAT * spread[0]))
+    if len(points) <= span + 1 or span == points.shape[1]:
+        return []
+    return beside(points, points.shape[1])
+
+
+def loops(model: ModelData) -> set[str]:
+    """Hubs in closed frames of clamped members, whose moments statics alone does not give."""
+    root = {hub: hub for hub in model.hubs}
+
+    def top(hub: str) -> str:
+        while root[hub] != hub:
+            hub = root[hub]
+        return hub
+
+    closed = set()
+    for one, two in combinations(model.hubs, 2):
+        for name in set(model.hubs[one].clamped) & set(model.hubs[two].clamped):
+            if set(ideal_ends(model, name, model.members[name])) == {one, two}:
+                if top(one) == top(two):
+                    closed.add(top(one))
+                root[top(one)] = top(two)
+    return {hub for hub in model.hubs if top(hub) in {top(one) for one in closed}}

@@ -1,0 +1,151 @@
+"""Cross-checks of hubs: their members, their places, and what they leave of the lengths of members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import Fault
+from kinetruss.model._words import nearest
+from kinetruss.model.checks.common import a_bar, unknown
+from kinetruss.model.hubs.arms import FLAT, Arm, arms_of, clamped_at, free_length, ideal_ends, is_grounded, members_at
+from kinetruss.model.parts.members import Active
+
+if TYPE_CHECKING:
+    from kinetruss.model._data import ModelData
+
+__all__ = ["hub_faults"]
+
+SAME = 1e-9
+"""Lengths that differ by less than this fraction are one."""
+
+
+def hub_faults(model: ModelData) -> list[Fault]:
+    """Faults of the hubs of a model, whether it has their arms yet or not."""
+    found: list[Fault] = []
+    for hub in model.hubs:
+        found += [*_names(model, hub)]
+    if found:
+        return found
+    arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
+    for hub in model.hubs:
+        found += [*_clamped(model, hub), *_on_line(model, hub), *_left_over(model, hub)]
+    for arm in arms:
+        found += [*_place(model, arm)]
+    for name in dict.fromkeys(arm.member for arm in arms):
+        found += [*_lengths(model, name, [arm.hub for arm in arms if arm.member == name])]
+    return found
+
+
+def _names(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Unknown nodes and members, members that end elsewhere, vectors of another dimension."""
+    path, record = ("hubs", hub), model.hubs[hub]
+    if hub not in model.nodes:
+        yield unknown("node", hub, model.nodes, path)
+        return
+    if any(end not in model.nodes for member in model.members.values() for end in member.ends):
+        return  # reported with the members
+    here, dim = members_at(model, hub), len(model.nodes[hub].at)
+    for field, names in (("arms", record.arms), ("clamped", record.clamped)):
+        for name in names:
+            if name not in model.members:
+                yield Fault((*path, field, name), f"no member called {name!r}.", nearest(name, model.members))
+            elif name not in here:
+                ends = " and ".join(ideal_ends(model, name, model.members[name]))
+                mend = f"Name one of those that do: {', '.join(here) or 'none'}."
+                yield Fault((*path, field, name), f"does not end at {hub!r} but at {ends}.", mend)
+    for name, offset in record.arms.items():
+        if isinstance(offset, tuple) and len(offset) != dim:
+            mend = f"Give {dim}, or a distance along the member."
+            yield Fault((*path, "arms", name), f"has {len(offset)} components in a model of dimension {dim}.", mend)
+    if not here:
+        yield Fault(path, "is a node at which no member ends.", "Name a node with members.")
+
+
+def _clamped(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Only a rigid bar can be clamped, and not to a hub on the ground."""
+    path, record = ("hubs", hub, "clamped"), model.hubs[hub]
+    for name in record.clamped:
+        member = model.members[name]
+        kind = "driven" if isinstance(member, Active) or name in model.driven_members else member.kind
+        if kind != "rigid":
+            mend = "Clamp a rigid bar at this node, and give this member an arm."
+            yield Fault((*path, name), f"is {a_bar(kind)}, whose length changes.", mend, about=(("bars", name),))
+        elif is_grounded(model, hub):
+            far = next(node for node in ideal_ends(model, name, member) if node != hub)
+            mend = f"Fix {far!r} too; or say turns: true, if the hub turns about its node."
+            yield Fault((*path, name), "is clamped to a hub on the ground, so that it cannot move.", mend)
+
+
+def _on_line(model: ModelData, hub: str) -> Iterator[Fault]:
+    """In space bars do not hold three nodes on a line, and nothing keeps what stands beside them from turning about it."""
+    places = [model.nodes[hub].at, *(arm.at for arm in arms_of(model, hub))]
+    places += [model.nodes[node].at for node in clamped_at(model, hub).values()]
+    if len(places[0]) == 2 or len(places) < 3 or is_grounded(model, hub):
+        return
+    spread = np.linalg.svd(np.array(places) - np.mean(places, axis=0), compute_uv=False)
+    if spread[1] <= FLAT * spread[0]:
+        mend = "Give it an arm off that line (a vector); or two members on one line: make them one bar."
+        yield Fault(("hubs", hub), "has its centre and all its joints on one line, about which it would turn freely.", mend)
+
+
+def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
+    """A tip whose name is taken, an arm that is not what the hub says."""
+    path = ("hubs", arm.hub)
+    ended = model.members[arm.member].ends[arm.end]
+    if ended != arm.name:
+        for table in ("nodes", "bars", "active"):
+            if arm.name in getattr(model, table):
+                message = f"needs the name {arm.name!r} for the arm of {arm.member!r}, which is in use."
+                yield Fault(path, message, f"Rename it in {table}.", about=((table, arm.name),))
+        return
+    own, record = model.bars.get(arm.name), model.hubs[arm.hub]
+    if own is not None and (own.kind == "free") != is_grounded(model, arm.hub):
+        now, made = ("is not on the ground", "stands still") if own.kind == "free" else ("is on the ground", "moves")
+        mend = f"Fix or release {arm.hub!r} in the model whose members end at its nodes, and give that the hub."
+        yield Fault(path, f"{now}, but its arm {arm.name!r} was made for a hub that {made}.", mend)
+    for field in ("section", "material"):
+        said = getattr(record, field)
+        if own is not None and said is not None and getattr(own, field) != said:
+            message = f"states a {field} of its arms that is not that of bar {arm.name!r}, which is there already."
+            yield Fault((*path, field), message, f"Change the {field} of the bar too, or leave it out of the hub.")
+
+
+def _left_over(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Members that end at an arm which the hub no longer has."""
+    arms = {arm.member for arm in arms_of(model, hub)}
+    for name, end in members_at(model, hub).items():
+        tip = f"{hub}.{name}"
+        if name not in arms and model.members[name].ends[end] == tip:
+            mend = f"Let {name!r} end at {hub!r} again (ends), and remove node and bar {tip!r}; or give it its arm."
+            yield Fault(("hubs", hub), f"has no arm for {name!r}, which still ends at one, at node {tip!r}.", mend)
+
+
+def _lengths(model: ModelData, name: str, hubs: list[str]) -> Iterator[Fault]:
+    """Hubs that overlap, rods longer than what is left, lengths that are still those from node to node."""
+    whole, rest = free_length(model, name)
+    table = "active" if name in model.active else "bars"
+    about: Any = ((table, name), *(("nodes", node) for node in ideal_ends(model, name, model.members[name])))
+    path = ("hubs", hubs[0])
+    if rest <= SAME * whole:
+        others = "overlaps its other node" if len(hubs) == 1 else f"overlaps that of {hubs[1]!r}"
+        mend = f"Shorten the arms to less than {whole:.6g} m together, or lengthen the member."
+        yield Fault(
+            path, f"{others}: {name!r} is {whole:.6g} m long from node to node, and its arms are longer.", mend, about=about
+        )
+        return
+    member: Any = model.members[name]
+    rods = (("base", member.base.length), ("tube", member.tube.length)) if isinstance(member, Active) else ()
+    for role, length in rods:
+        now = rest if member.length is None else member.length
+        if length > now * (1 + SAME):
+            message = f"leaves {name!r} {now:.6g} m between its joints, but its {role} is {length:.6g} m long."
+            mend = f"Shorten the {role}, or the arms of the hub."
+            yield Fault(path, message, mend, about=((table, name),))
+    for field in ("length", "natural_length"):
+        stated = getattr(member, field, None)
+        if stated is not None and abs(stated - whole) <= SAME * whole < abs(stated - rest):
+            message = f"leaves {name!r} {rest:.6g} m between its joints; its {field} is that from node to node, {whole:.6g} m."
+            yield Fault(path, message, f"Give {field}: {rest:.6g} m, or leave it out.", about=((table, name),))
