@@ -24,7 +24,8 @@ _NAMES = {
     "model": (
         "Bearing Catalogue Compliance Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub "
         "Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive OffsetCoordinate Active "
-        "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
+        "Amplifier AngleDrive Bar Beam Body BodyCouple BodyForce ConstantRate CoordinateDrive CosineCoordinate Cyclic "
+        "DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
         "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
         "Circle Combined Coordinates Docking Gimbal Pointing Positioning Reflecting Way "

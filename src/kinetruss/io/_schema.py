@@ -28,8 +28,8 @@ _FROM_FILE = {
 def schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of model files, made from the records; the shipped file holds the same.
 
-    It allows what `read` allows in form: text with units, plain lists for nodes and bars, a list under ``fixed``, ``file`` in
-    place of a table, ``library``. References and units are checked by `check`.
+    It allows what `read` allows in form: text with units, plain lists for nodes, bars and beams, a list under ``fixed`` and
+    ``clamped``, ``file`` in place of a table, ``library``. References and units are checked by `check`.
 
     Examples
     --------
@@ -43,10 +43,12 @@ def schema() -> dict[str, Any]:
     for name, fields in _FROM_FILE.items():
         _allow_file(records[name], fields)
     records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
-    records["Bar"] = {"anyOf": [records["Bar"], records["Bar"]["properties"]["ends"]]}
+    for name in ("Bar", "Beam"):
+        records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
     properties = made["properties"]
     listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
-    properties["fixed"] = {"anyOf": [properties["fixed"], listed]}
+    for name in ("fixed", "clamped"):
+        properties[name] = {"anyOf": [properties[name], listed]}
     overlay = {name: _partial(one) for name, one in properties.items()}
     return {
         "$schema": _DIALECT,

@@ -1,6 +1,7 @@
 """A model compiled to flat arrays, and the order in which its constraints are solved."""
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
+from kinetruss.mechanics.beams import BeamElements
 from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
 from kinetruss.mechanics.structure.blocks import block_triangular
@@ -23,6 +24,7 @@ from kinetruss.mechanics.structure.measures import coordinate_derivatives, flats
 from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
 
 __all__ = [
+    "BeamElements",
     "CABLE",
     "Continua",
     "DRIVEN",

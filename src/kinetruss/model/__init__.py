@@ -29,6 +29,7 @@ from kinetruss.model._record import (
 )
 from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
+from kinetruss.model.beams.record import Beam
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import event_faults, task_faults
 from kinetruss.model.checks.targets import target_faults
@@ -36,6 +37,7 @@ from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
+    CosineCoordinate,
     Coupling,
     GimbalPose,
     HingeDrive,
@@ -109,6 +111,7 @@ __all__ = [
     "AngleDrive",
     "Bearing",
     "Bar",
+    "Beam",
     "Body",
     "Compliance",
     "BodyCouple",
@@ -119,6 +122,7 @@ __all__ = [
     "ConstantRate",
     "CoordinateDrive",
     "Coordinates",
+    "CosineCoordinate",
     "Cyclic",
     "Docking",
     "DriveInput",

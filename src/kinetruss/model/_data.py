@@ -9,6 +9,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._table import Filled, ReadOnly, Table
+from kinetruss.model.beams.record import Beam
 from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
@@ -19,7 +20,7 @@ from kinetruss.model.parts.bodies import Body
 from kinetruss.model.parts.body_loads import Load
 from kinetruss.model.parts.continua import Membrane, Solid
 from kinetruss.model.parts.gauges import Gauge, GaugeZero
-from kinetruss.model.parts.joints import Bearing, Joint
+from kinetruss.model.parts.joints import GROUND, Bearing, Joint
 from kinetruss.model.parts.loads import History, LoadCase
 from kinetruss.model.parts.members import Active, Bar, Node
 from kinetruss.model.parts.sections import Material, MaterialOrName, Section, SectionOrName
@@ -47,6 +48,16 @@ Axes = Annotated[str, AfterValidator(_axes), WithJsonSchema({"type": "string", "
 Format = Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT, "description": "format version"})]
 
 
+def _grounded(value: Any) -> Any:
+    """A list names nodes that the ground holds."""
+    if isinstance(value, (list, tuple, set, frozenset)) and all(isinstance(name, str) for name in value):
+        return dict.fromkeys(value, GROUND)
+    return value
+
+
+Clamps = Annotated[Table[Name, Name], BeforeValidator(_grounded)]
+
+
 class Safety(Record):
     """Safety factors: allowable stress = yield strength/`yielding`, allowable compression = critical load/`buckling`."""
 
@@ -63,6 +74,8 @@ class ModelData(Record):
     fixed: Table[Name, Axes] = ReadOnly()
     bars: Table[Name, Bar] = ReadOnly()
     active: Table[Name, Active] = ReadOnly()
+    beams: Table[Name, Beam] = ReadOnly()
+    clamped: Clamps = ReadOnly()
     bodies: Table[Name, Body] = ReadOnly()
     joints: Table[Name, Joint] = ReadOnly()
     hubs: Table[Name, Hub] = ReadOnly()

@@ -24,6 +24,7 @@ _MATTER = ("section", "material")
 
 _FIELDS = {
     "bars": _MATTER,
+    "beams": _MATTER,
     "hubs": _MATTER,
     "membranes": ("material",),
     "solids": ("material",),

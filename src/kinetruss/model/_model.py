@@ -12,6 +12,7 @@ from kinetruss.model._collect import Lost, collect, rests_on
 from kinetruss.model._data import AXES, ModelData, Safety
 from kinetruss.model._library_names import with_library_records
 from kinetruss.model._table import ReadOnly
+from kinetruss.model.beams.framing import chords, expanded, rigid_groups
 from kinetruss.model.checks.bodies import body_faults
 from kinetruss.model.checks.faults import dimension, faults, misfits
 from kinetruss.model.hubs.checks import hub_faults
@@ -30,6 +31,8 @@ class Model(ModelData):
 
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
     bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
+    beams : members that bend; those that meet at a node share its rotation. clamped : nodes of beams whose position and
+        rotation the ground holds, or a mapping node -> body whose rotation it shares.
     joints : records of the joints that `library.joints` has built from nodes and bars.
     bearings : pins and balls whose friction follows from their force.
     hubs : nodes of finite size, by node; their arms are added to `nodes`, `bars` and `bodies` (see `Hub`).
@@ -68,9 +71,10 @@ class Model(ModelData):
             judged.__dict__[field] = ReadOnly(table)
             judged.__pydantic_fields_set__.add(field)
             judged.__dict__.pop("members", None)
-        if judged.bodies or any(bar.brace for bar in judged.bars.values()):
-            judged.__dict__["bars"] = ReadOnly(braced(judged, _faulty_bodies(judged)))
-            judged.__pydantic_fields_set__.add("bars")
+        if judged.beams or any(node.director for node in judged.nodes.values()):
+            _take(judged, expanded(judged))
+        if judged.bodies or judged.beams or any(bar.brace for bar in judged.bars.values()):
+            _take(judged, {"bars": braced(judged, rigid_groups(judged), _faulty_bodies(judged)) | chords(judged)})
             judged.__dict__.pop("members", None)  # may have been cached during the checks
         lost = Lost(("nodes", str(fault.path[1])) for fault in odd)
         if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
@@ -87,6 +91,14 @@ class Model(ModelData):
         """
         fields = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**fields | changes)
+
+
+def _take(model: Model, tables: dict[str, Any]) -> None:
+    """Set tables that are completed from others."""
+    for name, table in tables.items():
+        if table or name in model.__pydantic_fields_set__:
+            model.__dict__[name] = ReadOnly(table)
+            model.__pydantic_fields_set__.add(name)
 
 
 def _faulty_bodies(model: Model) -> set[str]:

@@ -1,5 +1,6 @@
 """Strength of members: section forces, stress, buckling, utilisation."""
 
+from kinetruss.strength.members.beams import beams
 from kinetruss.strength.members.components import components
 from kinetruss.strength.members.elements import elements
 from kinetruss.strength.members.sections import sections
@@ -26,6 +27,7 @@ __all__ = [
     "Options",
     "Rosette",
     "amplification",
+    "beams",
     "bridge_output",
     "bridge_strain",
     "check",

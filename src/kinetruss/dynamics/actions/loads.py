@@ -58,6 +58,8 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
             yield from _pressure(system, bars, name, load)
             continue
         body = model.bodies.get(load.body)
+        if body is None and load.body not in bars.index:
+            continue  # on the frame of a node of beams
         i = bars.index[load.body] if body is None else _bar_of(system, bars, body)
         if i >= 0:
             place = _place(system, i, load) if body is None else _share(system, bars, i, body, getattr(load, "at", None))

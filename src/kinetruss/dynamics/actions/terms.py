@@ -46,6 +46,8 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
         for one in records:
             if one.kind == "coordinate":
                 _add_weight(system, t, weights)
+            elif one.kind == "cosine":
+                pass  # of a scalar, which no bar turns with
             elif one.kind == "offset":
                 yield from _offset(system, bars, t, key)
             elif one.kind == "hinge":

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from kinetruss.model import Model, Record
+from kinetruss.model import GROUND, Model, Record
 
 __all__ = ["fields", "merged"]
 
@@ -22,12 +22,15 @@ def merged(model: Model, over: Mapping[str, Any]) -> dict[str, Any]:
     """Data of `model`, changed by `over`.
 
     Tables merge name by name and records field by field, to any depth; the value ~ removes an entry. Any other value
-    replaces the old one, and so does a record of another kind. A list under ``fixed`` adds its nodes.
+    replaces the old one, and so does a record of another kind. A list under ``fixed`` or ``clamped`` adds its nodes.
     """
     over = dict(over)
     fixed = over.get("fixed")
     if isinstance(fixed, list) and all(isinstance(name, str) for name in fixed):
         over["fixed"] = dict.fromkeys(fixed, AXES[: model.dim])
+    clamped = over.get("clamped")
+    if isinstance(clamped, list) and all(isinstance(name, str) for name in clamped):
+        over["clamped"] = dict.fromkeys(clamped, GROUND)
     base = fields(model)
     return base | {key: _laid(base.get(key), value) for key, value in over.items()}
 

@@ -1,4 +1,5 @@
-"""Coordinates of several nodes as sums of terms: angles about axes, offsets from lines, lengths, node coordinates.
+"""Coordinates of several nodes as sums of terms: angles about axes, offsets from lines, lengths, node coordinates,
+cosines of scalars.
 
 The gradient of every term is one vector g at a point, taken off two other nodes in shares w1, w2 (1 - s and s, where s is the
 share of the axis at which the point stands): dq = g . (dx_P - w1 dx_1 - w2 dx_2). Angle of P about the axis 1 -> 2, with
@@ -13,7 +14,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
-from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.plan import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kernels.structure.structure import States
 
 __all__ = [
@@ -50,6 +51,8 @@ def term_value(kind: I1, at: I2, data: F2, t: int, x: F1) -> float:
     P, one, two, begin, factor = at[t, 0], at[t, 1], at[t, 2], at[t, 3], data[t, 0]
     if kind[t] == NODE:
         return factor * (data[t, 1] * x[P] + data[t, 2] * x[P + 1] + data[t, 3] * x[P + 2])
+    if kind[t] == COSINE:
+        return factor * math.cos(x[P] + data[t, 1])
     rx, ry, rz = _from(x, one, P)
     if kind[t] == ALONG:
         return factor * math.sqrt(rx * rx + ry * ry + rz * rz)
@@ -77,6 +80,9 @@ def term_gradient(kind: I1, at: I2, data: F2, t: int, x: F1, out: F1) -> None:
     out[3], out[4] = 1.0, 0.0
     if kind[t] == NODE:
         out[0], out[1], out[2], out[3] = factor * data[t, 1], factor * data[t, 2], factor * data[t, 3], 0.0
+        return
+    if kind[t] == COSINE:
+        out[0], out[1], out[2], out[3] = -factor * math.sin(x[P] + data[t, 1]), 0.0, 0.0, 0.0
         return
     rx, ry, rz = _from(x, one, P)
     if kind[t] == ALONG:
@@ -114,6 +120,9 @@ def term_rates(kind: I1, at: I2, data: F2, t: int, x: F1, v: F1, out: F1) -> Non
     if kind[t] == NODE:
         return
     P, one, two, factor = at[t, 0], at[t, 1], at[t, 2], data[t, 0]
+    if kind[t] == COSINE:
+        out[5] = -factor * math.cos(x[P] + data[t, 1]) * v[P]
+        return
     rx, ry, rz = _from(x, one, P)
     ex, ey, ez = _from(v, one, P)
     if kind[t] == ALONG:

@@ -1,4 +1,4 @@
-"""Membranes and solids: forces along the edges of their elements, the energy they store, their tangent stiffness.
+"""Membranes, solids and beams: forces along the edges of their elements, the energy they store, their tangent stiffness.
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
 densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.structure.continua`).
@@ -17,6 +17,9 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Vector
 from kinetruss.kernels.structure.equations import Equations
+
+Tables = tuple[Ints, F2, Ints, F2, Ints, F2, Ints, F2]
+"""Edges and stiffness of elements with 3, 4, 6 and 8 nodes."""
 
 __all__ = [
     "add_continua",
@@ -76,15 +79,16 @@ def _many(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
 
 
 @kernel
-def edge_densities(tables: tuple[Ints, F2, Ints, F2, Ints, F2], s: F1, q: F1) -> None:
-    """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : edges, stiffness of 3-, 4-, 6-node elements."""
+def edge_densities(tables: Tables, s: F1, q: F1) -> None:
+    """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : of 3-, 4-, 6-, 8-node elements."""
     # elements add to the edges they share
     for i in range(q.size):
         q[i] = 0.0
-    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6 = tables
+    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6, edge_8, stiffness_8 = tables
     _triangles(edge_3, stiffness_3, s, q)
     _tetrahedra(edge_4, stiffness_4, s, q)
     _many(edge_6, stiffness_6, s, q)
+    _many(edge_8, stiffness_8, s, q)
 
 
 @kernel_bare
@@ -108,7 +112,7 @@ def _add_edge_forces(A: I1, B: I1, q: F1, x: F1, f: F1) -> None:
 
 
 @kernel
-def edge_forces(A: I1, B: I1, rest: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2], x: F1, s: F1, q: F1, f: F1) -> None:
+def edge_forces(A: I1, B: I1, rest: F1, tables: Tables, x: F1, s: F1, q: F1, f: F1) -> None:
     """Add the forces of elements at x (3 n,) to f (3 n,), N. A, B (edges,) flat ends; s, q (edges,) are filled."""
     _stretches(A, B, rest, x, s)
     edge_densities(tables, s, q)
@@ -116,7 +120,7 @@ def edge_forces(A: I1, B: I1, rest: F1, tables: tuple[Ints, F2, Ints, F2, Ints, 
 
 
 @kernel_bare
-def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2]:
+def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2, I2, F2]:
     return (
         eq.triangle_edge,
         eq.triangle_stiffness,
@@ -124,6 +128,8 @@ def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2]:
         eq.tetrahedron_stiffness,
         eq.six_edge,
         eq.six_stiffness,
+        eq.eight_edge,
+        eq.eight_stiffness,
     )
 
 
@@ -282,7 +288,7 @@ def _of_tetrahedra(edge: Ints, stiffness: F2, d: F2, out: F2) -> None:
 
 
 @kernel
-def edge_blocks(A: I1, B: I1, q: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2], x: F1, out: F2) -> None:
+def edge_blocks(A: I1, B: I1, q: F1, tables: Tables, x: F1, out: F2) -> None:
     """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
     d = np.empty((A.size, 3))
     # d of each edge; geometric part -q 1 of K_pq
@@ -291,10 +297,11 @@ def edge_blocks(A: I1, B: I1, q: F1, tables: tuple[Ints, F2, Ints, F2, Ints, F2]
             d[i, c] = x[B[i] + c] - x[A[i] + c]
             for k in range(3):
                 out[i, 3 * c + k] = -q[i] if c == k else 0.0
-    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6 = tables
+    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6, edge_8, stiffness_8 = tables
     _of_group(3, edge_3, stiffness_3, d, out)
     _of_tetrahedra(edge_4, stiffness_4, d, out)
     _of_group(6, edge_6, stiffness_6, d, out)
+    _of_group(8, edge_8, stiffness_8, d, out)
 
 
 @kernel_late(allocates=True)

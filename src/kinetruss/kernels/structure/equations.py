@@ -37,8 +37,8 @@ class Equations(Structure):
     force_time, force_value; force_drive (g,) or -1.
     Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),
     follower_vector (p, 4) (mechanics.assembly.followers); amounts in time as those of given forces.
-    Membranes and solids: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
-    tetrahedron_*, six_* : edges of each element and what they resist with (kernels.structure.continua).
+    Membranes, solids and beams: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
+    tetrahedron_*, six_*, eight_* : edges of each element and what they resist with (kernels.structure.continua).
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
@@ -118,6 +118,8 @@ class Equations(Structure):
     tetrahedron_stiffness: F2
     six_edge: I2
     six_stiffness: F2
+    eight_edge: I2
+    eight_stiffness: F2
     sum_row: I1
     sum_ptr: I1
     term_kind: I1

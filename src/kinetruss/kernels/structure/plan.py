@@ -9,6 +9,7 @@ __all__ = [
     "ANGLE",
     "AROUND",
     "CABLE",
+    "COSINE",
     "ENGINEERING",
     "FIXED_AXIS",
     "GREEN",
@@ -23,9 +24,9 @@ __all__ = [
 LENGTH, ANGLE, SUM = 0, 1, 2
 NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3
 """Constitutive laws of bars."""
-ALONG, FIXED_AXIS, AROUND, OFFSET, NODE = 0, 1, 2, 3, 4
+ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE = 0, 1, 2, 3, 4, 5
 """Terms of sums: length from 1 to P; angle of 1 -> P about a fixed axis; of P about the axis 1 -> 2; distance of P from the
-line 1 -> 2 in the plane, to its left; a coordinate of P (see constraints.terms)."""
+line 1 -> 2 in the plane, to its left; a coordinate of P; the cosine of that of a scalar (see constraints.terms)."""
 
 
 @record

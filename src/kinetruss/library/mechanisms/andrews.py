@@ -10,8 +10,10 @@ from kinetruss.library._builder import builder
 from kinetruss.model import (
     AngleDrive,
     Bar,
+    Beam,
+    Body,
     CoordinateDrive,
-    Coupling,
+    Frame,
     GivenForce,
     Model,
     Node,
@@ -74,11 +76,12 @@ def andrews(
     ``CD``. Nodes O, A, B, C are fixed; drive ``motor`` turns the crank ``OF``. Each body is the extended mass of the
     bar that carries it. It starts at rest, without gravity.
 
+    Or nine bars and a beam: the crank ``OF`` is a rigid beam, its rotation the coordinate ``beta``.
+
     Parameters
     ----------
-    form : ``bars``, or ``beam``: the rotation of the crank is a coordinate too, as with a rigid beam element. There is no such
-        element here: the ten bars stay, and the scalar ``beta`` is coupled to the angle of ``OF``. It is unwrapped, so
-        ``beta.x`` (rad) is a degree of freedom throughout: 19 coordinates, 8 fixed.
+    form : ``bars``, or ``beam``: a rigid beam with a rotation coordinate in place of the bar ``OF``. ``beta.x`` (rad) counts on
+        over full turns, so it is a degree of freedom throughout: 19 coordinates, 8 fixed.
     torque : on the crank, N m, constant; it belongs to the run ``spin``. duration : of that run, s.
 
     Notes
@@ -108,18 +111,28 @@ def andrews(
     }
     spring = Bar(ends=("C", "D"), kind="elastic", stiffness=4530.0, natural_length=0.07785, mass=0.0)
     nodes: dict[str, Any] = {name: (z.real, z.imag) for name, z in places.items()}
-    couplings: dict[str, Coupling] = {}
+    crank: dict[str, Any] = {"drives": {"motor": AngleDrive("OF")}}
     if form == "beam":
         nodes["beta"] = Node(at=(BETA, 0.0), scalar=True)
-        rotation = CoordinateDrive(node="beta", axis="x")
-        couplings["beam"] = Coupling(terms=((rotation, 1.0), (AngleDrive("OF"), -1.0)), value=0.0)
+        along = cmath.exp(1j * BETA)
+        del bars["OF"]
+        mass, axes = BODIES["OF"], ((along.real, along.imag), (-along.imag, along.real))
+        frame = Frame(origin=(0.0, 0.0), axes=axes)
+        crank = {
+            "beams": {"OF": Beam(ends=("O", "F"), kind="rigid", rotation="beta", mass=0.0)},
+            "bodies": {
+                "crank": Body(
+                    nodes=("O", "F"), mass=mass.mass, center=mass.center, inertia=mass.inertia, frame=frame, brace=False
+                )
+            },
+            "drives": {"motor": CoordinateDrive(node="beta", axis="x")},
+        }
     return Model(
         title=title,
         nodes=nodes,
-        couplings=couplings,
         fixed=["O", "A", "B", "C"],
         bars=bars | {"CD": spring},
-        drives={"motor": AngleDrive("OF")},
+        **crank,
         runs={"spin": Run(analysis="dynamics.simulate", t_end=duration, tasks={"motor": GivenForce(torque=torque)})},
     )
 

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
         continua_arrays,
         continua_geometric,
         continua_stiffness,
+        densities,
         resting_forces,
+        squared_changes,
         strain_balance,
     )
     from kinetruss.mechanics.assembly.followers import Follower, history_of, unit_loads_of
@@ -57,6 +59,7 @@ __all__ = [
     "continua_geometric",
     "continua_mass",
     "continua_stiffness",
+    "densities",
     "elements",
     "history_of",
     "mass_matrix",
@@ -71,6 +74,7 @@ __all__ = [
     "spring_forces",
     "spring_laws",
     "spring_motions",
+    "squared_changes",
     "strain_balance",
     "structure_of",
     "sum_stiffness",
@@ -85,7 +89,10 @@ __getattr__, __dir__ = late(
     {
         "balance": "Balance balance_of balanced_rows row_tensions measure_forces sum_stiffness",
         "cases": "Loads case_loads",
-        "continua": "continua_arrays continua_geometric continua_stiffness with_continua_forces resting_forces strain_balance",
+        "continua": (
+            "continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
+            "resting_forces strain_balance"
+        ),
         "followers": "Follower history_of unit_loads_of",
         "laws": "bar_laws",
         "massless": "refuse_massless",

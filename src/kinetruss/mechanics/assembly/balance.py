@@ -164,6 +164,10 @@ class Balance:
             K = K + sum_stiffness(self.system, x, back)
         return K + self.following_stiffness(x) if self.followers else K, C
 
+    def with_share(self, share: float) -> Balance:
+        """A copy with a share of the loads that turn with bodies."""
+        return replace(self, followers=tuple((one, share * amount) for one, amount in self.followers))
+
     def with_force(self, force: NDArray[np.float64]) -> Balance:
         """A copy with other forces of constant direction (3 n,), N."""
         return replace(self, force=force)

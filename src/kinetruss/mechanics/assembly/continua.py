@@ -111,7 +111,7 @@ def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.fl
 
 def continua_arrays(system: System) -> dict[str, Any]:
     """Arrays of the equations of motion (kernels.structure.equations); empty without membranes and solids."""
-    names = ("triangle_edge", "triangle_stiffness", "tetrahedron_edge", "tetrahedron_stiffness", "six_edge", "six_stiffness")
+    names = [f"{one}_{part}" for one in ("triangle", "tetrahedron", "six", "eight") for part in ("edge", "stiffness")]
     found = system.continua
     if found is None:
         whole = np.zeros((0, 1), np.int64)

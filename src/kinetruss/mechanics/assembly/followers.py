@@ -19,6 +19,7 @@ import numpy as np
 from kinetruss.mechanics import System
 from kinetruss.mechanics.kept import kept
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
+from kinetruss.model.beams import carriers_of
 from kinetruss.model.parts import barycentric, fixed_vector
 
 if TYPE_CHECKING:
@@ -119,7 +120,7 @@ def _pressure(system: System, load: Pressure) -> Follower:
 def _points(system: System, name: str) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Nodes that carry a body or bar, and their start positions (k, dim)."""
     model = system.model
-    names = model.bodies[name].carried_by(model.dim) if name in model.bodies else model.bars[name].ends
+    names = carriers_of(model, name) or model.bars[name].ends
     nodes = np.array([system.node_index(node) for node in names], np.int64)
     return nodes, system.x0[nodes, : system.dim]
 
@@ -135,7 +136,7 @@ def _couples(dim: int, load: BodyCouple, nodes: NDArray[np.int64], points: NDArr
 def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """w, u (k, 2) of the point a force acts at."""
     weights = np.zeros((len(points), 2))
-    if load.body in model.bodies:
+    if carriers_of(model, load.body):
         place = _centre(model, load.body, points) if load.at is None else np.array(load.at, float)
     else:
         d = points[1] - points[0]
@@ -156,7 +157,9 @@ def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.
     """Start position of the centre of mass, m."""
     from kinetruss.model.parts import placed
 
-    body = model.bodies[name]
+    body = model.bodies.get(name)
+    if body is None:  # a frame: its origin
+        return np.asarray(points[0])
     if body.center is None:
         return np.asarray(points.mean(axis=0))
     origin, axes = placed(body.frame, model.dim)

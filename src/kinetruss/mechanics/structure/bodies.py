@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.model import Model, body_mass
+from kinetruss.model.beams import rigid_beams
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,7 +23,7 @@ def pair_arrays(model: Model, index: dict[str, int]) -> dict[str, NDArray[Any]]:
     """pair_p, pair_q, pair_mass, pair_skew and thin of `System`."""
     pairs: list[tuple[int, int, float, float]] = []
     thin = np.zeros(len(index), np.bool_)
-    for body in model.bodies.values():
+    for body in [*model.bodies.values(), *rigid_beams(model)]:
         if body.mass:
             nodes = [index[name] for name in body.carried_by(model.dim)]
             m, skew = body_mass(model, body)

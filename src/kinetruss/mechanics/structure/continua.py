@@ -1,4 +1,4 @@
-"""Membranes and solids as arrays: edges, which neighbouring elements share, and the stiffness of each element by its edges.
+"""Membranes, solids and beams as arrays: edges, which elements share, and the stiffness of each element by its edges.
 
 Of Green's strain E = (F^T F - 1)/2 with F = sum x_a grad N_a, where sum grad N_a = 0, only the squared distances c_ab of
 nodes remain,
@@ -6,7 +6,8 @@ nodes remain,
     E = -1/4 sum_(a < b) (c_ab - c0_ab) (grad N_a grad N_b^T + grad N_b grad N_a^T),
 
 so E = B (c - c0) and the energy of an element is a quadratic form, W = (c - c0)^T G (c - c0)/2, G = integral of B^T C B dV.
-A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15. The force density of an edge is q =
+A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15, a beam with the frames of its ends 15
+in the plane and 28 in space (mechanics.beams.elements). The force density of an edge is q =
 2 G (c - c0), N/m, which is N/l of a bar. An element of one edge is a bar with Green's strain.
 """
 
@@ -18,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.mechanics.beams import BeamElements, beam_elements
 from kinetruss.model import Material, Model, Orthotropic
 
 if TYPE_CHECKING:
@@ -51,7 +53,7 @@ class Continua:
     mass matrix, and lump (n,) its diagonal.
 
     groups : by number of nodes v, edge (k, v (v - 1)/2) edges of the pairs (0, 1), (0, 2), ... of each element's nodes in
-    rising order, and stiff (k, w (w + 1)/2) the upper triangle of 2 G by rows, N/m^3. patches : what they came from.
+    rising order, and stiff (k, w (w + 1)/2) the upper triangle of 2 G by rows, N/m^3. patches, beams : what they came from.
     """
 
     p: NDArray[np.int32]
@@ -61,12 +63,13 @@ class Continua:
     lump: NDArray[np.float64]
     groups: dict[int, tuple[NDArray[np.int32], NDArray[np.float64]]]
     patches: tuple[Patch, ...]
+    beams: BeamElements | None
 
     @cached_property
     def tables(self) -> tuple[NDArray[Any], ...]:
-        """edge, stiff of triangles, tetrahedra and six-node triangles, for kernels."""
+        """edge, stiff of elements with 3, 4, 6 and 8 nodes, for kernels."""
         found: list[NDArray[Any]] = []
-        for v in (3, 4, 6):
+        for v in (3, 4, 6, 8):
             w = v * (v - 1) // 2
             nothing = np.zeros((0, w), np.int32), np.zeros((0, w * (w + 1) // 2))
             found += self.groups.get(v, nothing)
@@ -74,12 +77,15 @@ class Continua:
 
 
 def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
-    """All membranes and solids of a model on positions x0 (n, 3), or None if it has none."""
-    patches = tuple(_patches(model, index, x0))
-    if not patches:
+    """All membranes, solids and elastic beams of a model on positions x0 (n, 3), or None if it has none."""
+    patches, beams = tuple(_patches(model, index, x0)), beam_elements(model, index, x0)
+    if not patches and beams is None:
         return None
     n = len(x0)
-    nodes = [np.sort(patch.nodes, axis=1) for patch in patches]
+    made = [(patch.nodes, *_stiffness(patch, x0)) for patch in patches]
+    if beams is not None:
+        made.append((beams.nodes, beams.stiffness(), beams.mass()))
+    nodes = [np.sort(own, axis=1) for own, _, _ in made]
     keys = [_keys(one, n) for one in nodes]
     # edges that elements share are one
     found, place = np.unique(np.concatenate([key.reshape(-1) for key in keys]), return_inverse=True)
@@ -88,9 +94,9 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
     places = np.split(place.reshape(-1).astype(np.int32), np.cumsum([key.size for key in keys])[:-1])
     groups: dict[int, list[tuple[NDArray[np.int32], NDArray[np.float64]]]] = {}
     # stiffness 2 G by elements; masses by edges and nodes
-    for patch, own, key, at in zip(patches, nodes, keys, places, strict=True):
+    for element, own, key, at in zip(made, nodes, keys, places, strict=True):
         edge, v = at.reshape(key.shape), own.shape[1]
-        stiff, share = _stiffness(patch, own, x0)
+        stiff, share = _by_sorted_nodes(*element)
         i, j = np.triu_indices(v, 1)
         mass += np.bincount(edge.reshape(-1), share[:, i, j].reshape(-1), len(found))
         lump += np.bincount(own.reshape(-1), np.einsum("kaa->ka", share).reshape(-1), n)
@@ -98,7 +104,9 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
     joined = {v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts])) for v, parts in groups.items()}
     d = x0[q] - x0[p]
     rest = np.einsum("ec,ec->e", d, d)  # computed as in the forces, so that the start is free of stress to the last bit
-    return Continua(p=p.astype(np.int32), q=q.astype(np.int32), rest=rest, mass=mass, lump=lump, groups=joined, patches=patches)
+    return Continua(
+        p=p.astype(np.int32), q=q.astype(np.int32), rest=rest, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
+    )
 
 
 def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:
@@ -232,22 +240,30 @@ def _rule(v: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.
     return np.array(weight), N, np.stack([by2, by3], axis=2)
 
 
-def _stiffness(
-    patch: Patch, nodes: NDArray[np.int64], x0: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """2 G of the pairs of sorted nodes (k, w (w + 1)/2), N/m^3, and the masses (k, v, v), kg."""
-    k, v = nodes.shape
-    rank = np.argsort(patch.nodes, axis=1)  # the order of the nodes in the record decides which are corners
+def _stiffness(patch: Patch, x0: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """2 G (k, w, w) of the pairs of nodes of each element, N/m^3, and the masses (k, v, v), kg."""
+    v = patch.nodes.shape[1]
     gradient, volume, N = gradients(element_points(patch, patch.nodes, x0))
     B, volume = _strain_rows(gradient), volume * patch.thickness
     G = np.einsum("kg,kgsa,st,kgtb->kab", volume, B, patch.C, B, optimize=True)
     share = patch.density * (
         np.einsum("kg,ga,gb->kab", volume, N, N) if v == 6 else volume[:, :1, None] * (1 + np.eye(v)) / (v * (v + 1))
     )
+    return 2 * G, share
+
+
+def _by_sorted_nodes(
+    nodes: NDArray[np.int64], stiffness: NDArray[np.float64], share: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The upper triangle (k, w (w + 1)/2) of a stiffness (k, w, w), and masses (k, v, v), with the nodes (k, v) in rising
+    order: the order in the record decides which are corners, or ends.
+    """
+    k, v = nodes.shape
+    rank = np.argsort(nodes, axis=1)
     pair = np.zeros((v, v), np.int64)
     i, j = np.triu_indices(v, 1)
     pair[i, j] = pair[j, i] = np.arange(len(i))
     moved = pair[rank[:, i], rank[:, j]]
     own = np.arange(k)[:, None]
     a, b = np.triu_indices(len(i))
-    return 2 * G[own, moved[:, a], moved[:, b]], share[own[:, :, None], rank[:, :, None], rank[:, None, :]]
+    return stiffness[own, moved[:, a], moved[:, b]], share[own[:, :, None], rank[:, :, None], rank[:, None, :]]

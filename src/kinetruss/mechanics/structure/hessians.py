@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.plan import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.mechanics.structure.measures import measure_flats
 
 if TYPE_CHECKING:
@@ -55,6 +55,10 @@ def _hessian_times(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> 
     for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
         P, one, two = (slice(flat, flat + 3) for flat in system.term_at[t, :3])
         kind, data = int(system.term_kind[t]), system.term_data[t]
+        if kind == COSINE:
+            flat = P.start
+            found[flat] -= data[0] * np.cos(x[flat] + data[1]) * v[flat]
+            continue
         g, share, gd, shift = _rates(kind, data, x[P] - x[one], x[two] - x[one], v[P] - v[one], v[two] - v[one])
         if kind == NODE:
             continue

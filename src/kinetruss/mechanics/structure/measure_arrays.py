@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ALONG, AROUND, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.plan import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.model import Model, turns
 
 if TYPE_CHECKING:
@@ -125,6 +125,8 @@ def terms_of(
     plane = [factor, *X, *Y]
     if one.kind == "coordinate":
         return [(NODE, at(one.node), [factor, *np.eye(3)["xyz".index(one.axis)], *Y])]
+    if one.kind == "cosine":
+        return [(COSINE, at(one.node), [factor, one.phase, 0.0, 0.0, *Y])]
     if one.kind == "offset":
         return [(OFFSET, at(one.point, *one.line), plane)]
     if one.kind == "hinge":

@@ -70,6 +70,11 @@ def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
         yield from _nodes(model, (one.node,), path)
         if dim == 2 and one.axis == "z":
             yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
+    elif one.kind == "cosine":
+        yield from _nodes(model, (one.node,), path)
+        if one.node in model.nodes and not model.nodes[one.node].scalar:
+            mend = f"Make it one: {one.node}: {{at: [..], scalar: true}}."
+            yield Fault((*path, "node"), f"{one.node!r} is no scalar.", mend, about=(("nodes", one.node),))
     elif one.kind == "offset":
         yield from _offset(model, one, path, dim)
     elif one.kind == "hinge":

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model.beams.faults import beam_faults
 from kinetruss.model.checks.bodies import body_faults, planar_body_faults
 from kinetruss.model.checks.common import a_bar, components, unknown
 from kinetruss.model.checks.continua import continuum_faults
@@ -40,6 +41,7 @@ def faults(model: ModelData) -> list[Fault]:
         *_members(model),
         *planar_body_faults(model),
         *body_faults(model, dim),
+        *beam_faults(model, dim),
         *joint_faults(model),
         *(bearing_faults(model) if model.bearings else ()),
         *_tables(model),

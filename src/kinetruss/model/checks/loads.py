@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
+from kinetruss.model.beams import carriers_of, frames
 from kinetruss.model.checks.common import components, unknown
 from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.parts.loads import NodalForce
@@ -50,8 +51,8 @@ def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> 
 
 
 def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    if load.body not in model.bodies and (dim == 3 or load.body not in model.bars):
-        known = [*model.bodies, *(model.bars if dim == 2 else ())]
+    if carriers_of(model, load.body) is None and (dim == 3 or load.body not in model.bars):
+        known = [*model.bodies, *frames(model), *(model.bars if dim == 2 else ())]
         about = (("bodies", load.body), ("bars", load.body))
         yield Fault((*path, "body"), f"no body called {load.body!r}.", nearest(load.body, known), about=about)
         return

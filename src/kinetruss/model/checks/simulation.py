@@ -39,7 +39,7 @@ def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)
         elif isinstance(task, GivenForce):
             if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
                 yield from _motor(model, name, drive, place)
-            elif task.turns != turns(drive):
+            elif task.turns != turns(drive) and not _scalar(model, drive):
                 yield _other_push(task, name, drive, place)
         elif isinstance(task, MOTOR_TASKS):
             yield from _motor(model, name, drive, place)
@@ -47,6 +47,11 @@ def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)
                 yield from _targets(task, name, drive, place)
         elif isinstance(task, TRAJECTORY_TASKS):
             yield from _alone(task, name, place)
+
+
+def _scalar(model: ModelData, drive: Any) -> bool:
+    """True for the coordinate of a scalar, which may be a length or an angle."""
+    return drive.kind == "coordinate" and drive.node in model.nodes and model.nodes[drive.node].scalar
 
 
 def _driven(drive: Any) -> str:

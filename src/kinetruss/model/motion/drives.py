@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeGuard
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
-from kinetruss.model._record import Name, Number, PositiveLength, Record
+from kinetruss.model._record import Angle, Name, Number, PositiveLength, Record
 from kinetruss.model.motion.drivetrain import AmplifierOrName, GearOrName, MotorOrName
 from kinetruss.units import parse, shown
 
 __all__ = [
     "AngleDrive",
     "CoordinateDrive",
+    "CosineCoordinate",
     "Coupling",
     "Drive",
     "GimbalPose",
@@ -136,20 +137,36 @@ class OffsetCoordinate(Record):
     point: Name
 
 
-Measured = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | OffsetCoordinate, Field(discriminator="kind")]
+class CosineCoordinate(Record):
+    """Cosine of the angle that a scalar node holds, with a phase (rad) added: cos(x + phase); a number.
+
+    With -90 degrees of phase it is the sine.
+    """
+
+    kind: Literal["cosine"] = "cosine"
+    node: Name
+    phase: Angle = 0.0
+
+
+Measured = Annotated[
+    LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | OffsetCoordinate | CosineCoordinate, Field(discriminator="kind")
+]
 
 
 class Coupling(Record):
     """Keeps the sum of factor times coordinate at its start value, or at `value`.
 
-    A coordinate is given as the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a
-    node; or the offset of a node from a line. Angles count on over full turns; so the factors of two or more angles must be in
-    a ratio of whole numbers. A screw pair couples a length and an angle, a gear pair two angles; the offsets of two points of
-    one body from a line of another are the two conditions of a slider in the plane.
+    A coordinate is given as the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a node;
+    or the offset of a node from a line, or the cosine of a scalar. Angles count on over full turns; so the factors of two or
+    more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear pair two angles; the
+    offsets of two points of one body from a line of another are the two conditions of a slider in the plane.
+
+    beam : the rigid beam whose rotation it couples to its ends (added automatically, see `Beam`).
     """
 
     terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)]
     value: Number | None = None
+    beam: Name | None = None
 
 
 def turns(drive: Any) -> bool:

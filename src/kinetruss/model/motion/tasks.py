@@ -29,10 +29,11 @@ class Hold(Record):
 class GivenForce(Record):
     """The drive exerts a given force (N) or, on an angle, a given torque (N m): constant, or a table over `times` (s).
 
-    Positive lengthens the member, moves the coordinate up, or turns the bar counter-clockwise. A table is linear between its
-    times and constant outside. A torque on an angle acts on the output side of any gear; for a torque of its motor, use an
-    input with `torque` (`StepInput`). For an active member with screw and motor, a torque is that of its motor: it acts
-    through the gear and the friction of the screw, within the limits of the motor.
+    On the coordinate of a scalar it may be either. Positive lengthens the member, moves the coordinate up, or turns the bar
+    counter-clockwise. A table is linear between its times and constant outside. A torque on an angle acts on the output side
+    of any gear; for a torque of its motor, use an input with `torque` (`StepInput`). For an active member with screw and
+    motor, a torque is that of its motor: it acts through the gear and the friction of the screw, within the limits of the
+    motor.
     """
 
     _positional: ClassVar = ("force",)

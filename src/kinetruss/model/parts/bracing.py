@@ -9,7 +9,7 @@ from kinetruss.model.motion.drives import LengthDrive
 from kinetruss.model.parts.members import Bar
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body
@@ -22,11 +22,11 @@ INDEPENDENT = 1e-6
 Pair = frozenset[str]
 
 
-def braced(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
-    """The bars of a model with the braces of its bodies; braces of removed bodies are left out."""
-    rigid = [set(body.nodes) for body in model.bodies.values() if body.kind == "rigid" and body.brace]
+def braced(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
+    """The bars of a model with the braces of `groups`: its bodies, and frames of beams; braces of removed ones are left out."""
+    rigid = [set(body.nodes) for body in groups.values() if body.kind == "rigid" and body.brace]
     kept = {name: bar for name, bar in model.bars.items() if not bar.brace or any(set(bar.ends) <= one for one in rigid)}
-    return {**kept, **braces(model, faulty)}
+    return {**kept, **braces(model, groups, faulty)}
 
 
 def rigid_pairs(model: ModelData) -> set[Pair]:
@@ -35,8 +35,8 @@ def rigid_pairs(model: ModelData) -> set[Pair]:
     return {frozenset(bar.ends) for name, bar in model.bars.items() if bar.kind == "rigid" and name not in driven}
 
 
-def braces(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
-    """Bars to be added, by name: for each body the fewest that, with existing rigid bars, make its nodes rigid.
+def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
+    """Bars to be added, by name: for each of these bodies the fewest that, with existing rigid bars, make its nodes rigid.
 
     Rigid bars, distances in previous bodies and distances between fixed nodes are kept. Then come the edges of the carriers,
     then for every further node the bars with the most independent gradients; a dependent bar is left out.
@@ -48,7 +48,7 @@ def braces(model: ModelData, faulty: Iterable[str] = ()) -> dict[str, Bar]:
     pairs = rigid_pairs(model)
     clusters = [ground]
     found: dict[str, Bar] = {}
-    for name, body in model.bodies.items():
+    for name, body in groups.items():
         if body.kind != "rigid" or name in skip or odd & set(body.nodes):
             continue
         if body.brace:

@@ -53,7 +53,8 @@ class Node(Record):
 
     A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``. `coincident` allows a node at the position of
     another one (two joints at one place); otherwise that is a fault. A `scalar` is not a point but a single coordinate, its x
-    (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom.
+    (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom. A `director` belongs
+    to the frame of another node, whose rotation beams share (added automatically, see `Beam`).
     """
 
     at: Point
@@ -61,6 +62,7 @@ class Node(Record):
     gravity: GravityVector | None = None
     coincident: Flag = False
     scalar: Flag = False
+    director: Flag = False
 
     @model_validator(mode="before")
     @classmethod

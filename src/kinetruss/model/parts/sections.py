@@ -51,6 +51,16 @@ class Tube(Record):
         return value, value
 
     @property
+    def torsion_constant(self) -> float:
+        """J, m^4: the polar second moment."""
+        return 2 * self.second_moments[0]
+
+    @property
+    def torsion_arm(self) -> float:
+        """Largest shear stress of torsion over torque/J, m: the outer radius."""
+        return self.outer / 2
+
+    @property
     def extreme_fibres(self) -> tuple[float, float]:
         """(c2, c3): largest distance from the axis along 2 and along 3, m."""
         return self.outer / 2, self.outer / 2
@@ -83,6 +93,16 @@ class Rod(Record):
         """(I2, I3), m^4."""
         value = math.pi / 64 * self.diameter**4
         return value, value
+
+    @property
+    def torsion_constant(self) -> float:
+        """J, m^4: the polar second moment."""
+        return 2 * self.second_moments[0]
+
+    @property
+    def torsion_arm(self) -> float:
+        """Largest shear stress of torsion over torque/J, m: the radius."""
+        return self.diameter / 2
 
     @property
     def extreme_fibres(self) -> tuple[float, float]:
@@ -118,6 +138,25 @@ class Rectangle(Record):
         return self.height * self.width**3 / 12, self.width * self.height**3 / 12
 
     @property
+    def torsion_constant(self) -> float:
+        """J, m^4, of Saint-Venant's torsion: a b^3/3 (1 - 192 b/(pi^5 a) sum tanh(n pi a/(2 b))/n^5), n odd, a >= b (Timoshenko
+        and Goodier, Theory of Elasticity, section 109).
+        """
+        b, a = sorted((self.width, self.height))
+        series = sum(math.tanh(n * math.pi * a / (2 * b)) / n**5 for n in range(1, 40, 2))
+        return a * b**3 / 3 * (1 - 192 * b / (math.pi**5 * a) * series)
+
+    @property
+    def torsion_arm(self) -> float:
+        """Largest shear stress of torsion over torque/J, m, at the middle of the long sides: b (1 - 8/pi^2 sum 1/(n^2
+        cosh(n pi a/(2 b)))), n odd (Timoshenko and Goodier, section 109).
+        """
+        b, a = sorted((self.width, self.height))
+        waves = [min(n * math.pi * a / (2 * b), 700.0) for n in range(1, 40, 2)]
+        series = sum(1 / (n**2 * math.cosh(wave)) for n, wave in zip(range(1, 40, 2), waves, strict=True))
+        return b * (1 - 8 / math.pi**2 * series)
+
+    @property
     def extreme_fibres(self) -> tuple[float, float]:
         """(c2, c3), m."""
         return self.height / 2, self.width / 2
@@ -134,7 +173,10 @@ class Rectangle(Record):
 
 
 class General(Record):
-    """Any section given by its numbers (SI): area, I2, I3 about the principal axes 2 and 3, extreme fibres c2, c3."""
+    """Any section given by its numbers (SI): area, I2, I3 about the principal axes 2 and 3, extreme fibres c2, c3.
+
+    J : torsion constant, m^4, of a beam in space.
+    """
 
     kind: Literal["general"] = "general"
     area: Area
@@ -143,6 +185,17 @@ class General(Record):
     c2: PositiveLength
     c3: PositiveLength
     shear_factor: Number = 1.5
+    J: SecondMoment | None = None
+
+    @property
+    def torsion_constant(self) -> float | None:
+        """J, m^4, or None if it is not known."""
+        return self.J
+
+    @property
+    def torsion_arm(self) -> float | None:
+        """None: the shear stress of torsion is not known from these numbers."""
+        return None
 
     @property
     def second_moments(self) -> tuple[float, float]:

@@ -8,18 +8,20 @@ unstable equilibrium, the search continues along the unstable mode, unless it st
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
-from kinetruss.mechanics.assembly import Balance, resting_forces
+from kinetruss.mechanics.assembly import Balance, continua_stiffness, densities, resting_forces, squared_changes
 from kinetruss.mechanics.configuration import row_values, shortest
 from kinetruss.statics.large.saddle import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.mechanics import Continua
 
 __all__ = [
     "CLOSED",
@@ -43,6 +45,15 @@ CLOSED = 1e-9
 
 ROUND_OFF = 1e-15
 """Round-off of forces, as a fraction of stiffness times size."""
+
+NEWTON = 25
+"""Largest number of plain Newton steps to one equilibrium."""
+
+LARGEST_TURN = 0.5
+"""Largest rotation of a frame in one such step, rad."""
+
+PARTS = (1, 4, 16, 64)
+"""Numbers of parts in which the residual forces of the start are taken off."""
 
 FAR = 1e-7
 """Steps below this fraction of the longest step end a search."""
@@ -180,6 +191,8 @@ def find_equilibrium(
 ) -> SearchResult:
     """The equilibrium found from positions x (n, 3) that satisfy the rows."""
     walk = _Walk(balance, wanted, tolerance, max_steps, rows_of(balance.system, x))
+    if balance.system.continua is not None and balance.system.continua.beams is not None and (direct := walk.direct(x)):
+        return direct
     x, good = walk.down(x)
     N, J = row_force(balance, x, walk.rows)
     found = stability(balance, x, N, J, walk.rows)
@@ -226,6 +239,72 @@ class _Walk:
         """Node with the largest residual force."""
         g = np.abs(self._left(x, N, J))
         return int(self.system.free[g.argmax()]) // 3 if len(g) else 0
+
+    def direct(self, x: NDArray[np.float64]) -> SearchResult | None:
+        """A stable equilibrium by plain Newton steps, with less energy than at x; None if they do not find one.
+
+        Slender beams are stiff along and soft across: a straight step strains them along, so the energy falls on short steps
+        only, while the residual forces of a full step are gone with the next one. Where that fails, the residual forces of the
+        start are taken off in parts (continuation, Allgower and Georg, 1990, chapter 2).
+        """
+        N, J = row_force(self.balance, x, self.rows)
+        if self.residual(x, N, J) <= self.tolerance:
+            return None
+        first, without = np.zeros(x.size), _Walk(self.balance.with_share(0.0), self.wanted, 0.0, 0, self.rows)
+        first[self.system.free] = without._left(x, row_force(without.balance, x, self.rows)[0], J)
+        for parts in PARTS:
+            y: NDArray[np.float64] | None = x
+            for k in range(1, parts + 1):
+                held = self.balance.with_share(k / parts)
+                held = held.with_force(held.force - (1 - k / parts) * first)
+                walk = _Walk(held, self.wanted, self.tolerance if k == parts else NEAR, self.max_steps, self.rows)
+                y = None if y is None else walk.newton(y)
+                self.steps += walk.steps
+            if y is None:
+                continue
+            N, J = row_force(self.balance, y, self.rows)
+            found = stability(self.balance, y, N, J, self.rows)
+            if not found.negative and (self.balance.followers or self.balance.energy_change(x, y) < 0.0):
+                left, worst = self.residual(y, N, J), self.worst(y, N, J)
+                return SearchResult(x=y, N=N, residual=left, worst=worst, steps=self.steps, good=True, stability=found)
+        return None
+
+    def newton(self, x: NDArray[np.float64]) -> NDArray[np.float64] | None:
+        """Positions in balance by full steps from x, or None.
+
+        The geometric stiffness takes the forces that the last step predicts, not those of the strains that its straight line
+        leaves (mixed points: Magisano, Leonetti and Garcea, Int. J. Numer. Methods Eng. 111 (2017) 1049-1073).
+        """
+        system, span = self.system, float(np.ptp(x, axis=0).max()) or 1.0
+        free, found = system.free, cast("Continua", system.continua)
+        N, J = row_force(self.balance, x, self.rows)
+        q = here = densities(found, squared_changes(found, x))
+        for _ in range(NEWTON):
+            K = self.balance.stiffness(x, N) + continua_stiffness(found, x, q - here, material=False)
+            g = self.balance.applied(x)[free] - J.T @ N
+            p, dN = Saddle(K[free][:, free], J, self.rows).solve(g, np.zeros(J.shape[0]))
+            if not np.all(np.isfinite(p)):
+                return None
+            step = np.zeros(x.size)
+            step[free] = p
+            moved = step.reshape(-1, 3)
+            turned = np.linalg.norm(moved[system.q] - moved[system.p], axis=1) / ends_of(system, x)[1]
+            part = min(1.0, LARGEST_TURN / max(float(turned.max(initial=0.0)), 1e-300))
+            moved = part * moved
+            d = x[found.q] - x[found.p]
+            change = 2 * np.einsum("ec,ec->e", d, moved[found.q] - moved[found.p])
+            q = densities(found, squared_changes(found, x) + change)
+            x, off = projected(system, x + moved, self.wanted, span, rows=self.rows)
+            here = densities(found, squared_changes(found, x))
+            self.steps += 1
+            if not off <= CLOSED * span:
+                return None
+            best, J = row_force(self.balance, x, self.rows)
+            left = self.residual(x, best, J)
+            if left <= self.tolerance or left <= self.floor(x, best):
+                return x
+            N = N + part * dN
+        return None
 
     def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
         """Take steps until the forces balance; True if they do."""

@@ -92,12 +92,15 @@ class Refined:
     worst: float
 
 
-def best_of(matrix: csr_array, b: NDArray[np.float64], parts: list[slice], order: NDArray[np.int64]) -> Refined:
+def best_of(
+    matrix: csr_array, b: NDArray[np.float64], parts: list[slice], order: NDArray[np.int64], least: float = 0.0
+) -> Refined:
     """Solution of a symmetric sparse system whose rows and columns are eliminated in this order as far as that is stable.
 
     Pivots off the diagonal cause fill, so they are allowed only if refinement does not converge without them.
-    parts : groups of unknowns of one kind; each has its own error bound.
+    parts : groups of unknowns of one kind; each has its own error bound. least : size that the first is compared with at least.
     """
+    sizes = [least, *(0.0 for _ in parts[1:])]
     if not len(b):
         return Refined(y=b, errors=(0.0,) * len(parts), worst=0.0)
     doubled = Doubled(matrix)
@@ -106,8 +109,9 @@ def best_of(matrix: csr_array, b: NDArray[np.float64], parts: list[slice], order
         solve = _factored(matrix, order, share, np.where(np.arange(len(b)) < parts[0].stop, size**0.5, size**-0.5))
         if solve is None:
             continue
-        y, left, rate = _refined(doubled, solve, b, parts)
-        errors = tuple(_bound(solve, y, _rounding(doubled, y, b) + np.abs(left), part) for part in parts)
+        y, left, rate = _refined(doubled, solve, b, parts, sizes)
+        rounding = _rounding(doubled, y, b) + np.abs(left)
+        errors = tuple(_bound(solve, y, rounding, part, size) for part, size in zip(parts, sizes, strict=True))
         if found is None or max(errors) < max(found[1]):
             found = y, errors, solve
         if rate < STEADY:
@@ -139,7 +143,7 @@ def _factored(matrix: csr_array, order: NDArray[np.int64], share: float, scale: 
 
 
 def _refined(
-    doubled: Doubled, solve: Solver, b: NDArray[np.float64], parts: list[slice]
+    doubled: Doubled, solve: Solver, b: NDArray[np.float64], parts: list[slice], sizes: list[float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Solution y of M y = b, its last residual, and the rate at which refinement converged."""
     y, left = np.zeros_like(b), b
@@ -148,7 +152,10 @@ def _refined(
         change = solve(left)
         if not np.all(np.isfinite(change)):
             return y, left, np.inf
-        size = max((_largest(change[part]) / (_largest((y + change)[part]) or 1.0) for part in parts), default=0.0)
+        size = max(
+            _largest(change[part]) / (max(_largest((y + change)[part]), own) or 1.0)
+            for part, own in zip(parts, sizes, strict=True)
+        )
         if step and size > EPS:
             rate = max(rate, size / last)
         if size >= 0.5 * last:
@@ -165,12 +172,12 @@ def _rounding(doubled: Doubled, y: NDArray[np.float64], b: NDArray[np.float64]) 
     return np.asarray(EPS * (doubled.size @ np.abs(y) + np.abs(b)))
 
 
-def _bound(solve: Solver, y: NDArray[np.float64], off: NDArray[np.float64], part: slice) -> float:
-    """Largest error of a part of y, as a fraction of its largest entry, for residuals up to `off`.
+def _bound(solve: Solver, y: NDArray[np.float64], off: NDArray[np.float64], part: slice, least: float = 0.0) -> float:
+    """Largest error of a part of y, as a fraction of its largest entry (or `least`), for residuals up to `off`.
 
     ||D M^-1 off||, D choosing the part, is the 1-norm of off M^-1 D, since M is symmetric.
     """
-    largest = _largest(y[part])
+    largest = max(_largest(y[part]), least)
     if not largest:
         return 0.0
 

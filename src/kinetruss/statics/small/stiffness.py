@@ -35,7 +35,8 @@ SURE = 1e-8
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Solved:
     """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`. errors : bounds on the
-    errors of forces and displacements, relative to the largest force and displacement.
+    errors of forces and displacements, relative to the largest force (beside membranes, solids and beams: or load) and
+    displacement.
     """
 
     displacement: NDArray[np.float64]
@@ -102,7 +103,8 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     rows, push = len(f), float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
     b = np.concatenate([np.zeros(rows), load[held.free] / push])
     parts = [slice(0, rows), slice(rows, len(b))]
-    found = best_of(matrix, b, parts, _order(held))
+    # membranes, solids and beams may carry the load alone: the forces of bars are then 0 but for round-off
+    found = best_of(matrix, b, parts, _order(held), 0.0 if held.continua is None else 1.0)
     if not found.worst <= SURE:
         _explain(held, x, flexible)
     force, displacement = found.y[:rows] * push, np.zeros(held.x0.size)

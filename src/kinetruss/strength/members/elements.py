@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import Continua
 
-__all__ = ["elements"]
+__all__ = ["elements", "positions_of"]
 
 _PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
@@ -59,7 +59,7 @@ def elements(model: Model, result: Result | ArrayLike, part: str) -> xr.Dataset:
         known = [*model.membranes, *model.solids]
         raise InputError(f"No membrane or solid called {part!r}. {nearest(part, known)}".rstrip())
     system = compile(model)
-    x, timed = _positions(system, result)
+    x, timed = positions_of(system, result)
     patch = next(one for one in cast("Continua", system.continua).patches if one.name == part)
     record: Any = {**model.membranes, **model.solids}[part]
     count = len(record.elements)
@@ -73,7 +73,7 @@ def elements(model: Model, result: Result | ArrayLike, part: str) -> xr.Dataset:
     return _dataset(values, timed, result, count, max(per, 1) * volume.shape[1], points.shape[2], system.dim)
 
 
-def _positions(system: System, result: Any) -> tuple[NDArray[np.float64], bool]:
+def positions_of(system: System, result: Any) -> tuple[NDArray[np.float64], bool]:
     """Positions (times, n, 3), and whether there is a time axis."""
     if isinstance(result, Result):
         motion = getattr(result, "motion", None)

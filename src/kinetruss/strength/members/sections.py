@@ -21,7 +21,7 @@ from kinetruss.strength.verdict.not_held import not_held, sentences
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["sections"]
+__all__ = ["fractions_of", "sections"]
 
 
 def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sections:
@@ -57,7 +57,7 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     unknown: NaN.
     """
     given = histories(model, forces)
-    parts, xi = parts_of(model), _fractions(stations)
+    parts, xi = parts_of(model), fractions_of(stations)
     count, across = len(given.histories.position), 1 if model.dim == 2 else 2
     shape = (count, len(parts.names), len(xi))
     T, V, M = allocate(shape, (*shape, across), (*shape, across))
@@ -97,7 +97,8 @@ def _axes(names: tuple[str, ...], members: tuple[str, ...], xi: tuple[float, ...
     return Axes(coords)
 
 
-def _fractions(stations: int | ArrayLike) -> NDArray[np.float64]:
+def fractions_of(stations: int | ArrayLike) -> NDArray[np.float64]:
+    """Stations as fractions of the length in ascending order, from their number or themselves."""
     if isinstance(stations, (int, np.integer)) and not isinstance(stations, bool):
         return np.linspace(0.0, 1.0, whole(stations, "stations", least=2, most=MOST_STATIONS))
     xi = array_of(stations, "stations", {}, {"stations": None}).reshape(-1)

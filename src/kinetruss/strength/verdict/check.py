@@ -97,10 +97,20 @@ def check(
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, {"kind": "verdict", "not_held": sentences(left)}).later,
         status=Status.COMPLETED if bad is None else bad.status,
-        message=" ".join(["" if bad is None else bad.message, *sentences(left)]).strip(),
+        message=" ".join(["" if bad is None else bad.message, *sentences(left), _beams_left(model)]).strip(),
         provenance=provenance(
             model, load_cases=[name for name, _ in cases], moment_factor=moment_factor, active_section=active_section
         ),
+    )
+
+
+def _beams_left(model: Model) -> str:
+    """What the verdict says of beams, which it does not check."""
+    found = [name for name, beam in model.beams.items() if beam.kind == "elastic"]
+    return (
+        f"Beams ({', '.join(found[:3])}{', ..' if len(found) > 3 else ''}) are not checked here: strength.beams."
+        if found
+        else ""
     )
 
 

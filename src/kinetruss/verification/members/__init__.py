@@ -1,1 +1,1 @@
-"""Members and joints in more than name: hubs, bearings, screws, compliance, springs on coordinates."""
+"""Members and joints in more than name: hubs, bearings, screws, compliance, springs on coordinates, beams."""

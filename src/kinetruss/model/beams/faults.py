@@ -1,0 +1,156 @@
+"""Cross-checks of beams: ends, matter, directions, releases, rotations, clamps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model.beams.framing import frame_of, frames
+from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.parts.joints import GROUND
+
+if TYPE_CHECKING:
+    from kinetruss.model._data import ModelData
+    from kinetruss.model.beams.record import Beam
+
+__all__ = ["beam_faults"]
+
+ALONG = 1e-6
+"""Sine of the angle between a beam and its orientation below which these are parallel."""
+Path = tuple[Any, ...]
+
+
+def beam_faults(model: ModelData, dim: int) -> Iterator[Fault]:
+    """Faults of all beams and clamps of a model with `dim` axes."""
+    for name, beam in model.beams.items():
+        path = ("beams", name)
+        if name in model.members:
+            yield Fault(path, f"{name!r} is also the name of a bar.", "Give each member its own name.", about=(("bars", name),))
+        good = yield from _ends(model, beam, path)
+        yield from _matter(model, beam, path, dim)
+        yield from _release(beam, path, dim)
+        yield from _rotation(model, beam, path, dim)
+        if good and beam.orientation is not None:
+            yield from _orientation(model, beam, path, dim)
+    yield from _taken(model)
+    yield from _clamps(model)
+
+
+def _ends(model: ModelData, beam: Beam, path: Path) -> Any:
+    """Faults of the ends; returns True if the beam has a direction."""
+    p, q = beam.ends
+    good = True
+    for k, end in enumerate(beam.ends):
+        if end not in model.nodes:
+            yield unknown("node", end, model.nodes, (*path, "ends", k))
+            good = False
+        elif model.nodes[end].scalar or model.nodes[end].director:
+            yield Fault(
+                (*path, "ends", k), f"{end!r} is no place that a beam can join.", "Name a node.", about=(("nodes", end),)
+            )
+            good = False
+    if p == q:
+        yield Fault((*path, "ends"), f"joins node {p!r} to itself.", "Give two different nodes.")
+        return False
+    if good and model.nodes[p].at == model.nodes[q].at:
+        message = f"has zero length: {p!r} and {q!r} stand at one place."
+        yield Fault((*path, "ends"), message, "Move one of its ends.", about=(("nodes", p), ("nodes", q)))
+        return False
+    return good
+
+
+def _matter(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+    """An elastic beam needs a section and a material, in space with a torsion constant."""
+    lacks = []
+    for field, table in (("section", model.sections), ("material", model.materials)):
+        chosen = getattr(beam, field) if getattr(beam, field) is not None else getattr(model, field)
+        if chosen is None:
+            lacks.append(field)
+        elif isinstance(chosen, str) and chosen not in table:
+            if getattr(beam, field) is not None:
+                yield unknown(field, chosen, table, (*path, field))
+            return
+    about = tuple((*place, field) for place in (path, ()) for field in ("section", "material"))
+    if beam.kind == "elastic" and lacks:
+        yield Fault(path, f"is elastic but has no {' and no '.join(lacks)}.", "Give both, or kind: rigid.", about=about)
+    elif beam.kind == "elastic" and dim == 3 and model.section_of(beam).torsion_constant is None:
+        message = "has a section without a torsion constant."
+        yield Fault((*path, "section"), message, "Give the section J, m^4.", about=(*about, ("nodes",)))
+
+
+def _release(beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+    for k, end in enumerate(beam.release):
+        if end not in beam.ends:
+            mend = f"Name {beam.ends[0]} or {beam.ends[1]}."
+            yield Fault((*path, "release", k), f"{end!r} is no end of the beam.", mend, about=((*path, "ends"),))
+    if dim == 3 and beam.kind == "elastic" and set(beam.ends) <= set(beam.release):
+        mend = "Make it an elastic bar, or release one end only."
+        yield Fault((*path, "release"), "leaves the beam free to spin about its own axis.", mend, about=(("nodes",),))
+
+
+def _rotation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+    """The rotation is a scalar node, of a rigid beam in the plane whose ends no other beam and no clamp holds."""
+    if beam.rotation is None:
+        return
+    place = (*path, "rotation")
+    if beam.kind != "rigid":
+        yield Fault(place, "is given for an elastic beam, whose ends turn differently.", "Leave it out, or kind: rigid.")
+    elif dim == 3:
+        mend = "Leave it out: frames carry rotations in space."
+        yield Fault(place, "is one angle, but the beam turns in space.", mend, about=(("nodes",),))
+    elif beam.rotation not in model.nodes:
+        yield unknown("node", beam.rotation, model.nodes, place)
+    elif not model.nodes[beam.rotation].scalar:
+        mend = f"Make it one: {beam.rotation}: {{at: [0, 0], scalar: true}}."
+        yield Fault(place, f"{beam.rotation!r} is no scalar.", mend, about=(("nodes", beam.rotation),))
+    elif held := [end for end in beam.ends if end not in beam.release and end in frames(model)]:
+        message = f"shares its rotation at {held[0]!r}, where a frame carries it."
+        yield Fault(place, message, f"Release that end (release: [{held[0]}]), or leave rotation out.", about=(("beams",),))
+
+
+def _orientation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+    place = (*path, "orientation")
+    given: Any = beam.orientation
+    if dim == 2:
+        yield Fault(place, "is given in a planar model.", "Leave it out: axis 2 lies in the plane.", about=(("nodes",),))
+        return
+    a, b = (model.nodes[end].at for end in beam.ends)
+    if isinstance(given, str):
+        if given not in model.nodes:
+            yield unknown("node", given, model.nodes, place)
+            return
+        given = tuple(v - u for u, v in zip(a, model.nodes[given].at, strict=True))
+    elif len(given) != dim:
+        yield from components(given, dim, place)
+        return
+    d = [v - u for u, v in zip(a, b, strict=True)]
+    cross = (d[1] * given[2] - d[2] * given[1], d[2] * given[0] - d[0] * given[2], d[0] * given[1] - d[1] * given[0])
+    if math.hypot(*cross) <= ALONG * math.hypot(*d) * math.hypot(*given):
+        yield Fault(place, "points along the beam, so it spans no plane with it.", "Give a direction across the beam.")
+
+
+def _taken(model: ModelData) -> Iterator[Fault]:
+    """Names that frames need."""
+    for name, frame in frames(model).items():
+        for axis in frame.nodes:
+            if axis in model.nodes and not model.nodes[axis].director:
+                yield Fault(("nodes", axis), f"has the name of an axis of the frame at {name!r}.", "Give it another name.")
+
+
+def _clamps(model: ModelData) -> Iterator[Fault]:
+    framed = frames(model)
+    for node, to in model.clamped.items():
+        place = ("clamped", node)
+        if node not in model.nodes:
+            yield unknown("node", node, model.nodes, place)
+        elif node not in framed:
+            ends = {frame_of(name, beam, end) for name, beam in model.beams.items() for end in beam.ends}
+            mend = "Join a beam to it" if node not in ends else "Let the beam share its rotation"
+            yield Fault(place, "is clamped, but no beam has its rotation.", f"{mend}, or fix the node.", about=(("beams",),))
+        elif to != GROUND and to not in model.bodies:
+            yield unknown("body", to, [*model.bodies, GROUND], place)
+        elif to != GROUND and (model.bodies[to].kind != "rigid" or node not in model.bodies[to].nodes):
+            message = f"is clamped to {to!r}, which is not a rigid body with this node."
+            yield Fault(place, message, "Add the node to the nodes of a rigid body.", about=(("bodies", to),))

@@ -1,0 +1,193 @@
+"""Frames: nodes that carry the rotations of the ends of beams, the rigid groups they belong to, and their supports."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.model.motion.drives import CoordinateDrive, CosineCoordinate, Coupling
+from kinetruss.model.parts.bodies import Body
+from kinetruss.model.parts.joints import GROUND
+from kinetruss.model.parts.members import Bar, Node
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.model._data import ModelData
+    from kinetruss.model.beams.record import Beam
+
+__all__ = [
+    "Axes",
+    "axes_of_beam",
+    "carriers_of",
+    "chords",
+    "expanded",
+    "frame_of",
+    "frames",
+    "rigid_beams",
+    "rigid_groups",
+    "rotations",
+]
+
+SHARE = 0.3
+"""Distance of the nodes of a frame from its origin, as a fraction of the shortest beam there."""
+STEEP = 0.95
+"""Cosine of a beam with global z from which on its default orientation is global x."""
+
+
+@dataclass(frozen=True)
+class Axes:
+    """A frame: its origin, a node; the distance of its axes, m; and their nodes."""
+
+    origin: str
+    size: float
+    nodes: tuple[str, ...]
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """The origin, then the axes."""
+        return self.origin, *self.nodes
+
+
+def frame_of(name: str, beam: Beam, end: str) -> str:
+    """Name of the frame at an end of a beam: that of the node, or the beam's own if the end is released."""
+    return f"{name}.{end}" if end in beam.release else end
+
+
+def frames(model: ModelData) -> dict[str, Axes]:
+    """All frames of a model by name: at the ends of elastic beams, at clamped nodes, where rigid beams meet."""
+    size: dict[str, float] = {}
+    origin: dict[str, str] = {}
+    rigid: dict[str, int] = {}
+    for name, beam in _sound(model):
+        length = _length(model, beam)
+        for end in beam.ends:
+            frame = frame_of(name, beam, end)
+            origin[frame] = end
+            size[frame] = min(SHARE * length, size.get(frame, math.inf))
+            # a rigid beam needs a frame only where another beam or a clamp holds its rotation
+            rigid[frame] = rigid.get(frame, 0) + (1 if beam.kind == "rigid" else 2)
+    wanted = [frame for frame, count in rigid.items() if count > 1 or frame in model.clamped]
+    axes = [f"d{k + 1}" for k in range(model.dim)]
+    return {frame: Axes(origin[frame], size[frame], tuple(f"{frame}.{axis}" for axis in axes)) for frame in wanted}
+
+
+def expanded(model: ModelData) -> dict[str, Any]:
+    """Tables `nodes`, `fixed` and `couplings` with what beams add; what they added before is left out first."""
+    own = {name: node for name, node in model.nodes.items() if not node.director}
+    fixed = {name: axes for name, axes in model.fixed.items() if name not in model.nodes or name in own}
+    couplings = {name: one for name, one in model.couplings.items() if one.beam is None}
+    every = "xyz"[: model.dim]
+    nodes: dict[str, Node] = {}
+    for name, frame in frames(model).items():
+        at = own[frame.origin].at
+        for k, axis in enumerate(frame.nodes):
+            place = tuple(v + frame.size if i == k else v for i, v in enumerate(at))
+            if axis not in own:  # else a fault
+                nodes[axis] = Node(at=place, coincident=True, director=True)
+        if model.clamped.get(name) == GROUND:
+            fixed |= dict.fromkeys(frame.all, every)
+    for name, beam in rotations(model).items():
+        couplings |= _turning(model, name, beam)
+    return {"nodes": {**own, **nodes}, "fixed": fixed, "couplings": couplings}
+
+
+def carriers_of(model: ModelData, name: str) -> tuple[str, ...] | None:
+    """The nodes on which a load on a body acts: carriers of the body, or the frame of a node; None if it is neither."""
+    if name in model.bodies:
+        return model.bodies[name].carried_by(model.dim)
+    found = frames(model).get(name)
+    return None if found is None else found.all
+
+
+def rigid_groups(model: ModelData) -> dict[str, Body]:
+    """Bodies of the model, with the frames clamped to them, and rigid beams and frames as further ones without mass."""
+    found = dict(model.bodies)
+    every = frames(model)
+    for name, frame in every.items():
+        to = model.clamped.get(name)
+        if to in found:
+            body = found[to]
+            found[to] = body.with_(nodes=(*body.nodes, *frame.nodes), carriers=body.carried_by(model.dim), brace=True)
+        elif to is None:
+            found[name if name not in found else f"{name}.frame"] = Body(nodes=frame.all, carriers=frame.all)
+    for name, beam in _sound(model):
+        if beam.kind == "rigid" and beam.rotation is None:
+            parts = [every[key].all if (key := frame_of(name, beam, end)) in every else (end,) for end in beam.ends]
+            nodes = tuple(dict.fromkeys(node for part in parts for node in part))
+            whole = next((part for part in parts if len(part) > 1), nodes)
+            found[name if name not in found else f"{name}.beam"] = Body(nodes=nodes, carriers=whole)
+    return found
+
+
+def chords(model: ModelData) -> dict[str, Bar]:
+    """Free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
+    return {f"{name}.chord": Bar(ends=beam.ends, kind="free", mass=0.0, brace=True) for name, beam in _sound(model)}
+
+
+def rigid_beams(model: ModelData) -> list[Body]:
+    """The mass of rigid beams, spread evenly along them."""
+    found = []
+    for _, beam in _sound(model):
+        if beam.kind == "rigid":
+            section, material, mass = model.section_of(beam), model.material_of(beam), beam.mass
+            if mass is None and section is not None and material is not None:
+                mass = material.density * section.area * _length(model, beam)
+            found.append(Body(nodes=beam.ends, mass=mass or 0.0))
+    return found
+
+
+def rotations(model: ModelData) -> dict[str, Beam]:
+    """The rigid beams whose rotation is a coordinate."""
+    return {name: beam for name, beam in _sound(model) if beam.kind == "rigid" and beam.rotation is not None}
+
+
+def axes_of_beam(model: ModelData, beam: Beam) -> NDArray[Any]:
+    """Local axes 1, 2, 3 of a beam at the start as rows, (dim, dim)."""
+    import numpy as np
+
+    a, b = (np.array(model.nodes[end].at, float) for end in beam.ends)
+    one = (b - a) / np.linalg.norm(b - a)
+    if model.dim == 2:
+        return np.array([one, [-one[1], one[0]]])
+    given = beam.orientation
+    if given is None:
+        toward = np.eye(3)[0 if abs(one[2]) > STEEP else 2]
+    else:
+        toward = np.array(model.nodes[given].at, float) - a if isinstance(given, str) else np.array(given, float)
+    three = np.cross(one, toward)
+    three = three / np.linalg.norm(three)
+    return np.array([one, np.cross(three, one), three])
+
+
+def _turning(model: ModelData, name: str, beam: Beam) -> dict[str, Coupling]:
+    """x_Q - x_P - l cos(rotation + phase) = 0 and the same of y with the sine; 0 phase if the angle is that of the drawing."""
+    p, q = beam.ends
+    a, b = model.nodes[p].at, model.nodes[q].at
+    length, drawn = math.dist(a, b), math.atan2(b[1] - a[1], b[0] - a[0])
+    scalar = str(beam.rotation)
+    # the scalar may count whole turns, and may be rounded in the drawing
+    phase = math.remainder(drawn - model.nodes[scalar].at[0], 2 * math.pi)
+    found = {}
+    for axis, quarter in (("x", 0.0), ("y", -0.5 * math.pi)):
+        along = [(CoordinateDrive(node=q, axis=axis), 1.0), (CoordinateDrive(node=p, axis=axis), -1.0)]
+        turned = CosineCoordinate(node=scalar, phase=phase + quarter)
+        found[f"{name}.{axis}"] = Coupling(terms=(*along, (turned, -length)), value=0.0, beam=name)
+    return found
+
+
+def _sound(model: ModelData) -> list[tuple[str, Beam]]:
+    """The beams whose ends stand; the others are faults."""
+    fitting = {name for name, node in model.nodes.items() if len(node.at) == model.dim and not node.scalar}
+    return [
+        (name, beam)
+        for name, beam in model.beams.items()
+        if set(beam.ends) <= fitting
+        and model.nodes[beam.ends[0]].at != model.nodes[beam.ends[1]].at
+        and (beam.rotation is None or (beam.rotation in model.nodes and model.nodes[beam.rotation].scalar))
+    ]
+
+
+def _length(model: ModelData, beam: Beam) -> float:
+    return math.dist(*(model.nodes[end].at for end in beam.ends))
