@@ -140,7 +140,7 @@ def portal() -> dict[str, float]:
 
 
 def motion() -> dict[str, float]:
-    """A free beam that bends and tumbles: changes of its energy and momenta, of the largest; and under a rigid rotation."""
+    """A free beam that bends and tumbles: changes of its energy and momenta, of the largest."""
     soft = kt.Material(E=2e8, density=7800.0)
     parts = row(line(2, 3), material=soft, section=kt.Rectangle(width=0.02, height=0.01)) | {"clamped": []}
     model = kt.Model(**parts, velocities={"N0": (0.0, -2.0, 0.0), "N2": (0.0, 2.0, 1.0)})
@@ -149,4 +149,4 @@ def motion() -> dict[str, float]:
     for name in ("energy", "momentum", "angular_momentum"):
         values = run.data[name].values.reshape(11, -1)
         found[name] = float(np.abs(values - values[0]).max() / np.abs(values).max())
-    return found | {"strained": float(1 - run.data["kinetic_energy"].values.min() / run.data["energy"].values[0] > 1e-3)}
+    return found
