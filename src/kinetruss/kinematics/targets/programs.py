@@ -16,7 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS, NODE, OFFSET
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.plan import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kinematics.poses.body_nodes import start_frame
 from kinetruss.kinematics.targets.expressions import (
     Program,
@@ -370,6 +371,10 @@ def measure_of(system: System, program: Program, m: int) -> Any:
 def _term(system: System, program: Program, t: int) -> Any:
     """One term of a measure, without its factor."""
     kind, data = int(system.term_kind[t]), [float(one) for one in system.term_data[t]]
+    if kind == COSINE:
+        raise InputError(
+            "Tasks cannot count a rigid beam with a rotation coordinate, or another coupling of a cosine. Leave rotation out."
+        )
     P, one, two, begin = (None if flat < 0 else program.node(int(flat) // 3, 3) for flat in system.term_at[t])
     first, second = (data[1], data[2], data[3]), (data[4], data[5], data[6])
     if kind == NODE:
