@@ -10,7 +10,7 @@ from typing import Any
 
 from kinetruss.errors import StoreError
 from kinetruss.model import Model
-from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
+from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Status, Verdict
 from kinetruss.results.records import happened
 from kinetruss.results.store import Store, is_locked, key, open_store
 from kinetruss.runs.blocks.derived import derived
@@ -25,6 +25,7 @@ class RunResult:
     name : name of the run in the model. motion : positions, velocities, accelerations.
     forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
+    statics : load case -> what a static analysis finds besides forces (displacements, energies, stability), over time or poses.
     simulation : for a simulated motion, energies, events and diagnostics; else None.
     status, message : how it ended (RUNNING or INTERRUPTED if it has not ended); it contains only good samples.
     samples : number of requested samples; ``len(run.motion.time)`` of them are good.
@@ -39,6 +40,7 @@ class RunResult:
     sections: Mapping[str, Sections] = field(default_factory=dict)
     verdict: Verdict | None = None
     demand: Mapping[str, Demand] = field(default_factory=dict)
+    statics: Mapping[str, Result] = field(default_factory=dict)
     simulation: Simulation | None = None
     status: Status = Status.COMPLETED
     message: str = ""
@@ -98,6 +100,7 @@ def from_store(store: Store) -> RunResult:
         sections=sections,
         demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
+        statics={case: Result(data=store.read(f"statics/{key(case)}"), **common) for case in _cases(store, "statics")},
         simulation=_simulation(store, motion, forces, common),
         samples=ledger.samples,
         path=store.path,

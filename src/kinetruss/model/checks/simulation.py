@@ -1,8 +1,8 @@
-"""Cross-checks of simulations: start velocities, tasks, events."""
+"""Cross-checks of runs: what they name, and of simulations the start velocities, tasks, events."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
@@ -17,7 +17,15 @@ from kinetruss.model.parts.members import Active
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["event_faults", "task_faults", "velocity_faults"]
+__all__ = [
+    "coordinate_kinds",
+    "event_faults",
+    "other_quantity",
+    "run_faults",
+    "task_faults",
+    "value_faults",
+    "velocity_faults",
+]
 
 
 def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
@@ -125,3 +133,43 @@ def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events
                 yield Fault(
                     place, f"{axis!r} is no axis of node {node!r}.", f"Write {node}.x or {node}.y.", about=(("nodes",),)
                 )
+
+
+def coordinate_kinds(model: ModelData) -> dict[str, str]:
+    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
+    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
+    for pose in model.poses:
+        kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
+    return kinds
+
+
+def run_faults(model: ModelData) -> Iterator[Fault]:
+    """Unknown trajectories, load cases, drives and poses of all runs."""
+    for name, run in model.runs.items():
+        if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
+            yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))
+        for index, case in enumerate(run.load_cases or ()):
+            if case not in model.load_cases:
+                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
+        yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
+        yield from event_faults(model, run.events, ("runs", name, "events"))
+        for pose, values in run.poses.items():
+            yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Values of drives and pose coordinates: unknown ones, and lengths in place of angles."""
+    kinds = coordinate_kinds(model)
+    for name, value in values.items():
+        if name not in kinds:
+            yield unknown("drive or pose coordinate", name, kinds, (*path, name))
+        elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
+            yield other_quantity((*path, name), path[-1] if path[-1] == "at" else "poses", quantity, kinds[name])
+
+
+def other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
+    """A length where an angle is moved, or the other way round."""
+    what, wanted = (f"{'an' if one == 'angle' else 'a'} {one}" for one in (given, kind))
+    per = "/s" if field == "rates" else ""
+    mend = f"Write for example {('10 deg' if kind == 'angle' else '1.2 m') + per!r}."
+    return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)

@@ -75,6 +75,7 @@ def _sectioned(run: RunResult, record: dict[str, Any], view: str) -> list[Markup
         ("mobility", "Mobility", parts.mobility(record)),
         ("motion", "Motion", [*parts.motion(record), *(drawn.of("lengths") if _changes(run) else ())]),
         ("simulation", "Simulation", [*parts.simulated(run, record), *drawn.of("energies")]),
+        ("statics", "Displacements and stability", parts.standing(run)),
         ("forces", "Member forces", [*parts.forces(record), *drawn.of("forces")]),
         ("strength", "Strength", [*demands.strength(record), *drawn.of("stresses")]),
         ("drives", "Actuators", [*demands.drives(record), *drawn.of("motors")]),

@@ -64,7 +64,7 @@ __all__ = ["Store", "Writer", "create", "key", "open_store", "reopen"]
 
 VERDICT = "verdict"
 """Groups that are written once, at the end."""
-ORDER = ("motion", "simulation", "forces", "sections", VERDICT, "demand")
+ORDER = ("motion", "simulation", "statics", "forces", "sections", VERDICT, "demand")
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,8 +15,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 from kinetruss.runs.blocks.block import Block, judged
-from kinetruss.runs.blocks.planned import SIMULATED, Plan
+from kinetruss.runs.blocks.planned import SIMULATED, STATIC, Plan
 from kinetruss.runs.blocks.simulated import simulated
+from kinetruss.runs.blocks.standing import along, standing
 
 __all__ = ["blocks"]
 
@@ -36,6 +37,9 @@ def blocks(
     """
     if plan.run.analysis == SIMULATED:
         yield from simulated(plan, first, state, fitted=fitted)
+        return
+    if plan.given is None and plan.run.trajectory is None:
+        yield standing(plan)
         return
     while first < len(plan.times):
         motion = _motion(plan, first, position)
@@ -79,5 +83,7 @@ def _analysed(plan: Plan, motion: Motion) -> Block:
     """All requested results of a motion, load case by load case."""
     if plan.run.analysis == "kinematics.follow":
         return Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
+    if plan.run.analysis in STATIC:
+        return along(plan, motion)
     found = [dynamics.inverse(plan.model, motion, case, static=plan.full) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in found})

@@ -13,13 +13,13 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.given import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Model, Run
-from kinetruss.model.motion import STANDING
+from kinetruss.model.motion import STANDING, STATIC
 from kinetruss.results import Motion
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["SIMULATED", "Plan", "block_size", "plan"]
+__all__ = ["SIMULATED", "STATIC", "Plan", "block_size", "plan"]
 
 SIMULATED = "dynamics.simulate"
 LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
@@ -54,8 +54,9 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     run = model.runs[chosen]
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
     given = None
-    if run.analysis == SIMULATED:
+    if run.analysis in (SIMULATED, "statics.equilibrium"):
         cases = run.load_cases or (None,)
+    if run.analysis == SIMULATED:
         times = np.linspace(0.0, run.t_end or 0.0, run.samples)
     elif run.motion is not None:
         # a run may be resumed from another working folder
@@ -63,6 +64,9 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         model = model.with_(runs={**model.runs, chosen: run})
         given = kinematics.from_csv(model, str(run.motion))
         times = given.data["time"].values
+    elif run.trajectory is None:  # poses at rest, which are counted
+        times = np.arange(max(1, len(run.poses)), dtype=float)
+        block = len(times)
     else:
         times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
         check_supports(model, 0.0, float(times[-1]))

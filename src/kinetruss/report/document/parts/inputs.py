@@ -21,6 +21,11 @@ NAMES = 8
 ANALYSES = {
     "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
     "kinematics.follow": "kinematics: a given motion, without forces",
+    "statics.linear": "statics: small displacements of an elastic structure, and its forces",
+    "statics.equilibrium": "statics: the equilibrium with large displacements, its forces and its stability",
+    "statics.at_poses": "statics: the forces of poses at rest",
+    "statics.deflection": "inverse dynamics, and the small displacements of elastic members along the motion",
+    "mission": "a mission: all motions under all conditions and load cases, and their envelope",
     "dynamics.simulate": "forward dynamics: the motion caused by weight, loads, springs and motors, and its forces",
 }
 
