@@ -22,7 +22,7 @@ _PACKAGES = (
 )
 _NAMES = {
     "model": (
-        "Bearing Catalogue Compliance Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub "
+        "Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub "
         "Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
@@ -31,6 +31,7 @@ _NAMES = {
     ),
     "io": "read write",
     "kinematics": "check notes",
+    "kinematics.conditions": "under",
     "dynamics.prescribed": "prepare",
     "runs": "run",
     "results": "Status",

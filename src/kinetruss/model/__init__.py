@@ -30,8 +30,9 @@ from kinetruss.model._record import (
 from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
-from kinetruss.model.checks.simulation import event_faults, task_faults
+from kinetruss.model.checks.simulation import condition_faults, event_faults, task_faults
 from kinetruss.model.hubs.record import Hub
+from kinetruss.model.motion.conditions import Condition
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -100,6 +101,7 @@ __all__ = [
     "BodyCouple",
     "BodyForce",
     "Bridge",
+    "Condition",
     "ConstantRate",
     "CoordinateDrive",
     "Cyclic",
@@ -171,6 +173,7 @@ __all__ = [
     "OffsetCoordinate",
     "geared",
     "turns",
+    "condition_faults",
     "event_faults",
     "natural_length",
     "stiffness",

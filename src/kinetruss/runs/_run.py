@@ -72,7 +72,7 @@ def run(
         first = next(computed)  # all input errors are raised before the folder is changed
         if first.simulation is not None and block is None:
             job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
-        writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite, held=held)
+        writer = create(path, ledger_of(job, settings), job.origin.model_dump_json(), overwrite=overwrite, held=held)
         stored = _stream(job, writer, Accumulator(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
         return from_store(open_store(path))
@@ -165,9 +165,9 @@ def ledger_of(job: Plan, settings: Mapping[str, str] | None = None) -> Ledger:
         run=job.name,
         samples=len(job.times),
         block=job.block,
-        model_hash=model_hash(job.model),
+        model_hash=model_hash(job.origin),
         options=options | ({"settings": dict(settings)} if settings else {}),
-        provenance=provenance(job.model, run=job.name),
+        provenance=provenance(job.origin, run=job.name),
     )
 
 

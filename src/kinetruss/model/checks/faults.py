@@ -17,6 +17,7 @@ from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
 from kinetruss.model.checks.loads import load_faults
 from kinetruss.model.checks.simulation import (
+    all_condition_faults,
     coordinate_kinds,
     other_quantity,
     run_faults,
@@ -53,6 +54,7 @@ def faults(model: ModelData) -> list[Fault]:
         *coupling_faults(model),
         *_trajectories(model),
         *run_faults(model),
+        *all_condition_faults(model),
         *_gauges(model),
         *gauge_faults(model),
         *continuum_faults(model, dim),

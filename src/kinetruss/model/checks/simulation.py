@@ -16,8 +16,15 @@ from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
+    from kinetruss.model.motion.conditions import Condition
+    from kinetruss.model.motion.runs import Run
+
+MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
+"""Analyses whose motion, or poses, a mission can take."""
 
 __all__ = [
+    "all_condition_faults",
+    "condition_faults",
     "coordinate_kinds",
     "event_faults",
     "other_quantity",
@@ -153,8 +160,58 @@ def run_faults(model: ModelData) -> Iterator[Fault]:
                 yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
         yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
         yield from event_faults(model, run.events, ("runs", name, "events"))
+        if run.condition is not None and run.condition not in model.conditions:
+            yield unknown("condition", run.condition, model.conditions, ("runs", name, "condition"))
+        yield from _mission_faults(model, name, run)
         for pose, values in run.poses.items():
             yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
+    """What a mission names: runs with a prescribed motion or trajectories, and conditions."""
+    for index, motion in enumerate(run.motions):
+        place = ("runs", name, "motions", index)
+        if motion not in model.runs and motion not in model.trajectories:
+            yield unknown("run or trajectory", motion, {**model.runs, **model.trajectories}, place)
+        elif motion in model.runs and model.runs[motion].analysis not in MOVING:
+            what = model.runs[motion].analysis
+            yield Fault(place, f"{motion!r} is {what}, which has no prescribed motion.", "Name runs of dynamics.inverse.")
+        elif motion in model.runs and model.runs[motion].condition is not None:
+            mend = "Remove it there, and name it in the conditions of the mission."
+            yield Fault(place, f"{motion!r} has a condition of its own.", mend)
+    for index, condition in enumerate(run.conditions or ()):
+        if condition not in model.conditions:
+            yield unknown("condition", condition, model.conditions, ("runs", name, "conditions", index))
+
+
+def all_condition_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of all conditions of a model."""
+    for name, condition in model.conditions.items():
+        yield from condition_faults(model, condition, ("conditions", name))
+
+
+def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Unknown nodes, members and drives of a condition, and vectors with too few or too many components."""
+    dim = len(next(iter(model.nodes.values())).at)
+    for field in ("payloads", "forces"):
+        for node in getattr(condition, field):
+            if node not in model.nodes:
+                yield unknown("node", node, model.nodes, (*path, field, node))
+    for node, force in condition.forces.items():
+        yield from components(force, dim, (*path, "forces", node))
+    for field in ("gravity", "base_acceleration"):
+        yield from components(getattr(condition, field), dim, (*path, field))
+    for member in condition.temperatures:
+        if member not in model.members:
+            yield unknown("member", member, model.members, (*path, "temperatures", member))
+    for field, what, known in (
+        ("locked", "drive", model.all_drives),
+        ("released", "drive", model.all_drives),
+        ("failed", "member", model.members),
+    ):
+        for index, name in enumerate(getattr(condition, field)):
+            if name not in known:
+                yield unknown(what, name, known, (*path, field, index))
 
 
 def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, ...]) -> Iterator[Fault]:

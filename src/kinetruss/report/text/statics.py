@@ -27,7 +27,7 @@ LACKS = {
 
 def statics_record(run: RunResult) -> dict[str, Any] | None:
     """What a static analysis finds besides forces, by load case, as plain data; None for other runs."""
-    analysis = run.model.runs[run.name].analysis
+    analysis = run.told.analysis
     if analysis not in STATIC:
         return None
     return {
@@ -64,7 +64,7 @@ def _shift(run: RunResult, found: Result) -> Any:
         return found.data["displacement"].values
     if "position" not in found.data:
         return None
-    return found.data["position"].values - np.array([node.at for node in run.model.nodes.values()])
+    return found.data["position"].values - np.array([node.at for node in run.origin.nodes.values()])
 
 
 def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:

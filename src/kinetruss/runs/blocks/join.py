@@ -130,6 +130,7 @@ def in_memory(plan: Plan, kept: list[Block], accumulated: Accumulator, wall_time
     forces = {case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces}
     return RunResult(
         model=plan.model,
+        given=plan.origin,
         name=plan.name,
         motion=motion,
         forces=forces,

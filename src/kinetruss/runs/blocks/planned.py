@@ -12,16 +12,16 @@ from kinetruss import kinematics
 from kinetruss.errors import InputError
 from kinetruss.kinematics.given import check_supports
 from kinetruss.limits import whole
-from kinetruss.model import Model, Run
+from kinetruss.model import Condition, Model, Run
 from kinetruss.model.motion import STANDING, STATIC
 from kinetruss.results import Motion
+from kinetruss.runs.blocks.conditioned import SIMULATED, conditioned
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["SIMULATED", "STATIC", "Plan", "block_size", "plan"]
 
-SIMULATED = "dynamics.simulate"
 LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
 
@@ -29,17 +29,20 @@ LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 class Plan:
     """The results to compute.
 
-    times : (samples,) s. cases : load cases (None: all loads of the model). given : motion from a file.
+    model : under the condition of the run; origin : as it was given. times : (samples,) s.
+    cases : load cases (None: all loads of the model). given : motion from a file.
     full : False omits results that utilisation does not need: forces at rest, section forces, motor demands.
     """
 
     model: Model
+    origin: Model
     name: str
     run: Run
     times: NDArray[np.float64]
     cases: tuple[str | None, ...]
     block: int
     given: Motion | None = None
+    condition: Condition | None = None
     full: bool = True
 
 
@@ -53,7 +56,8 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     chosen = _choose(model, name)
     run = model.runs[chosen]
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
-    given = None
+    given, origin = None, model
+    model, run, condition = conditioned(model, run)
     if run.analysis in (SIMULATED, "statics.equilibrium"):
         cases = run.load_cases or (None,)
     if run.analysis == SIMULATED:
@@ -61,17 +65,27 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     elif run.motion is not None:
         # a run may be resumed from another working folder
         run = run.with_(motion=str(Path(run.motion).absolute()))
-        model = model.with_(runs={**model.runs, chosen: run})
+        origin = origin.with_(runs={**origin.runs, chosen: origin.runs[chosen].with_(motion=run.motion)})
         given = kinematics.from_csv(model, str(run.motion))
         times = given.data["time"].values
     elif run.trajectory is None:  # poses at rest, which are counted
         times = np.arange(max(1, len(run.poses)), dtype=float)
         block = len(times)
     else:
-        times = np.linspace(0.0, model.trajectory_of(run).duration, run.samples)
+        times = np.linspace(0.0, run.trajectory.duration, run.samples)  # type: ignore[union-attr]
         check_supports(model, 0.0, float(times[-1]))
     block = block_size(model) if block is None else whole(block, "block")
-    return Plan(model=model, name=chosen, run=run, times=times, cases=cases, block=block, given=given)
+    return Plan(
+        model=model,
+        origin=origin,
+        name=chosen,
+        run=run,
+        times=times,
+        cases=cases,
+        block=block,
+        given=given,
+        condition=condition,
+    )
 
 
 def block_size(model: Model) -> int:

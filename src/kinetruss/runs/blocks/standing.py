@@ -15,6 +15,7 @@ from kinetruss.mechanics.assembly import case_loads
 from kinetruss.model import LengthDrive, Model
 from kinetruss.results import Forces, Motion, Result, Status, variable
 from kinetruss.runs.blocks.block import Block, judged
+from kinetruss.runs.blocks.conditioned import poses_under
 from kinetruss.runs.blocks.planned import Plan
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def standing(plan: Plan) -> Block:
 
 def _poses(plan: Plan) -> Block:
     """The poses that a run lists, up to the first that cannot be reached."""
-    poses = {name: dict(pose) for name, pose in plan.run.poses.items()}
+    poses = poses_under(plan.origin, plan.condition, plan.run.poses)
     found, status, message = [], Status.COMPLETED, ""
     for case in plan.cases:
         try:

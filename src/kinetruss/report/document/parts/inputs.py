@@ -41,7 +41,7 @@ def inputs(run: RunResult) -> list[Markup]:
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
         ("Loads and load cases", "name", _named({**model.loads, **model.load_cases})),
-        ("Tasks of drives and events", "name", _named({**model.runs[run.name].tasks, **model.runs[run.name].events})),
+        ("Tasks of drives and events", "name", _named({**run.told.tasks, **run.told.events})),
     )
     for caption, head, rows in lists:
         shown = list(rows)
@@ -52,13 +52,15 @@ def inputs(run: RunResult) -> list[Markup]:
 
 
 def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
-    told = run.model.runs[run.name]
+    told = run.told
     yield "run", run.name
     yield "analysis", f"{told.analysis}; {ANALYSES[told.analysis]}"
     if told.motion is not None:
         yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
-    elif (trajectory := run.model.trajectory_of(told)) is not None:
-        yield "trajectory (m, rad, s)", worded(trajectory)
+    elif told.trajectory is not None:
+        yield "trajectory (m, rad, s)", worded(told.trajectory)
+    if told.condition is not None:
+        yield "condition", f"{told.condition}: {worded(run.origin.conditions[told.condition])}"
     if told.t_end is not None:
         yield "simulated time", quantity(told.t_end, "s")
         yield "method", _method(run, told)
