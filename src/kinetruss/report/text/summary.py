@@ -11,10 +11,12 @@ import numpy as np
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
 from kinetruss.report._page import Page
+from kinetruss.report.missions import mission_record, mission_text
 from kinetruss.report.text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.text.simulation import simulation_lines, simulation_record
 from kinetruss.report.text.statics import statics_lines, statics_record
 from kinetruss.report.text.trains import exceeded, trains, trains_text
+from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row
@@ -33,7 +35,9 @@ MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "powe
 
 
 def summary(run: RunResult) -> Page:
-    """The summary of a run as a page."""
+    """The summary of a run as a page; of a mission, its envelope."""
+    if isinstance(run, MissionRun):
+        return Page(found=run, as_record=mission_record, as_text=mission_text)
     return Page(found=run, as_record=summary_record, as_text=_text)
 
 

@@ -20,7 +20,7 @@ from kinetruss.runs.blocks.conditioned import SIMULATED, conditioned
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["SIMULATED", "STATIC", "Plan", "block_size", "plan"]
+__all__ = ["SIMULATED", "STATIC", "Plan", "block_size", "chosen_run", "plan"]
 
 LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
@@ -30,8 +30,9 @@ class Plan:
     """The results to compute.
 
     model : under the condition of the run; origin : as it was given. times : (samples,) s.
-    cases : load cases (None: all loads of the model). given : motion from a file.
+    cases : load cases (None: all loads of the model). given : motion from a file, or known before.
     full : False omits results that utilisation does not need: forces at rest, section forces, motor demands.
+    bare : only motion and forces.
     """
 
     model: Model
@@ -44,6 +45,7 @@ class Plan:
     given: Motion | None = None
     condition: Condition | None = None
     full: bool = True
+    bare: bool = False
 
 
 def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
@@ -53,7 +55,7 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     ------
     InputError : no run of that name, or several and none named.
     """
-    chosen = _choose(model, name)
+    chosen = chosen_run(model, name)
     run = model.runs[chosen]
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
     given, origin = None, model
@@ -93,7 +95,13 @@ def block_size(model: Model) -> int:
     return max(SMALLEST_BLOCK, min(LARGEST_BLOCK, MEMBER_SAMPLES // max(1, len(model.members))))
 
 
-def _choose(model: Model, name: str | None) -> str:
+def chosen_run(model: Model, name: str | None) -> str:
+    """The name of a run, or of the only one.
+
+    Raises
+    ------
+    InputError : no run of that name, or several and none named.
+    """
     if not model.runs:
         wanted = "No run to compute" if name is None else f"No run called {name!r}"
         raise InputError(f"{wanted}: the model has none. Add one under runs: with a trajectory or a simulation. {STANDING}")
