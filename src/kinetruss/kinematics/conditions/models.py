@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kinematics.path.assemble import assemble
-from kinetruss.mechanics import compile
+from kinetruss.mechanics import System, compile, kept
 from kinetruss.model import (
     Bar,
     Condition,
@@ -57,7 +57,18 @@ def under(model: Model, condition: str | Condition) -> Model:
     >>> round(kt.under(mast, "hot").nodes["B"].at[0], 6)
     2.0012
     """
-    chosen = named_condition(model, condition)
+    if isinstance(condition, str) and condition in model.conditions:
+        return _under(compile(model), condition)
+    return _changed(model, named_condition(model, condition))
+
+
+@kept()
+def _under(system: System, name: str) -> Model:
+    """The model under one of its own conditions: the same for all its runs."""
+    return _changed(system.model, system.model.conditions[name])
+
+
+def _changed(model: Model, chosen: Condition) -> Model:
     if faults := list(condition_faults(model, chosen, ("condition",))):
         raise ModelError(faults)
     found = _laden(model.with_(runs={}, conditions={}), chosen)

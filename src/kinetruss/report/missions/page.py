@@ -50,11 +50,11 @@ def mission_record(run: MissionRun) -> dict[str, Any]:
         "pairs_asked": run.samples,
         "pairs_done": run.good,
         "governing": run.governing,
-        "pairs": _plain(run.pairs, ("pair",)),
+        "pairs": _plain(run.pairs),
         "envelope": [{name: getattr(row, name) for name in row.__slots__} for row in rows],
-        "extremes": _plain(run.extremes, ("part", "quantity")),
-        "drives": _plain(run.drives, ("drive", "quantity")),
-        "trains": [] if run.trains is None else _plain(run.trains, ("active", "quantity")),
+        "extremes": _plain(run.extremes),
+        "drives": _plain(run.drives),
+        "trains": [] if run.trains is None else _plain(run.trains),
         "findings": run.findings,
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
@@ -63,7 +63,7 @@ def mission_record(run: MissionRun) -> dict[str, Any]:
     return clean
 
 
-def _plain(data: xr.Dataset, axes: Sequence[str]) -> list[dict[str, Any]]:
+def _plain(data: xr.Dataset) -> list[dict[str, Any]]:
     """One record an entry, without entries of which nothing is known."""
     frame = data.reset_coords(drop=True).to_dataframe().reset_index()
     records: list[dict[str, Any]] = frame.to_dict("records")

@@ -39,7 +39,7 @@ def conditioned(model: Model, run: Run) -> tuple[Model, Run, Condition | None]:
             "condition without temperature and without locked, released or failed parts."
         )
     if run.analysis not in TASKED:
-        return conditions.under(model, condition), run, condition
+        return conditions.under(model, run.condition), run, condition
     fates = dict.fromkeys(condition.locked, Hold()) | dict.fromkeys(condition.released, Free())
     trajectory = run.trajectory if run.analysis == SIMULATED else None
     run = run.with_(tasks={**run.tasks, **fates}, trajectory=trajectory)

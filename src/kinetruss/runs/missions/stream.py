@@ -162,23 +162,21 @@ class _Known:
     """
 
     def __init__(self, found: Envelope) -> None:
-        self._mission, self._model = found.model.runs[found.name], found.model
-        self._bare = found.model.with_(runs={name: run for name, run in found.model.runs.items() if run.analysis != MISSION})
-        self._plans: dict[tuple[str, str | None], Plan] = {}
+        mission, model = found.model.runs[found.name], found.model
+        runs = {}
+        for pair in found.pairs:
+            run = pair.run_of(model, mission)
+            analysis = run.analysis if run.analysis == "statics.at_poses" else "dynamics.inverse"
+            runs[_key(pair)] = run.with_(analysis=analysis, load_cases=None)
+        self._model = model.with_(runs=runs)  # one model, which is compiled once for all motions
+        self._plan: tuple[str, Plan] | None = None
         self._motion: tuple[tuple[str, str | None], Motion] | None = None
 
     def plan(self, pair: Pair) -> Plan:
         """The plan of a pair: that of its motion and condition, with its load case."""
-        key = (pair.motion, pair.condition)
-        if key not in self._plans:
-            self._plans = {one: job for one, job in self._plans.items() if one[0] == pair.motion}
-            name, model = pair.motion, self._bare
-            run = pair.run_of(self._model, self._mission)
-            analysis = run.analysis if run.analysis == "statics.at_poses" else "dynamics.inverse"
-            model = model.with_(runs={**model.runs, name: run.with_(analysis=analysis, load_cases=None)})
-            self._plans[key] = replace(plan(model, name), full=False, bare=True)
-        job = self._plans[key]
-        return replace(job, cases=(pair.load_case,))
+        if self._plan is None or self._plan[0] != _key(pair):
+            self._plan = _key(pair), replace(plan(self._model, _key(pair)), full=False, bare=True)
+        return replace(self._plan[1], cases=(pair.load_case,))
 
     def blocks(self, pair: Pair, job: Plan) -> Iterator[Block]:
         """Motion and forces, block by block."""
@@ -196,3 +194,8 @@ class _Known:
                 return blocks(job)
             self._motion = key, motion
         return blocks(replace(job, given=self._motion[1]))
+
+
+def _key(pair: Pair) -> str:
+    """Name of the run of a motion under a condition."""
+    return f"{pair.motion}:{pair.condition or ''}"
