@@ -22,13 +22,11 @@ from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import member_polynomials
 from kinetruss.kernels.sections.stress import ROUND
 
-__all__ = ["BEAM_COLUMN", "BENDING", "BUCKLING", "COLUMNS", "COMPRESSION", "TENSION", "YIELD", "Kept", "Rules", "envelope"]
+__all__ = ["BEAM_COLUMN", "BUCKLING", "COLUMNS", "YIELD", "Kept", "Rules", "envelope"]
 
 
-TENSION, COMPRESSION, BENDING, YIELD = 0, 1, 2, 3
-"""Measures of a rod."""
-BUCKLING, BEAM_COLUMN = 0, 1
-"""Measures of a member."""
+YIELD, BUCKLING, BEAM_COLUMN = 3, 4, 5
+"""Rules, as `Kept.top` tells them."""
 COLUMNS = 7
 """Of what is kept: score (utilisation, or the value if there is no limit), value, limit, time, place m from end A, pair, 1 for
 Johnson's load."""
@@ -63,12 +61,16 @@ class Rules(Record):
 
 
 class Kept(NamedTuple):
-    """The envelope. rods (parts, 4, columns), members (members, 2, columns), as `COLUMNS`; top (4,) : highest utilisation of
-    the present pair, its part or member, its rule (3 YIELD, 4 buckling, 5 beam-column), its time.
+    """The envelope. tension, compression, bending, stress (parts, columns) and buckling, combined (members, columns), as
+    `COLUMNS`; top (4,) : highest utilisation of the present pair, its part or member, its rule, its time.
     """
 
-    rods: Floats
-    members: Floats
+    tension: Floats
+    compression: Floats
+    bending: Floats
+    stress: Floats
+    buckling: Floats
+    combined: Floats
     top: Floats
 
 
@@ -237,17 +239,17 @@ def _moment_measure(rules: Rules, part: int, P: float, e2: float, e3: float) -> 
 @kernel_bare
 def _rod_exceeds(rules: Rules, kept: Kept, part: int, at_most: _Bounds) -> bool:
     """True where a bound of a rod is above what is kept of it, or of this pair."""
-    own = kept.rods[rules.own_part[part]]
-    if at_most.tension * _SLACK > own[TENSION, 0] or at_most.compression * _SLACK > own[COMPRESSION, 0]:
+    p = rules.own_part[part]
+    if at_most.tension * _SLACK > kept.tension[p, 0] or at_most.compression * _SLACK > kept.compression[p, 0]:
         return True
-    if own[BENDING, 0] < at_most.M * _SLACK:
+    if kept.bending[p, 0] < at_most.M * _SLACK:
         return True
     if rules.shape[part] < 0:
         return False
     stress, strength = _stress_bound(rules, part, at_most) * _SLACK, rules.strength[part]
     if strength != strength:
-        return stress > own[YIELD, 0]
-    return stress > min(own[YIELD, 0], kept.top[0]) * strength
+        return stress > kept.stress[p, 0]
+    return stress > min(kept.stress[p, 0], kept.top[0]) * strength
 
 
 @kernel_bare
@@ -255,15 +257,15 @@ def _whole_exceeds(rules: Rules, kept: Kept, k: int, L: float, P: float, M: floa
     """The same of the buckling of a member: P the largest compression, M the largest moment."""
     if rules.cable[k] != 0:
         return False
-    own, top = kept.members[rules.own_member[k]], kept.top[0]
+    m, top = rules.own_member[k], kept.top[0]
     P = max(0.0, P) * _SLACK
     load, e2, e3, _ = _allowed(rules, k, L)
     if load != load:
-        return own[BUCKLING, 0] < P
+        return kept.buckling[m, 0] < P
     used = rules.n_buckling * P / load
-    if used > min(own[BUCKLING, 0], top):
+    if used > min(kept.buckling[m, 0], top):
         return True
-    least = min(own[BEAM_COLUMN, 0], top)
+    least = min(kept.combined[m, 0], top)
     if least < 0.0 or least == math.inf or P <= 0.0:
         return least < 0.0
     most = 0.0
@@ -279,35 +281,35 @@ def _whole_exceeds(rules: Rules, kept: Kept, k: int, L: float, P: float, M: floa
 @kernel_bare
 def _judge_rod(rules: Rules, kept: Kept, given: Polynomials, part: int, at_most: _Bounds, where: Any) -> None:
     """Measures of a part, each exactly where its bound is above what is kept. where : start, span m, time s, pair."""
-    own, (start, span, time, pair) = kept.rods[rules.own_part[part]], where
-    if at_most.tension * _SLACK > own[TENSION, 0]:
+    p, (start, span, time, pair) = rules.own_part[part], where
+    if at_most.tension * _SLACK > kept.tension[p, 0]:
         x, T = part_tension(given, 0, part, False, 1.0)
-        _keep(own[TENSION], T, T, math.nan, time, start + x * span, pair, 0.0)
-    if at_most.compression * _SLACK > own[COMPRESSION, 0]:
+        _keep(kept.tension[p], T, T, math.nan, time, start + x * span, pair, 0.0)
+    if at_most.compression * _SLACK > kept.compression[p, 0]:
         x, C = part_tension(given, 0, part, False, -1.0)
-        _keep(own[COMPRESSION], C, C, math.nan, time, start + x * span, pair, 0.0)
-    if own[BENDING, 0] < at_most.M * _SLACK:
+        _keep(kept.compression[p], C, C, math.nan, time, start + x * span, pair, 0.0)
+    if kept.bending[p, 0] < at_most.M * _SLACK:
         x, M = part_top(Measure(MOMENT_RESULTANT, 0.0, 1.0, 1.0, 0.0), given, 0, part, False, _SPANS)
-        _keep(own[BENDING], M, M, math.nan, time, start + x * span, pair, 0.0)
+        _keep(kept.bending[p], M, M, math.nan, time, start + x * span, pair, 0.0)
     if rules.shape[part] < 0:
         return
     strength, s = rules.strength[part], rules.scale
-    scale, least = strength, min(own[YIELD, 0], kept.top[0])
+    scale, least = strength, min(kept.stress[p, 0], kept.top[0])
     if strength != strength:
-        scale, least = 1.0, own[YIELD, 0]
+        scale, least = 1.0, kept.stress[p, 0]
     if _stress_bound(rules, part, at_most) * _SLACK > least * scale:
         x, stress = part_top(
             Measure(rules.shape[part], s[part, 0], s[part, 1], s[part, 2], s[part, 3]), given, 0, part, False, _SPANS
         )
-        _keep(own[YIELD], stress / scale, stress, strength, time, start + x * span, pair, 0.0)
+        _keep(kept.stress[p], stress / scale, stress, strength, time, start + x * span, pair, 0.0)
         if strength == strength:
-            _raise_top(kept.top, stress / strength, rules.own_part[part], YIELD, time)
+            _raise_top(kept.top, stress / strength, p, YIELD, time)
 
 
 @kernel_bare
 def _judge_whole(rules: Rules, kept: Kept, given: Polynomials, k: int, L: float, time: float, pair: float) -> None:
     """Buckling and the beam-column rule of a member."""
-    own, n, nan = kept.members[rules.own_member[k]], rules.n_buckling, math.nan
+    m, n, nan = rules.own_member[k], rules.n_buckling, math.nan
     load, e2, e3, johnson = _allowed(rules, k, L)
     worst, at, moment, bent_at = nan, 0.0, nan, 0.0
     # largest compression over the parts of the member; the overhang of a base carries nothing but itself
@@ -321,8 +323,8 @@ def _judge_whole(rules: Rules, kept: Kept, given: Polynomials, k: int, L: float,
         return
     P = max(0.0, worst)
     used = n * P / load
-    _keep(own[BUCKLING], used if used == used else P, P, load / n, time, at, pair, johnson)
-    _raise_top(kept.top, used, rules.own_member[k], 4, time)
+    _keep(kept.buckling[m], used if used == used else P, P, load / n, time, at, pair, johnson)
+    _raise_top(kept.top, used, m, BUCKLING, time)
     for part in range(rules.first[k], rules.first[k] + 1 + rules.two[k]):
         measure = _moment_measure(rules, part, P, e2, e3)
         if measure.kind < 0:
@@ -338,8 +340,8 @@ def _judge_whole(rules: Rules, kept: Kept, given: Polynomials, k: int, L: float,
     if P > 0.0:
         least = e2 if not e3 < e2 else e3
         combined = math.inf if n * P >= least else P * n / load + moment
-    _keep(own[BEAM_COLUMN], combined, combined, 1.0, time, bent_at, pair, 0.0)
-    _raise_top(kept.top, combined, rules.own_member[k], 5, time)
+    _keep(kept.combined[m], combined, combined, 1.0, time, bent_at, pair, 0.0)
+    _raise_top(kept.top, combined, m, BEAM_COLUMN, time)
 
 
 @kernel_inline

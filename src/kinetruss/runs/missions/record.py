@@ -97,8 +97,8 @@ class Envelope:
     def dataset(self) -> xr.Dataset:
         """The same as a dataset."""
         dims = {
-            "rods": ("rod", "measure", "column"),
-            "members": ("whole", "rule", "column"),
+            "rods": ("measure", "rod", "column"),
+            "members": ("rule", "whole", "column"),
             "drives": ("drive", "quantity", "of_drive"),
             "trains": ("active", "of_train", "of_drive"),
             "rows": ("pair", "number"),

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from kinetruss.kernels.sections.envelope import COLUMNS, COMPRESSION, YIELD, Kept, Rules, envelope
+from kinetruss.kernels.sections.envelope import COLUMNS, YIELD, Kept, Rules, envelope
 from kinetruss.mechanics import System, compile, kept
 from kinetruss.model import Model
 from kinetruss.results import Forces
@@ -18,8 +18,8 @@ __all__ = ["Gathering"]
 
 
 class Gathering:
-    """The envelope of a model over pairs; ``rods`` (parts, 4, columns) and ``members`` (members, 2, columns), see
-    `kernels.sections.envelope`.
+    """The envelope of a model over pairs; ``rods`` (tension, compression, bending, stress; parts; columns) and
+    ``members`` (buckling, beam-column; members; columns), see `kernels.sections.envelope`.
     """
 
     def __init__(self, model: Model) -> None:
@@ -27,10 +27,10 @@ class Gathering:
         self.part_names = parts.names
         self._parts = {name: k for k, name in enumerate(parts.names)}
         self._members = {name: k for k, name in enumerate(model.members)}
-        self.rods = np.full((len(self._parts), 4, COLUMNS), np.nan)
-        self.members = np.full((len(self._members), 2, COLUMNS), np.nan)
-        self.rods[:, : COMPRESSION + 1, 0] = -math.inf
-        self.rods[:, COMPRESSION + 1 :, 0] = self.members[:, :, 0] = -1.0
+        self.rods = np.full((4, len(self._parts), COLUMNS), np.nan)
+        self.members = np.full((2, len(self._members), COLUMNS), np.nan)
+        self.rods[:3, :, 0] = -math.inf  # a tension may be negative, a bending moment zero
+        self.rods[3, :, 0] = self.members[:, :, 0] = -1.0
         self.top = np.zeros(4)
 
     def begin(self) -> None:
@@ -43,7 +43,7 @@ class Gathering:
         if not len(times):
             return
         ends = np.ascontiguousarray(forces.arrays["end_force"].values)
-        found = Kept(self.rods, self.members, self.top)
+        found = Kept(*self.rods, *self.members, self.top)
         envelope(self._rules(model), given.members, given.histories, ends, times, given.allocate(1), found, float(pair))
 
     def _rules(self, model: Model) -> Rules:

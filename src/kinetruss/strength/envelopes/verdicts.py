@@ -31,8 +31,8 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
     names, members, rod, whole = subjects(parts)
     table = np.full((len(names), len(RULES), found.rods.shape[2]), np.nan)
     has_rod, has_whole = rod >= 0, whole >= 0
-    table[has_rod, 0] = found.rods[rod[has_rod], 3]
-    table[has_whole, 1:] = found.members[whole[has_whole]]
+    table[has_rod, 0] = found.rods[3, rod[has_rod]]
+    table[has_whole, 1:] = found.members[:, whole[has_whole]].swapaxes(0, 1)
     value, limit, time, position, pair = (table[:, :, k] for k in (1, 2, 3, 4, 5))
     johnson = np.nan_to_num(table[:, 1, 6]) > 0
     utilisation = value / limit
@@ -65,7 +65,7 @@ def extremes_of(model: Model, found: Gathering, labels: Sequence[str]) -> xr.Dat
 
     A tension or compression below zero is never reached: the other sign holds throughout.
     """
-    table = found.rods[:, : len(EXTREMES)].copy()
+    table = found.rods[: len(EXTREMES)].swapaxes(0, 1).copy()
     table[~np.isfinite(table[:, :, 0])] = np.nan
     over = ("part", "quantity")
     return xr.Dataset(
