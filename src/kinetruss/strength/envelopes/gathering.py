@@ -43,7 +43,9 @@ class Gathering:
         if not len(times):
             return
         ends = np.ascontiguousarray(forces.arrays["end_force"].values)
-        found = Kept(*self.rods, *self.members, self.top)
+        tension, compression, bending, stress = self.rods
+        buckling, combined = self.members
+        found = Kept(tension, compression, bending, stress, buckling, combined, self.top)
         envelope(self._rules(model), given.members, given.histories, ends, times, given.allocate(1), found, float(pair))
 
     def _rules(self, model: Model) -> Rules:
