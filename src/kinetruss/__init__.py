@@ -22,8 +22,8 @@ _PACKAGES = (
 )
 _NAMES = {
     "model": (
-        "Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub "
-        "Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
+        "Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold "
+        "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
         "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PositionLoop Pressure Quintic "

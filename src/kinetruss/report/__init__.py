@@ -24,11 +24,8 @@ if TYPE_CHECKING:
     from kinetruss.report.text.variants import variants
 
 __all__ = [
-    "Page", "beside",
-    "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "picture", "plot",
-    "summary", "variants", "write_document",
-    "Page", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "map_picture",
-    "picture", "plot", "summary", "variants", "write_document",
+    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints",
+    "map_picture", "picture", "plot", "summary", "variants", "write_document",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
