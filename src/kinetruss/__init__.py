@@ -23,10 +23,12 @@ _PACKAGES = (
 _NAMES = {
     "model": (
         "Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold "
-        "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Taylor Coupling HingeDrive OffsetCoordinate Active "
+        "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive "
+        "OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Body BodyCouple BodyForce ConstantRate CoordinateDrive Cyclic DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
         "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
+        "Circle Combined Coordinates Docking Gimbal Pointing Positioning Reflecting Way "
         "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput Trapezoid Tube "
     ),
     "io": "read write",

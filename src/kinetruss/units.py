@@ -16,7 +16,7 @@ from typing import NamedTuple
 from kinetruss.errors import UnitError, shown
 from kinetruss.limits import LARGEST
 
-__all__ = ["NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
+__all__ = ["EITHER", "NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
 
 Dimension = tuple[int, int, int, int, int]  # kg, m, s, A, rad
 
@@ -213,10 +213,21 @@ QUANTITIES: dict[str, Quantity] = {
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
     "second rate": _quantity("m/s^2", "rad/s^2"),
+    "spring stiffness": _quantity("N/m", "N m/rad", "N m"),
+    "spring damping": _quantity("N s/m", "N m s/rad", "N m s"),
+    "force or moment": _quantity("N", "N m"),
 }
 
 
-_EITHER = {"coordinate": "m, or rad", "rate": "m/s, or rad/s", "second rate": "m/s^2, or rad/s^2"}
+EITHER = {
+    "coordinate": "m, or rad",
+    "rate": "m/s, or rad/s",
+    "second rate": "m/s^2, or rad/s^2",
+    "spring stiffness": "N/m, or N m/rad",
+    "spring damping": "N s/m, or N m s/rad",
+    "force or moment": "N, or N m",
+}
+"""Quantities of a length or of an angle: the first of their dimensions is that of a length."""
 
 
 def unit_of(quantity: str) -> str:
@@ -234,7 +245,7 @@ def parse(value: object, quantity: str) -> float:
 
     Returns
     -------
-    float, in the quantity's SI unit; for ``"coordinate"``, ``"rate"`` and ``"second rate"`` a `Tagged` one.
+    float, in the quantity's SI unit; of quantities that lengths and angles have, as ``"coordinate"``, a `Tagged` one.
 
     Raises
     ------
@@ -249,7 +260,7 @@ def parse(value: object, quantity: str) -> float:
     ...
     kinetruss.errors.UnitError: '5 lb' is not a force (N). Write lbf for a force: lb is a mass.
     """
-    tagged = quantity in _EITHER
+    tagged = quantity in EITHER
     if tagged and isinstance(value, Tagged):
         return value if abs(value) <= LARGEST else _bounded(value, quantity, value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
@@ -285,7 +296,7 @@ def _parse_text(text: str, quantity: str) -> float:
         raise UnitError(f"{text!r} is not {_a(quantity)}: a comma in the number. {_comma(text)}")
     if not unit:
         number = _bounded(number, quantity, text)
-        return Tagged(number) if quantity in _EITHER else number
+        return Tagged(number) if quantity in EITHER else number
     try:
         factor, dimension = _expression(unit)
     except UnitError as error:
@@ -294,8 +305,8 @@ def _parse_text(text: str, quantity: str) -> float:
     if dimension not in QUANTITIES[quantity].dimensions:
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
-    if quantity in _EITHER:
-        return Tagged(number, "angle" if dimension[4] else "length")
+    if quantity in EITHER:
+        return Tagged(number, "length" if dimension == QUANTITIES[quantity].dimensions[0] else "angle")
     return number
 
 
@@ -307,7 +318,7 @@ def _comma(text: str) -> str:
 
 
 def _named(quantity: str) -> str:
-    unit = _EITHER.get(quantity) or unit_of(quantity)
+    unit = EITHER.get(quantity) or unit_of(quantity)
     return f"{quantity} ({unit})" if unit else f"{quantity} without unit"
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.special import ellipj
 
 from reference.joint_forms import joints
+from reference.spring_forms import springs
 
 __all__ = ["ALL"]
 
@@ -388,4 +389,5 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     small_motions,
     flexible,
     joints,
+    springs,
 )

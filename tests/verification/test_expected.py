@@ -11,7 +11,7 @@ import pytest
 from kinetruss.verification._cases import cases, stored
 from kinetruss.verification.mechanisms.loops_let_go import BENNETT
 from kinetruss.verification.solids import elements
-from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, total_lagrange
+from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, spring_forms, total_lagrange
 from reference.octahedral import Bay, quintic
 from reference.taylor import Taylor
 
@@ -199,3 +199,8 @@ def test_the_frames_of_a_chain_as_printed_by_the_recursive_form(move, start, ins
     for name, value in found.items():
         near(f"chain.eq_6_9_6_14.{move}.{name}", value, 1e-8)
         assert round(value / SIZES[name][move == "delayed"], 1) in (0.9, 1.0), name
+
+
+def test_springs_by_quadrature_and_by_the_elastica():
+    near("spring.large.time", spring_forms.way_to_rest(), 1e-12)
+    near("spring.elastica.slope", spring_forms.tip_slope(2.0), 1e-12)

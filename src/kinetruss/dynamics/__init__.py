@@ -23,11 +23,12 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.linear.record import Linearisation
     from kinetruss.dynamics.linear.reduced_equations import reduced_equations
     from kinetruss.dynamics.prescribed.inverse_along import inverse_along
+    from kinetruss.dynamics.prescribed.quickest import Quickest, quickest
 
 __all__ = [
-    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared", "Term",
-    "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "linearise", "newton_euler", "not_on_bars",
-    "prepare", "reduced_equations", "simulate",
+    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared",
+    "Quickest", "Term", "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "linearise",
+    "newton_euler", "not_on_bars", "prepare", "quickest", "reduced_equations", "simulate",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -41,5 +42,6 @@ __getattr__, __dir__ = late(
         "linear.record": "Linearisation",
         "linear.reduced_equations": "reduced_equations",
         "prescribed.inverse_along": "inverse_along",
+        "prescribed.quickest": "Quickest quickest",
     },
 )

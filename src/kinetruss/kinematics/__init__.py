@@ -32,12 +32,13 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.rates.platform_jacobian import platform_jacobian
     from kinetruss.kinematics.rates.transfer_functions import transfer_functions
     from kinetruss.kinematics.targets.inverse import inverse
+    from kinetruss.kinematics.targets.reach import reach
     from kinetruss.mechanics.freedom import Mobility, mobility
 
 __all__ = [
     "Mobility", "Sampled", "Smoothed", "assemble", "assembly_modes", "chain_lengths", "chain_pose", "check", "conditioning",
     "first_order", "follow", "freedoms", "from_arrays", "from_csv", "gimbal_lengths", "gimbal_pose", "inverse", "jacobian",
-    "joint", "measured", "member_rates", "mobility", "notes", "platform", "platform_jacobian", "pose", "sample",
+    "joint", "measured", "member_rates", "mobility", "notes", "platform", "platform_jacobian", "pose", "reach", "sample",
     "transfer_functions", "workspace",
 ]  # fmt: skip
 
@@ -67,5 +68,6 @@ __getattr__, __dir__ = late(
         "rates.platform_jacobian": "platform_jacobian",
         "rates.transfer_functions": "transfer_functions",
         "targets.inverse": "inverse",
+        "targets.reach": "reach",
     },
 )

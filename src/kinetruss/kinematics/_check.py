@@ -64,7 +64,11 @@ def _freedoms(model: Model) -> list[Fault]:
 
     A model without one is a mechanism to be studied, or to be let go.
     """
-    driven = [name for name, run in model.runs.items() if run.trajectory is not None and run.analysis != "dynamics.simulate"]
+    driven = [
+        name
+        for name, run in model.runs.items()
+        if (run.trajectory or run.targets) is not None and run.analysis != "dynamics.simulate"
+    ]
     if not driven or not (found := mobility(model)).undriven:
         return []
     count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"

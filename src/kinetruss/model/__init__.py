@@ -31,6 +31,7 @@ from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import condition_faults, event_faults, task_faults
+from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.hubs.record import Hub
 from kinetruss.model.motion.conditions import Condition
 from kinetruss.model.motion.drives import (
@@ -66,6 +67,19 @@ from kinetruss.model.motion.methods import (
     Taylor,
 )
 from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.springs import Spring
+from kinetruss.model.motion.targets import (
+    TARGETS,
+    Circle,
+    Combined,
+    Coordinates,
+    Docking,
+    Gimbal,
+    Pointing,
+    Positioning,
+    Reflecting,
+    Way,
+)
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold
 from kinetruss.model.motion.trajectories import (
     ConstantRate,
@@ -101,10 +115,14 @@ __all__ = [
     "BodyCouple",
     "BodyForce",
     "Bridge",
+    "Circle",
+    "Combined",
     "Condition",
     "ConstantRate",
     "CoordinateDrive",
+    "Coordinates",
     "Cyclic",
+    "Docking",
     "DriveInput",
     "DriveLoad",
     "DriveTrain",
@@ -114,6 +132,7 @@ __all__ = [
     "GaugeZero",
     "Gear",
     "General",
+    "Gimbal",
     "GimbalPose",
     "History",
     "LeadScrew",
@@ -126,23 +145,29 @@ __all__ = [
     "Node",
     "NodalForce",
     "Part",
+    "Pointing",
     "PositionLoop",
+    "Positioning",
     "Pressure",
     "Quintic",
     "Record",
     "Rectangle",
+    "Reflecting",
     "Rod",
     "Run",
     "Safety",
     "Sine",
     "SineInput",
     "Spline",
+    "Spring",
     "StepInput",
     "StepResponse",
     "TableInput",
     "Tabulated",
     "Trapezoid",
     "Tube",
+    "Way",
+    "TARGETS",
     "Catalogue",
     "Catalogues",
     "Group",
@@ -189,6 +214,7 @@ __all__ = [
     "Membrane",
     "Orthotropic",
     "Solid",
+    "target_faults",
     "trajectory_faults",
     "Angle",
     "Count",

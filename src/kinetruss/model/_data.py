@@ -14,6 +14,7 @@ from kinetruss.model.motion.conditions import Condition
 from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.springs import Spring
 from kinetruss.model.motion.trajectories import Trajectory
 from kinetruss.model.parts.bodies import Body
 from kinetruss.model.parts.body_loads import Load
@@ -85,6 +86,7 @@ class ModelData(Record):
     velocities: Table[Name, VelocityVector] = ReadOnly()
     drives: Table[Name, Drive] = ReadOnly()
     couplings: Table[Name, Coupling] = ReadOnly()
+    springs: Table[Name, Spring] = ReadOnly()
     poses: Table[Name, Pose] = ReadOnly()
     trajectories: Table[Name, Trajectory] = ReadOnly()
     runs: Table[Name, Run] = ReadOnly()

@@ -25,7 +25,7 @@ from pydantic_core import core_schema
 from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
 from kinetruss.model._words import faults_of
-from kinetruss.units import NUMBER, parse, unit_of
+from kinetruss.units import EITHER, NUMBER, parse, unit_of
 
 __all__ = [
     "Acceleration",
@@ -56,11 +56,13 @@ __all__ = [
     "Point",
     "PositiveLength",
     "PositiveNumber",
+    "PositiveRate",
     "PositiveResistance",
     "PositiveTime",
     "Rate",
     "Record",
     "Resistance",
+    "Resisting",
     "RotaryFrictions",
     "SecondMoment",
     "SecondRate",
@@ -69,6 +71,9 @@ __all__ = [
     "SignedVoltage",
     "Span",
     "Speed",
+    "SpringDamping",
+    "SpringForce",
+    "SpringStiffness",
     "Stiffness",
     "Stress",
     "Time",
@@ -78,6 +83,7 @@ __all__ = [
     "Voltage",
     "Whole",
     "positive",
+    "Width",
     "short_form",
 ]
 
@@ -214,7 +220,8 @@ class Of:
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
         unit = unit_of(self.quantity)
-        described = f"{self.quantity}: a number in {unit}, or text with a unit" if unit else self.quantity
+        units = EITHER.get(self.quantity, unit)
+        described = f"{self.quantity}: a number in {units}, or text with a unit" if unit else self.quantity
         text = _NUMBER_AND_UNIT if unit else _NUMBER
         return {"anyOf": [{"type": "number"}, {"type": "string", "pattern": text}], "description": described, "x-unit": unit}
 
@@ -334,6 +341,12 @@ Number = Annotated[float, Of("number")]
 PositiveNumber = Annotated[float, Of("number", positive)]
 Coordinate = Annotated[float, Of("coordinate")]
 Rate = Annotated[float, Of("rate")]
+PositiveRate = Annotated[float, Of("rate", positive)]
+Width = Annotated[float, Of("coordinate", _not_negative)]
+SpringStiffness = Annotated[float, Of("spring stiffness", _not_negative)]
+SpringDamping = Annotated[float, Of("spring damping", _not_negative)]
+SpringForce = Annotated[float, Of("force or moment")]
+Resisting = Annotated[float, Of("force or moment", _not_negative)]
 SecondRate = Annotated[float, Of("second rate")]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]

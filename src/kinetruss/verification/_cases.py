@@ -24,7 +24,7 @@ from kinetruss.verification._reference import Reference
 
 __all__ = ["GROUPS", "cases", "numbers", "stored"]
 
-GROUPS = ("thesis", "drive_trains", "structures", "forward", "solids", "mechanisms", "flexible", "members")
+GROUPS = ("thesis", "drive_trains", "structures", "forward", "solids", "mechanisms", "flexible", "members", "tasks")
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 

@@ -106,6 +106,7 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     if as_json:
         texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
         lists = {"runs": list(model.runs), "bodies": body_records(model), "joints": joint_records(model)}
+        lists["springs"] = list(model.springs)
         print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
     click.echo(one_line(model.title or str(path), 200))
@@ -119,4 +120,6 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         click.echo(body_text(one))
     for one in joint_records(model):
         click.echo(joint_text(one))
+    if model.springs:
+        click.echo(f"springs: {', '.join(model.springs)}")
     click.echo(f"runs: {', '.join(model.runs) or 'none'}")

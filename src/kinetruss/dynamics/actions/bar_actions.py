@@ -18,6 +18,7 @@ from kinetruss.dynamics.actions.records import Acting, Action, CarriedBy, Instan
 from kinetruss.dynamics.actions.terms import actions_of_drives
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.mechanics import System, compile, ends_of, kept
+from kinetruss.mechanics.assembly import spring_motions
 from kinetruss.model import NodalForce
 from kinetruss.results import Column, variable
 
@@ -107,12 +108,19 @@ def acting_along(
     states: States,
     drive: NDArray[np.float64],
     coupling: NDArray[np.float64],
+    spring: NDArray[np.float64] | None = None,
     carried: CarriedBy | None = None,
 ) -> tuple[BarActions, Acting]:
-    """Actions along a motion, from drive and coupling forces (times, drives or couplings) and the forces of truss bars."""
+    """Actions along a motion, from drive, coupling and spring forces (times, drives or couplings or springs) and the forces of
+    truss bars.
+
+    Forces of springs follow from their laws if none are given.
+    """
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
+    force = spring_motions(system, x, v).force if spring is None and system.springs else spring
+    amounts |= _of_springs(system, force)
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads, carried=carried)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -124,9 +132,12 @@ def mean_tension_at_rest(
     drive: NDArray[np.float64],
     coupling: NDArray[np.float64],
     carried: CarriedBy,
+    spring: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
-    """`mean_tension` (members,) at positions x (n, 3) from drive forces (drives,), coupling forces (couplings,) and those of
+    """`mean_tension` (members,) at positions x (n, 3) from the forces of drives (drives,), couplings and springs, and those of
     truss bars and supports, one sample each.
+
+    Forces of springs follow from their laws if none are given.
     """
     actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
     if not actions:
@@ -134,17 +145,24 @@ def mean_tension_at_rest(
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
+    force = spring_motions(system, x[None]).force[0] if spring is None and system.springs else spring
+    amounts |= _of_springs(system, None if force is None else force[None])
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts, carried=carried)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
 
+def _of_springs(system: System, force: NDArray[np.float64] | None) -> dict[tuple[str, str], NDArray[np.float64]]:
+    """Forces of springs (times, springs), N or N m, by source."""
+    return {} if force is None else {("spring", name): one for name, one in zip(system.springs, force.T, strict=True)}
+
+
 def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
-    return action.kind in ("drive", "coupling", "hub") and not action.counted
+    return action.kind in ("drive", "coupling", "spring", "hub") and not action.counted
 
 
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mean axial force of each member by drives, couplings and hubs (times, members), N: f_A . u - (1 - s) q . u."""
+    """Mean axial force of each member by drives, couplings, springs and hubs (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "evaluate"]
 
 
-GIVEN = ("load", "body", "friction", "hub", "bearing")
+GIVEN = ("load", "body", "friction", "spring", "hub", "bearing")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 
@@ -46,7 +46,7 @@ class CarriedBy(NamedTuple):
 class Instants:
     """The input of actions: x (t, n, 3) m; v, m/s, and a, m/s^2, (t, n, 3), or (1, n, 3) at rest; gravity (3,).
 
-    amounts : of drives and couplings, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
+    amounts : of drives, couplings and springs, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
     carried : the forces that load the arms of hubs; without them the actions on arms are NaN, and bearings do not rub.
     """
 

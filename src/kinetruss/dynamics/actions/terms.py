@@ -1,4 +1,4 @@
-"""The bars on which drives and couplings act.
+"""The bars on which drives, couplings and springs act.
 
 An angle turns a bar: the couple acts on the bar between the node and the axis, at the axis. An angle of a named bar acts at the
 end of that bar that is held (`Bars.pivot`), a length along its bar. The offset of a node from a line acts on the bar along the
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
+    from kinetruss.model import Model
 
 __all__ = ["actions_of_drives", "term_weights"]
 
@@ -35,12 +36,11 @@ BALANCED = 1e-3
 
 
 def actions_of_drives(system: System, bars: Bars) -> Found:
-    """Actions of drives and couplings on bars, and those that no bar carries."""
+    """Actions of drives, couplings and springs on bars, and those that no bar carries."""
     yield from _planar_angles(system, bars)
-    own = len(system.measures) - len(system.model.couplings)
     for m, name in enumerate(system.measures):
-        key = ("drive" if m < own else "coupling", name)
-        records = [system.model.all_drives[name]] if m < own else [one for one, _ in system.model.couplings[name].terms]
+        kind, records = _measured(system.model, name)
+        key = (kind, name)
         t = int(system.measure_ptr[m])
         weights: dict[int, NDArray[np.float64]] = {}
         for one in records:
@@ -57,6 +57,15 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
                 yield _pair(system, bars, t, 0, i, bars.pivot(i), key)
             t += 1
         yield from _pinned(system, bars, weights, key)
+
+
+def _measured(model: Model, name: str) -> tuple[str, list[Any]]:
+    """Whose measure it is, a drive's, a coupling's or a spring's, and its coordinates."""
+    if name in model.springs:
+        return "spring", [one for one, _ in model.springs[name].parts]
+    if name in model.couplings:
+        return "coupling", [one for one, _ in model.couplings[name].terms]
+    return "drive", [model.all_drives[name]]
 
 
 def term_weights(system: System, t: int, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

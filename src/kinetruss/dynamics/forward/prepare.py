@@ -14,6 +14,8 @@ from kinetruss.dynamics.forward.simulate import wanted_times
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import InputError
+from kinetruss.kinematics.path import refined
+from kinetruss.mechanics.assembly import refuse_turns
 from kinetruss.model import Model
 from kinetruss.results import Status
 
@@ -59,13 +61,16 @@ class Prepared:
 
         Raises
         ------
-        InputError : times outside the run, an end beyond `longest`.
+        InputError : times outside the run, an end beyond `longest`. AnalysisError : a spring that turns too far.
         """
         t = self._times(t_end, samples) if times is None else wanted_times(t_end, samples, times)
         if t_end > self.longest * (1 + 1e-12):
             raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
         work = self._work(float(t_end))
-        trace = work.advance(t)
+        trace, system = work.advance(t), self.problem.system
+        if system.springs:
+            whole = refined(trace.t, trace.x, trace.v, trace.a, work.passed)
+            refuse_turns(system, whole.t, whole.x, whole.v)
         shape = (len(trace.t), trace.x.shape[1] // 3, 3)
         counts = (work.memory.steps, work.memory.rejected, work.memory.evaluations)
         return Histories(

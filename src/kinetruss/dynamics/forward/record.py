@@ -158,7 +158,9 @@ def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
     found = {
         "energy": variable(time, kinetic + potential, "J", "kinetic and potential energy"),
         "kinetic_energy": variable(time, kinetic, "J", "kinetic energy"),
-        "potential_energy": variable(time, potential, "J", "potential energy of weight, of elastic bars, membranes and solids"),
+        "potential_energy": variable(
+            time, potential, "J", "potential energy of weight, of elastic bars, springs, membranes and solids"
+        ),
         "momentum": variable((*time, "axis"), momentum[:, :dim], "kg m/s", "linear momentum"),
     }
     about = ("time",) if dim == 2 else ("time", "axis")

@@ -82,12 +82,12 @@ def _columns(system: System, x: NDArray[np.float64]) -> Iterator[_Column]:
         if system.kind[i] in (RIGID, DRIVEN):
             u = ends_of(system, x, i)[2][:dim]
             loose.append(_Column({ends[0]: u, ends[1]: -u}))
-    for m in range(len(system.measures)):
+    for m, name in enumerate(system.measures):
         g = measure_gradients(system, m, x[None])[0].reshape(-1, 3)[:, :dim]
         there: list[int] = np.flatnonzero(np.abs(g).max(axis=1) > 0).tolist()
         for n in there:
             met[n] = met.get(n, 0) + 1
-        if there:
+        if there and name not in system.springs:
             loose.append(_Column({n: g[n] / np.abs(g).max() for n in there}))
     yield from loose
     held = {n for n in range(len(system.nodes)) if system.prescribed[3 * n : 3 * n + dim].any()}

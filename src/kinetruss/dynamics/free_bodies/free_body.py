@@ -133,8 +133,8 @@ def free_body(
     Returns
     -------
     FreeBody. Its bodies are the bar; base and tube of an active member, each with the force and moment between them at the
-    tube's free end; or the node. Drives (``T``), couplings (``Q``), loads (``P``), bodies (``B``) act on a bar at the place
-    that `inverse` reports. On a node act the members, the forces of drives and couplings that act on no bar (``Q``), and the
+    tube's free end; or the node. Drives (``T``), couplings (``Q``), springs (``K``), loads (``P``), bodies (``B``) act on a bar
+    at the place that `inverse` reports. On a node act the members, the forces of these that act on no bar (``Q``), and the
     membranes and solids that it belongs to (``E``), with its part of their mass.
 
     Raises
@@ -213,6 +213,7 @@ _SYMBOLS = {
     "load": ("P", "load"),
     "body": ("B", "weight less m a of body"),
     "friction": ("C", "friction at"),
+    "spring": ("K", "spring"),
     "bearing": ("C", "bearing"),
     "hub": ("H", "centre of hub"),
 }
@@ -273,7 +274,7 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
     forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
     for one, (amount, _) in here.several.items():
         if (left := here.left_on(n, one)).any():
-            forces.append(("Q", f"{'drive' if one in system.drives else 'coupling'} {one}", amount * left))
+            forces.append(("Q", f"{here.kind_of(one)} {one}", amount * left))
     mass = float(system.lump[n])
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:

@@ -97,15 +97,19 @@ class Instant:
         return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
 
     def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
-        """Actions on members; `unit`: of 1 N or 1 N m of every drive and coupling, `still`: without accelerations."""
+        """Actions on members; `unit`: of 1 N or 1 N m of every drive, coupling and spring, `still`: without accelerations."""
         system, dim = self.system, self.system.dim
         moving = (self.x, self.v, 0 * self.a if still else self.a)
         states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in moving))
-        drive, coupling = (np.ones((1, len(names))) for names in (system.drives, system.model.couplings))
+        drive, coupling, spring = (
+            np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.springs)
+        )
         if not unit:
             drive = self.data["drive_force"].values[None]
             coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
-        found, acting = acting_along(system, self.loads, states, drive, coupling, None if unit else self._carried())
+            spring = self.data["spring_force"].values[None] if system.springs else spring
+        carried = None if unit else self._carried()
+        found, acting = acting_along(system, self.loads, states, drive, coupling, spring, carried)
         made = []
         for k, action in enumerate(found.actions):
             worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
@@ -134,7 +138,7 @@ class Instant:
 
     @cached_property
     def on_bars_of_unit(self) -> tuple[OnBar, ...]:
-        """Actions of 1 N or 1 N m of every drive and coupling."""
+        """Actions of 1 N or 1 N m of every drive, coupling and spring."""
         return self._on_bars(unit=True, still=False)
 
     def taken(self, node: int, key: tuple[str, str], of: tuple[OnBar, ...]) -> NDArray[np.float64]:
@@ -147,13 +151,15 @@ class Instant:
         return found
 
     def left_on(self, node: int, name: str) -> NDArray[np.float64]:
-        """Force (dim,) on a node of 1 N or 1 N m of a drive or coupling, without the part that acts on members."""
+        """Force (dim,) on a node of 1 N or 1 N m of a drive, coupling or spring, without the part that acts on members."""
         force = self.several[name][1][node]
-        left = force - self.taken(node, (self._kind(name), name), self.on_bars_of_unit)
+        left = force - self.taken(node, (self.kind_of(name), name), self.on_bars_of_unit)
         return np.where(np.abs(left) > LEFT * np.abs(self.several[name][1]).max(), left, 0.0)
 
-    def _kind(self, name: str) -> str:
-        return "coupling" if name in self.system.model.couplings else "drive"
+    def kind_of(self, name: str) -> str:
+        """Whose coordinate has this name: a drive, coupling or spring."""
+        model = self.system.model
+        return "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
 
     def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
         """Name and force (dim,), N, of every load on a node; a load on a bar is not on its nodes."""
@@ -176,15 +182,12 @@ class Instant:
 
     @cached_property
     def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:
-        """Force, N or N m, and nodal forces (n, dim) of its unit, by drive of a hinge or an angle in space and by coupling."""
-        model, x = self.system.model, np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
+        """Force, N or N m, and nodal forces (n, dim) of its unit, by drive of hinges and angles in space, coupling, spring."""
+        x = np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
         found = {}
         for m, name in enumerate(self.system.measures):
-            amount = (
-                self.data["coupling_force"].sel(coupling=name)
-                if name in model.couplings
-                else (self.data["drive_force"].sel(drive=name))
-            )
+            kind = self.kind_of(name)
+            amount = self.data[f"{kind}_force"].sel({kind: name})
             force = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
             found[name] = float(amount), force
         return found

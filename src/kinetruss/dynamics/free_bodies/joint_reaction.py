@@ -49,8 +49,8 @@ def joint_reaction(
     ``coupling_force`` (time, coupling), what each does to its coordinate. attrs ``unique``: 0 if a state of self-stress acts
     through the joint (as in a closed loop of welds), so that equilibrium and motion do not determine the two; ``message`` says
     so. With two bodies at a joint and no load on its nodes, the reaction on the other body is the opposite. Nodal loads there
-    and supports count as "everything else". Loads on the body itself do not, nor does the couple of a drive or a coupling at a
-    hinge (``drive_force``, ``coupling_force``): the result is the load on the bearing.
+    and supports count as "everything else". Loads on the body itself do not, nor does the couple of a drive, a coupling or a
+    spring at a hinge (``drive_force``, ``coupling_force``, ``spring_force``): the result is the load on the bearing.
 
     Raises
     ------
@@ -191,17 +191,15 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
 
 
 def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
-    """Nodes and forces (time, nodes, 3) on this body by the couples of drives and couplings about axes.
+    """Nodes and forces (time, nodes, 3) on this body by the couples of drives, couplings and springs about axes.
 
     Each acts on the nodes of the hinge and on one node off it; on the body, this is a couple.
     """
     system, own = compile(model), set(model.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
     for m, name in enumerate(system.measures):
-        if name in model.couplings:
-            torque = forces.data["coupling_force"].sel(coupling=name).values
-        else:
-            torque = forces.data["drive_force"].sel(drive=name).values
+        kind = "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
+        torque = forces.data[f"{kind}_force"].sel({kind: name}).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
             nodes = [int(flat) // 3 for flat in system.term_at[t, : 2 if system.term_kind[t] == FIXED_AXIS else 3]]
             names = tuple(system.nodes[k] for k in nodes)

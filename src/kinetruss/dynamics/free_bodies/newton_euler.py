@@ -124,7 +124,7 @@ def newton_euler(
     bar adds its law, a free bar the absence of one; a planar body of a bar has its own centre and moment of inertia. Bodies
     that nodes carry are counted at these, sum m_ij (a_j - g). A drive of an angle and a coupling are one unknown each; they
     act on the bars that `inverse` reports, else on nodes along the gradient of their coordinate. Loads and bodies on a bar are
-    on the right-hand side of its equations. So are the forces of membranes and solids, which follow from the node positions.
+    on the right-hand side of its equations. So are the forces of springs, membranes and solids, which follow from the motion.
     Nothing else of the mass matrix of `inverse` is used: agreement shows that its consistent masses and mean tensions are
     equivalent to Newton and Euler's equations. Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
     """
@@ -328,7 +328,8 @@ def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
         if isinstance(record, CoordinateDrive):
             made.add(drive, ("push",), here.data["drive_force"].sel(drive=[drive]).values)
     for name in made.here.several:
-        made.amount(("drive" if name in made.here.system.drives else "coupling", name))
+        if (kind := made.here.kind_of(name)) not in GIVEN:
+            made.amount((kind, name))
 
 
 def _node(made: _Builder, node: str) -> None:
@@ -343,10 +344,13 @@ def _node(made: _Builder, node: str) -> None:
     for drive, record in system.model.all_drives.items():
         if isinstance(record, CoordinateDrive) and record.node == node:
             terms.append((_columns(made, drive, ("push",)), unit[:, ["xyz".index(record.axis)]]))
-    for name in here.several:
-        if (left := here.left_on(n, name)).any():
-            terms.append((made.amount(("drive" if name in system.drives else "coupling", name)), left[:, None]))
     load = sum((force for _, force in here.loads_on(n)), np.zeros(dim))
+    for name, (amount, _) in here.several.items():
+        if (left := here.left_on(n, name)).any():
+            if (kind := here.kind_of(name)) in GIVEN:
+                load = load + amount * left
+            else:
+                terms.append((made.amount((kind, name)), left[:, None]))
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:
         push, weight = push + elements[1], weight + elements[2] + elements[0]

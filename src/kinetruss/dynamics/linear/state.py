@@ -19,6 +19,7 @@ from kinetruss.mechanics.assembly import (
     mass_matrix,
     measure_forces,
     row_tensions,
+    spring_forces,
     turning_inertia,
     turning_members,
 )
@@ -82,7 +83,7 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
     N = balanced_rows(balance, x, f)
     free = balance.system.free
     out = np.abs((f - constraint_jacobian(balance.system, x).T @ N)[free] if len(N) else f[free]).max(initial=0.0)
-    size = max(float(np.abs(part).max(initial=0.0)) for part in (balance.force, N, balance.tension(x)))
+    size = max(float(np.abs(part).max(initial=0.0)) for part in (balance.force, N, balance.tension(x), balance.pushing(x)))
     left = float(out) / size if size else 0.0
     still = left <= AT_REST and not np.any(v)
     a = np.zeros_like(x)
@@ -97,6 +98,8 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
     found = balance.applied(x).reshape(-1, 3)
     if not np.any(v):
         return found.reshape(-1)
+    if system.springs:
+        found += (spring_forces(system, x, v) - spring_forces(system, x)).reshape(-1, 3)
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
     more = (bar_laws(system, L, Ld).tension - bar_laws(system, L).tension)[:, None] * u

@@ -30,7 +30,7 @@ from kinetruss.kinematics.path import (
 )
 from kinetruss.kinematics.targets import course_to
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.assembly import case_loads
+from kinetruss.mechanics.assembly import case_loads, refuse_turns
 from kinetruss.model import Model, moved_by
 from kinetruss.results import Status
 
@@ -160,6 +160,8 @@ class PreparedModel:
         length, length_rate, _ = _lengths(system, x, v, a)
         if static:
             v = a = np.zeros((1, x.shape[1]))
+        else:
+            refuse_turns(system, places.t, x, v)
         loads = case_loads(system, places.t, self.load_case).at(x)
         states, read = States(x, v, a), Read(length, length_rate, places.drive_position, places.drive_velocity)
         solved = with_friction(

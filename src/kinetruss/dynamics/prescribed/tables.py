@@ -23,8 +23,9 @@ from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
+from kinetruss.kinematics.path import Passed, refined
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly import bar_laws, nodal_loads, strain_balance, structure_of
+from kinetruss.mechanics.assembly import bar_laws, nodal_loads, refuse_turns, spring_motions, strain_balance, structure_of
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
@@ -80,7 +81,7 @@ def carried(
     reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
     by = _carried_by(system, mean, reaction, solved.get("bearing", np.zeros((count, 0, 3))))
     states = States(solved["x"], solved["v"], solved["a"])
-    found, acting = acting_along(system, loads, states, drive_force, coupling_force, by)
+    found, acting = acting_along(system, loads, states, drive_force, coupling_force, carried=by)
     _take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
@@ -106,6 +107,12 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
+    if system.springs:
+        if not at_rest:
+            t, states = motion.arrays["time"].values, (solved["x"], solved["v"], solved["a"])
+            whole = refined(t, *states, Passed.of(system, motion))
+            refuse_turns(system, whole.t, whole.x, whole.v)
+        data |= _springs(system, solved["x"], solved["v"])
     if "bearing" in solved:
         turns = slice(2, 3) if dim == 2 else slice(0, 3)
         couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"
@@ -178,6 +185,8 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 def _axes(system: System, case: str) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
+    if system.springs:
+        couplings["spring"] = list(system.springs)
     if system.model.bearings:
         couplings["bearing"] = list(system.model.bearings)
     return Axes(
@@ -228,6 +237,15 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
+def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[str, Column]:
+    """Values of the coordinates of springs, and the forces on them."""
+    found, per = spring_motions(system, x, v), ("time", "spring")
+    return {
+        "spring_value": variable(per, found.value, "m or rad", "coordinate of the spring"),
+        "spring_force": variable(per, found.force, "N or N m", "force or torque of the spring on its coordinate"),
+    }
+
+
 def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting) -> dict[str, Column]:
     active = np.flatnonzero(system.two_rods)
     if not len(active):
@@ -274,7 +292,7 @@ def _power(
         energy[:, 2] -= np.einsum("tkc,tkc->t", solved["bearing"], relative_rates(system, place, moving))
     power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
     time = ("time",)
-    resists = system.damping.any() or system.friction.any() or "bearing" in solved
+    resists = system.damping.any() or system.friction.any() or system.spring_law[:, 2:4].any() or "bearing" in solved
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

@@ -8,6 +8,7 @@ import numpy as np
 
 from kinetruss.kernels.solve.balance import balance
 from kinetruss.kernels.structure.plan import CABLE, NONE
+from kinetruss.mechanics.assembly import spring_laws
 from kinetruss.model import ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau
 from kinetruss.results import Status
 
@@ -32,6 +33,8 @@ FIXED = 1e-3
 def resting(problem: Problem) -> bool:
     """True if nothing moves and no stored energy could cause motion: all energy is then round-off."""
     if problem.v0.any() or problem.eq.constant.any() or problem.motors is not None or len(problem.z0):
+        return False
+    if problem.system.springs and np.any(spring_laws(problem.system, problem.x0.reshape(-1, 3))[:, 0]):
         return False
     start = np.empty((1, 8))
     balance(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
@@ -75,6 +78,7 @@ def _conserved(problem: Problem) -> bool:
         and not len(problem.z0)
         and not np.any(problem.eq.law[:, 2])
         and not problem.eq.pin.size
+        and not np.any(problem.eq.spring[:, 2:4])
     )
 
 

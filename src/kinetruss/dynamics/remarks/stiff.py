@@ -89,7 +89,9 @@ def too_stiff(work: Integration) -> bool:
     steps = int(work.memory.steps)
     if not isinstance(work.problem.method, DOP853 | Taylor) or not work.memory.t > 0:
         return False
-    if vibrating(work) < 0 and (steps < LOOKS[1] or not np.any(work.problem.system.law != NONE)):
+    if vibrating(work) < 0 and (
+        steps < LOOKS[1] or not (np.any(work.problem.system.law != NONE) or work.problem.system.springs)
+    ):
         return False
     margin = 1.0 if vibrating(work) >= 0 else BY_FAR if steps < LOOKS[2] else LATER
     return bool(steps * work.t_end / work.memory.t > margin * work.problem.method.max_steps)

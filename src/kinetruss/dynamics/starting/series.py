@@ -34,6 +34,7 @@ def without_series(problem: Problem) -> str | None:
         (eq.follower_mode, "a load turns with its body"),
         (eq.edge_A, "membranes or solids resist"),
         (eq.pin, "there is friction about pins"),
+        (system.springs, "the spring {!r} acts on a coordinate"),
         ([problem.user] if problem.user.given else [], "a user force is given"),
         ([problem.motors] if problem.motors is not None else [], "motors have inputs"),
     )

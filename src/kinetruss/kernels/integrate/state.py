@@ -177,6 +177,7 @@ class Control(Record):
     event_at: I2
     edge_at: I2
     pin_at: I2
+    spring_at: I2
     pairs: I2
     angle_ptr: I1
     angle_kind: I1

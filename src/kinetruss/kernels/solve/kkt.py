@@ -18,6 +18,7 @@ from kinetruss.kernels.constraints.rows import (
     targets,
     velocity_residuals,
 )
+from kinetruss.kernels.constraints.springs import spring_energies
 from kinetruss.kernels.constraints.sum_rows import (
     add_sum_forces,
     sum_along,
@@ -283,8 +284,10 @@ def kinetic(eq: Equations, ws: Workspace, x: F1, v: F1) -> float:
 
 @kernel_bare
 def potential(eq: Equations, x: F1) -> float:
-    """Energy of weights, of bars with a law, of membranes and solids, J; given forces have none."""
+    """Energy of weights, of bars with a law, springs, membranes and solids, J; given forces have none."""
     energy = law_energies(eq, x)
+    if eq.spring.size:
+        energy += spring_energies(eq, x)
     if eq.edge_A.size:
         energy += continua_energy(eq, x)
     # -f_0 . x of weights and constant forces

@@ -13,6 +13,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, I1
+from kinetruss.kernels.constraints.springs import swap_springs
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.solve.kkt import add_constraint_forces, factor, prepare_rows, row_gaps, solve
@@ -97,6 +98,8 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
     applied(eq, user, t_e, xe, ve, f)
     if midpoint:
         _swap_laws(eq, step.x0, step.x1, xe, ve, step.h, f)
+    if midpoint and eq.spring.size:
+        swap_springs(eq, step.x0, step.x1, xe, ve, step.h, f)
     if midpoint and eq.edge_A.size:
         swap_continua(eq, step.x0, step.x1, xe, f)
     pivot = factor(eq, ws, xe)

@@ -1,14 +1,15 @@
 """[[M + beta K + gamma C, J^T], [J, -delta]] = L D L^T for the implicit methods, K with the stiffness of forces in bars.
 
 K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers, c g g^T of friction
-about pins. The pattern is found once (mechanics.planning.tangent_pattern); delta is small: what it spoils, the next iteration
-of Newton's method mends; so it does the curvature of sums, which is left out.
+about pins and of springs, V'' g g^T + F H of springs. The pattern is found once (mechanics.planning.tangent_pattern); delta is
+small: what it spoils, the next iteration of Newton's method mends; so it does the curvature of sums, left out.
 """
 
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
+from kinetruss.kernels.constraints.springs import add_springs
 from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua
@@ -105,6 +106,8 @@ def tangent_fill(
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
     if eq.pin_P.size:
         add_pins(eq, record.pin_at, x, gamma, value)
+    if eq.spring.size:
+        add_springs(eq, record.spring_at, x, v, beta, gamma, value)
     _add_rows(eq.kind, ws.u, ws.target, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)

@@ -1,4 +1,4 @@
-"""Applied forces: weight, loads, laws of bars, friction, drives, convective terms, the user; no inertia, no constraints."""
+"""Applied forces: weight, loads, laws of bars, pins, springs, drives, rods, the user; no inertia, no constraints."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.parts import intrinsic
 from kinetruss.kernels.compiled.record import F1
+from kinetruss.kernels.constraints.springs import apply_springs
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.continua import add_continua_forces
@@ -137,6 +138,8 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
         add_law_forces(eq, x, v, f)
     if eq.pin_P.size:
         add_pin_forces(eq, x, v, f)
+    if eq.spring.size:
+        apply_springs(eq, x, v, f)
     if eq.force_kind.size:
         _given(eq, t, x, f)
         if eq.term_kind.size:

@@ -32,7 +32,7 @@ from kinetruss.kernels.sweep.blocks import (
     workspace,
 )
 
-__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "Prescribed", "Start", "follow", "continuation"]
+__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "Prescribed", "Start", "chord", "continuation", "faces", "follow"]
 
 DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
@@ -61,7 +61,7 @@ def _copy(source: F2, i: int, target: F2, k: int) -> None:
 
 
 @kernel_inline
-def _faces(plan: Plan, w: Workspace, x: F2, i: int) -> bool:
+def faces(plan: Plan, w: Workspace, x: F2, i: int) -> bool:
     """Every angle row points where its angle says, not the opposite way (n . d = 0 holds for both)."""
     # c . d > 0 with c = (cos, sin) of the angle
     for e in range(plan.driven.size):
@@ -92,7 +92,7 @@ def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float) -
     for b in range(plan.ptr.size - 1):
         if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
             return False
-    good = _faces(plan, w, trial, 0)
+    good = faces(plan, w, trial, 0)
     # no coordinate has jumped
     for c in range(x.shape[1]):
         good = good and abs(trial[0, c] - x[i, c]) < 0.5 * scale
@@ -131,7 +131,7 @@ def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving
 
 
 @kernel_inline
-def _chord(plan: Plan, w: Workspace, b: int, x: F2, i: int, scale: float) -> bool:
+def chord(plan: Plan, w: Workspace, b: int, x: F2, i: int, scale: float) -> bool:
     """Newton steps on a block with the factors at hand; True when they converge to round-off."""
     before = 0.05 * scale
     # simplified Newton's method (fixed Jacobian)
@@ -280,9 +280,9 @@ def _chased(plan: Plan, w: Workspace, states: States, i: int, given: Prescribed,
         x[i, plan.moving[k]] = moving[i, k]
     # positions block by block with the factors at hand
     for b in range(plan.ptr.size - 1):
-        if not _chord(plan, w, b, x, i, scale):
+        if not chord(plan, w, b, x, i, scale):
             return False
-    return _faces(plan, w, x, i)
+    return faces(plan, w, x, i)
 
 
 @kernel

@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
+from kinetruss.kernels.constraints.springs import add_spring_forces, spring_balance
 from kinetruss.kernels.constraints.sums import add_sum_forces, sum_of, sum_terms
 from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rate
 from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
@@ -146,6 +147,8 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         N = law_tension(s, k, L, Ld)
         _add_element(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
     add_pin_forces(s, x, v, rest[i])
+    if s.spring.size:
+        add_spring_forces(s, x, v, rest[i])
 
 
 @kernel_inline
@@ -250,3 +253,5 @@ def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
                 energy += 0.5 * mass * vc * vc - weight * xc
                 rate += vc * (mass * ac - weight)
         out[i, 0], out[i, 1], out[i, 2] = energy, rate, lost
+        if s.spring.size:
+            spring_balance(s, x, v, out[i])

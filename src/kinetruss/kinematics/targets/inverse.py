@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.motion.platform_motion import platform_motion
 from kinetruss.kinematics.given.support import Histories, with_supports
 from kinetruss.kinematics.given.tables import table_notes
@@ -16,16 +16,17 @@ from kinetruss.kinematics.path.in_between import REFINED, between, halved
 from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.redundant import LEAST, Path
 from kinetruss.kinematics.path.sample import sample_profile
-from kinetruss.kinematics.targets.target_words import PLATFORM, explained
+from kinetruss.kinematics.targets.along import tasks_course
+from kinetruss.kinematics.targets.target_words import LARGEST, PLATFORM, explained, freedoms
 from kinetruss.mechanics import System, compile, kept
-from kinetruss.mechanics.configuration import drive_values, names_of
-from kinetruss.model import Model, moved_by
+from kinetruss.mechanics.configuration import POSE, drive_values, names_of
+from kinetruss.model import TARGETS, Combined, Coordinates, Docking, Model, moved_by, target_faults
 from kinetruss.results import Motion
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["inverse", "release"]
+__all__ = ["course_to", "inverse", "release", "task_of"]
 
 
 def inverse(
@@ -38,13 +39,15 @@ def inverse(
     least: float = LEAST,
     raise_on_failure: bool = True,
 ) -> Motion:
-    """The motion, and with it the drive lengths, for prescribed node coordinates or a prescribed platform pose.
+    """The motion, and with it the drive lengths, for tasks of the structure.
 
     Parameters
     ----------
-    targets : a trajectory record that moves node coordinates (``"N8.x"``), or with `platform` the displacement
-        ``x, y, z`` (m) of the platform's centroid and the rotations ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch)
-        Rx(roll)), both relative to its pose in the model. In the plane: ``x, y, yaw``.
+    targets : a task (`Gimbal`, `Positioning`, `Reflecting`, `Docking`, `Pointing`, `Coordinates`, `Combined`), a list of them,
+        or a mapping of coordinates to trajectory records. Or a trajectory record that moves node coordinates (``"N8.x"``) or
+        other ones (``"follower.angle"``, ``"bay.beta"``), or with `platform` the displacement ``x, y, z`` (m) of the platform's
+        centroid and the rotations ``roll, pitch, yaw`` (rad; R = Rz(yaw) Ry(pitch) Rx(roll)), both relative to its pose in
+        the model. In the plane: ``x, y, yaw``.
     platform : names of the nodes that move as one rigid body.
     samples, times, least, raise_on_failure : as in `follow`.
 
@@ -54,15 +57,20 @@ def inverse(
 
     Raises
     ------
-    InputError : unknown names, or targets that do not fix the configuration. AnalysisError : as in `follow`.
+    ModelError : names of a task that the model does not have, all faults at once.
+    InputError : unknown names, targets that the drives cannot do to first order (with the rank, and the direction that they
+        lack), a start out of reach. AnalysisError : as in `follow`, or out of reach; the message has the nearest pose.
 
     Notes
     -----
-    The targets replace the drives: their coordinates are prescribed, all driven lengths and angles are released, and the same
-    sweep as in `follow` solves for the other coordinates.
+    A trajectory of as many node coordinates as the structure has freedoms replaces the drives: its coordinates are prescribed,
+    all driven lengths and angles are released, and the same sweep as in `follow` solves for the other coordinates. All else
+    is solved for the drives: those that meet the tasks and have the least objective (see `Coordinates`), by Newton's method
+    with exact rates; strokes (`Active.limits`) are kept.
     """
     system = compile(model)
-    moved_by(targets)  # refuses anything but a trajectory
+    targets = task_of(system, targets, platform)
+    platform = None if isinstance(targets, TARGETS) else platform
     t = instants(targets.duration, samples, times, model)
     course, found = course_to(system, targets, t, platform, least)
     motion = motion_of(system, course, "targets", found.status, found.message)
@@ -71,10 +79,69 @@ def inverse(
     return with_note(motion, table_notes(model, targets))
 
 
+def task_of(system: System, targets: Any, platform: Sequence[str] | None) -> Any:
+    """What is asked for: a task, several of them, or a trajectory that fixes all freedoms by itself (see `inverse`).
+
+    A trajectory that leaves freedoms, or moves coordinates other than those of nodes, becomes a task.
+    """
+    if isinstance(targets, (list, tuple)):
+        targets = Combined(tasks=tuple(targets))
+    if isinstance(targets, Mapping) and targets and all(hasattr(one, "duration") for one in targets.values()):
+        targets = Coordinates(moves=dict(targets), duration=max(one.duration for one in targets.values()))
+    if isinstance(targets, TARGETS):
+        if platform is not None:
+            raise InputError("A task names its platform itself. Leave `platform` out.")
+        if faults := list(target_faults(system.model, targets)):
+            raise ModelError(faults)
+        return targets
+    names = list(moved_by(targets)[1])  # refuses anything but a trajectory
+    if not system.drives or len(system.free) > LARGEST:
+        return targets
+    if platform is not None:
+        count = 6 if system.dim == 3 else 3
+        free = len(system.coordinate_drive) == 0 and freedoms(system).shape[1] > count
+        return _docking(system, targets, platform) if free else targets
+    nodes = {f"{node}.{axis}" for node in system.nodes for axis in "xyz"[: system.dim]}
+    others = [name for name in names if name not in nodes]
+    if others:
+        known = {*system.drives, *system.members, *(f"{bar}.angle" for bar in system.members)}
+        known |= {f"{pose}.{part}" for pose in system.model.poses for part in POSE}
+        return (
+            Coordinates(moves=dict.fromkeys(names, targets), duration=targets.duration) if known.issuperset(others) else targets
+        )
+    held = any(system.prescribed[3 * system.node_index(n.rpartition(".")[0]) + "xyz".index(n[-1])] for n in names)
+    if not held and not len(system.coordinate_drive) and freedoms(system).shape[1] > len(names):
+        return Coordinates(moves=dict.fromkeys(names, targets), duration=targets.duration)
+    return targets
+
+
+def _docking(system: System, targets: Any, platform: Sequence[str]) -> Docking | Any:
+    """A trajectory of a platform, relative to where it stands, as a task."""
+    platform = names_of([platform] if isinstance(platform, str) else platform, "the nodes of the platform")
+    names, known = list(moved_by(targets)[1]), PLATFORM if system.dim == 3 else ("x", "y", "yaw")
+    if any(name not in system.nodes for name in platform) or any(name not in known for name in names):
+        return targets
+    centre = system.x0[[system.node_index(name) for name in platform]].mean(axis=0)
+
+    def course(name: str) -> Any:
+        begin = float(centre["xyz".index(name)]) if name in ("x", "y", "z") else 0.0
+
+        def at(t: float) -> tuple[float, float, float]:
+            value, rate, second = (float(one[0]) for one in sample_profile(targets, np.array([t]), {name: 0.0})[name])
+            return begin + value, rate, second
+
+        return at
+
+    return Docking(platform=tuple(platform), moves={name: course(name) for name in names}, duration=targets.duration)
+
+
 def course_to(
     system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float
 ) -> tuple[Course, Swept]:
     """The histories that take targets along their trajectory, at the instants t (s,) s, and how it ended."""
+    targets = task_of(system, targets, platform)
+    if isinstance(targets, TARGETS):
+        return tasks_course(system, targets, t)
     dense = between(targets, t)
     for _ in range(REFINED):
         found = _swept(system, targets, dense, platform, least)

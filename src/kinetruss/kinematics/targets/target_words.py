@@ -13,7 +13,7 @@ from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["PLATFORM", "explained"]
+__all__ = ["LARGEST", "PLATFORM", "explained", "freedoms"]
 
 PLATFORM = ("x", "y", "z", "roll", "pitch", "yaw")
 WAYS = ("move along x", "move along y", "move along z", "roll (turn about x)", "pitch (turn about y)", "yaw (turn about z)")
@@ -28,7 +28,7 @@ def explained(system: System, targets: Sequence[str], platform: Sequence[str] | 
     """
     if len(system.free) > LARGEST or len(system.coordinate_drive):
         return error
-    ways = _freedoms(system)
+    ways = freedoms(system)
     count = ways.shape[1]
     if platform is not None:
         cannot = _cannot(system, ways, platform)
@@ -57,7 +57,7 @@ def explained(system: System, targets: Sequence[str], platform: Sequence[str] | 
     return error
 
 
-def _freedoms(system: System) -> NDArray[np.float64]:
+def freedoms(system: System) -> NDArray[np.float64]:
     """Orthonormal velocities (free, k) that the drives can produce, with all rows but theirs held."""
     kept = system.row_drive < 0
     J = jacobian(system, system.x0, system.drive_start)[kept]

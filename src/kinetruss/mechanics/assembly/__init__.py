@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions
+    from kinetruss.mechanics.assembly.balance import (
+        Balance,
+        balance_of,
+        balanced_rows,
+        measure_forces,
+        row_tensions,
+        sum_stiffness,
+    )
     from kinetruss.mechanics.assembly.cases import Loads, case_loads
     from kinetruss.mechanics.assembly.continua import (
         continua_arrays,
@@ -26,12 +33,20 @@ if TYPE_CHECKING:
         turning_inertia,
         turning_members,
     )
+    from kinetruss.mechanics.assembly.springs import (
+        SpringHistories,
+        refuse_turns,
+        spring_forces,
+        spring_laws,
+        spring_motions,
+    )
     from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, pins_of, structure_of
 
 __all__ = [
     "Balance",
     "Follower",
     "Loads",
+    "SpringHistories",
     "balance_of",
     "balanced_rows",
     "bar_laws",
@@ -50,10 +65,15 @@ __all__ = [
     "with_continua_forces",
     "unit_loads_of",
     "refuse_massless",
+    "refuse_turns",
     "resting_forces",
     "row_tensions",
+    "spring_forces",
+    "spring_laws",
+    "spring_motions",
     "strain_balance",
     "structure_of",
+    "sum_stiffness",
     "measure_forces",
     "tangents",
     "turning_inertia",
@@ -63,13 +83,14 @@ __all__ = [
 __getattr__, __dir__ = late(
     __name__,
     {
-        "balance": "Balance balance_of balanced_rows row_tensions measure_forces",
+        "balance": "Balance balance_of balanced_rows row_tensions measure_forces sum_stiffness",
         "cases": "Loads case_loads",
         "continua": "continua_arrays continua_geometric continua_stiffness with_continua_forces resting_forces strain_balance",
         "followers": "Follower history_of unit_loads_of",
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
+        "springs": "SpringHistories refuse_turns spring_forces spring_laws spring_motions",
         "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
     },
 )

@@ -1,4 +1,4 @@
-"""Forces on the nodes of a structure at rest: loads, weights, constitutive laws of bars, drives with a given force."""
+"""Forces on the nodes of a structure at rest: loads, weights, laws of bars and springs, drives with a given force."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ from kinetruss.mechanics.assembly.continua import continua_energy, resting_force
 from kinetruss.mechanics.assembly.followers import Follower
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents, turning_inertia
+from kinetruss.mechanics.assembly.springs import spring_forces, spring_laws, spring_motions
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.freedom.rows import released
 from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
@@ -87,7 +88,14 @@ class Balance:
         # T dq/dx of torques on measures
         for m in np.flatnonzero(self.turn):
             flat += self.turn[m] * measure_gradients(system, m, x[None])[0]
+        flat += spring_forces(system, x)
         return flat + self.following(x)
+
+    def pushing(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The force of each spring on nodes (springs,), N, about, at positions x (n, 3)."""
+        if not self.system.springs:
+            return np.zeros(0)
+        return np.asarray(spring_laws(self.system, x)[:, 0] / self.system.measure_scale[self.system.spring_measure])
 
     def following(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces on the nodes (3 n,), N, of loads that turn with bodies."""
@@ -124,6 +132,8 @@ class Balance:
         for m in np.flatnonzero(self.turn):
             before, after = measured(system, m, np.stack([x, y]))[:, 0]
             change -= float(self.turn[m] * (after - before))
+        if system.springs:
+            change += float(np.diff(spring_motions(system, np.stack([x, y])).energy.sum(axis=1))[0])
         rods, two = system.rods, system.two_rods
         if two.any() and np.any(self.gravity):
             # weight of active members: first moments move with the ends and turn with the direction

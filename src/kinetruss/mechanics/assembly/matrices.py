@@ -1,9 +1,9 @@
 """Mass, damping and stiffness of a structure as sparse matrices, assembled member by member.
 
     M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses, bodies
-    C : dN/dL' u u^T of dampers + c g g^T of friction about pins
+    C : dN/dL' u u^T of dampers + c g g^T of friction about pins and of springs
     K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques,
-        + the tangent of membranes and solids
+        + the tangents of springs, of membranes and solids
 
 All are by flat coordinates 3 node + axis; K is minus the derivative of the forces on the nodes at fixed multipliers. Members
 whose inertia depends on where they point (base rod and tube, rotary inertia) are differentiated by complex steps, which is
@@ -20,6 +20,7 @@ from scipy.sparse import csr_array
 from kinetruss.mechanics.assembly.continua import continua_stiffness
 from kinetruss.mechanics.assembly.friction import friction_tangents
 from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.springs import spring_laws, spring_tangents
 from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
 from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
@@ -90,10 +91,12 @@ def tangents(
     gravity: NDArray[np.float64],
     v: NDArray[np.float64] | None = None,
     a: NDArray[np.float64] | None = None,
+    springs: NDArray[np.float64] | None = None,
 ) -> tuple[Any, Any]:
     """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v.
 
     x, v, a (n, 3). tension (m,): total axial force of each member, N. torque (m,): the torque on it, N m. gravity (3,).
+    springs (springs, 3) : resistance, and its derivatives by the coordinate and its rate; by default those of their laws.
     """
     d, L, u = ends_of(system, x)
     dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
@@ -121,6 +124,9 @@ def tangents(
     if system.friction.any():
         rubbing = friction_tangents(system, x, v)
         K, C = K + rubbing[0], C + rubbing[1]
+    if system.springs:
+        resisting = spring_tangents(system, x, v, spring_laws(system, x, v) if springs is None else springs)
+        K, C = K + resisting[0], C + resisting[1]
     return K if system.continua is None else K + continua_stiffness(system.continua, x), C
 
 

@@ -1,4 +1,4 @@
-"""The element tables of a compiled model: constant and changing masses, laws of bars, friction, masses at single nodes."""
+"""The element tables of a compiled model: constant and changing masses, laws of bars, pins, springs, masses at nodes."""
 
 from __future__ import annotations
 
@@ -48,7 +48,8 @@ def elements(system: System) -> dict[str, NDArray[Any]]:
     share = system.node_mass - system.lump
     if system.continua is not None:
         share = share + system.continua.lump
-    return _pairs(system) | _varying(system) | _laws(system) | _pins(system) | {"lump": system.lump, "share": share}
+    own = {"lump": system.lump, "share": share}
+    return _pairs(system) | _varying(system) | _laws(system) | _pins(system) | _springs(system) | own
 
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:
@@ -200,3 +201,19 @@ def _pins(system: System) -> dict[str, NDArray[Any]]:
     node, first, second, friction = pins_of(system)
     A, B = (system.p[m].astype(np.int64) + system.q[m] - node for m in (first, second))
     return {"pin_P": 3 * node, "pin_A": 3 * A, "pin_B": 3 * np.where(second < 0, node, B), "pin": friction}
+
+
+def _springs(system: System) -> dict[str, NDArray[Any]]:
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in system.spring_measure]
+    terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
+    local = [np.unique(system.term_at[span, :3], return_inverse=True)[1].reshape(-1, 3) for span in spans]
+    return {
+        "spring": np.column_stack([system.spring_law, system.measure_period[system.spring_measure]]),
+        "spring_ptr": np.cumsum([0, *map(len, spans)]).astype(np.int64),
+        "spring_kind": system.term_kind[terms],
+        "spring_at": system.term_at[terms],
+        "spring_data": system.term_data[terms],
+        "spring_local": np.concatenate([*local, np.zeros((0, 3))]).astype(np.int64),
+        "spring_table_ptr": system.spring_table_ptr,
+        "spring_table": system.spring_table,
+    }

@@ -32,6 +32,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     members = [where[(pair[:, :, None] + np.arange(3)).reshape(-1, 6)] for pair in ends]
     members[1][eq.sum_row] = -1
     members.append(_pins(eq, where))
+    members.append(_springs(eq, where))
     pairs = [_pairs(m) for m in members]
     terms = int(eq.sum_ptr[-1]) if len(eq.sum_ptr) else 0
     sums = where[(eq.term_at[:terms, :3, None] + np.arange(3)).reshape(-1, 9)]
@@ -47,8 +48,8 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     scale = max(float(np.abs(mass.data).max(initial=0.0)), 1e-300)
     base[below.size + place] += REGULAR * scale
     base[below.size + row_place] = -REGULAR / scale
-    # places of 6 x 6 blocks: bars with a law, rows, edges, pins
-    blocks = [find(np.repeat(m, 6, 1).reshape(-1), np.tile(m, 6).reshape(-1)).reshape(-1, 36) for m in members]
+    # places of square blocks: bars with a law, rows, edges, pins, springs
+    blocks = [find(*pair).reshape(len(m), m.shape[1] ** 2) for m, pair in zip(members, pairs, strict=True)]
     return {
         "ptr": ptr,
         "below": below,
@@ -64,6 +65,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         "space": np.zeros(n),
         "edge_at": blocks[2],
         "pin_at": blocks[3],
+        "spring_at": blocks[4],
     }
 
 
@@ -74,11 +76,21 @@ def _pins(eq: Any, where: Ints) -> Ints:
     return where[flat.reshape(-1, 6)]
 
 
+def _springs(eq: Any, where: Ints) -> Ints:
+    """Places (springs, w) of the coordinates of the nodes of springs, ascending; those that have fewer end with -1."""
+    nodes = [np.unique(eq.spring_at[eq.spring_ptr[k] : eq.spring_ptr[k + 1], :3]) for k in range(len(eq.spring))]
+    found = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
+    for k, own in enumerate(nodes):
+        found[k, : len(own)] = where[own[:, None] + np.arange(3)]
+    return found.reshape(len(nodes), found.shape[1] * 3)
+
+
 def _order(eq: Any) -> tuple[Ints, Ints]:
     """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row after the later of its free nodes."""
     nodes = eq.local.size // 3
-    A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A]) // 3
-    B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B]) // 3
+    one, other = (eq.spring_at[:, [0, 0]].reshape(-1), eq.spring_at[:, 1:3].reshape(-1))
+    A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A, one]) // 3
+    B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B, other]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))
     rank = np.empty(nodes, np.int64)
     # nodes in a narrow band, each row behind the last of its nodes
@@ -97,7 +109,8 @@ def _order(eq: Any) -> tuple[Ints, Ints]:
 
 def _pairs(member: Ints) -> tuple[Ints, Ints]:
     """All pairs of places of a member's coordinates, -1 where prescribed."""
-    return np.repeat(member, 6, 1).reshape(-1), np.tile(member, 6).reshape(-1)
+    width = member.shape[1]
+    return np.repeat(member, width, 1).reshape(-1), np.tile(member, width).reshape(-1)
 
 
 def _pattern(n: int, i: Ints, j: Ints) -> tuple[Ints, Ints, Ints]:

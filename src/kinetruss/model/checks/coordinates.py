@@ -1,4 +1,4 @@
-"""Cross-checks of drives and couplings: their coordinates must exist, be defined, and be able to move."""
+"""Cross-checks of drives, couplings and springs: their coordinates must exist, be defined, and be able to move."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinetruss.model.motion.drives import geared
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["coupling_faults", "measured_faults"]
+__all__ = ["coupling_faults", "measured_faults", "spring_faults"]
 
 ON_AXIS = 1e-9
 """A node lies on an axis if its distance is below this fraction of that from the first node of the axis."""
@@ -28,18 +28,39 @@ def coupling_faults(model: ModelData) -> Iterator[Fault]:
             yield Fault(path, f"{name!r} is also the name of a drive or a member.", "Give the coupling another name.")
         if not model.members:
             yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
-        for k, (one, factor) in enumerate(coupling.terms):
-            yield from measured_faults(model, one, (*path, "terms", k))
-            if geared(one):
-                mend = "Put them on a drive of that angle."
-                yield Fault((*path, "terms", k), "has a gear or a motor, but only measures.", mend)
-            if factor == 0:
-                yield Fault((*path, "terms", k), "has the factor 0.", "Leave the term out.")
-        angles = [abs(factor) for one, factor in coupling.terms if one.kind in ("angle", "hinge")]
-        if len({one.model_dump_json() for one, _ in coupling.terms}) < len(coupling.terms):
-            yield Fault((*path, "terms"), "names a coordinate twice.", "Give each coordinate one factor.")
-        elif angles and 0 < min(angles) < 1e-9 * max(angles):
-            yield Fault((*path, "terms"), "has factors of angles that differ beyond all measure.", "Mend the factors.")
+        yield from _sum_faults(model, coupling.terms, (*path, "terms"))
+
+
+def spring_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of springs and of the coordinates that they act on."""
+    for name, spring in model.springs.items():
+        path = ("springs", name)
+        if name in model.all_drives or name in model.members or name in model.couplings:
+            yield Fault(path, f"{name!r} is also the name of a drive, a coupling or a member.", "Give the spring another name.")
+        if not model.members:
+            yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
+        if spring.terms is not None:
+            yield from _sum_faults(model, spring.terms, (*path, "terms"))
+        elif (one := spring.coordinate) is not None:
+            yield from _term_faults(model, one, (*path, "coordinate"))
+
+
+def _sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:
+    for k, (one, factor) in enumerate(terms):
+        yield from _term_faults(model, one, (*path, k))
+        if factor == 0:
+            yield Fault((*path, k), "has the factor 0.", "Leave the term out.")
+    angles = [abs(factor) for one, factor in terms if one.kind in ("angle", "hinge")]
+    if len({one.model_dump_json() for one, _ in terms}) < len(terms):
+        yield Fault(path, "names a coordinate twice.", "Give each coordinate one factor.")
+    elif angles and 0 < min(angles) < 1e-9 * max(angles):
+        yield Fault(path, "has factors of angles that differ beyond all measure.", "Mend the factors.")
+
+
+def _term_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
+    yield from measured_faults(model, one, path)
+    if geared(one):
+        yield Fault(path, "has a gear or a motor, but only measures.", "Put them on a drive of that angle.")
 
 
 def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:

@@ -11,7 +11,7 @@ from kinetruss.errors import Fault
 from kinetruss.model.checks.bodies import body_faults, planar_body_faults
 from kinetruss.model.checks.common import a_bar, components, unknown
 from kinetruss.model.checks.continua import continuum_faults
-from kinetruss.model.checks.coordinates import coupling_faults, measured_faults
+from kinetruss.model.checks.coordinates import coupling_faults, measured_faults, spring_faults
 from kinetruss.model.checks.gauges import gauge_faults
 from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
@@ -52,6 +52,7 @@ def faults(model: ModelData) -> list[Fault]:
         *_loads(model, dim),
         *_drives(model),
         *coupling_faults(model),
+        *spring_faults(model),
         *_trajectories(model),
         *run_faults(model),
         *all_condition_faults(model),

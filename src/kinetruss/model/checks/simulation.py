@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.motion.drives import LengthDrive, turns
 from kinetruss.model.motion.inputs import PositionLoop
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
@@ -158,6 +159,8 @@ def run_faults(model: ModelData) -> Iterator[Fault]:
         for index, case in enumerate(run.load_cases or ()):
             if case not in model.load_cases:
                 yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
+        if run.targets is not None:
+            yield from target_faults(model, run.targets, ("runs", name, "targets"))
         yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
         yield from event_faults(model, run.events, ("runs", name, "events"))
         if run.condition is not None and run.condition not in model.conditions:

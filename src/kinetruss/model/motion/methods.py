@@ -128,7 +128,7 @@ class Taylor(Record):
     from the equations by default. step : s, all steps alike and no error control, to study convergence.
 
     Rigid, driven and elastic bars of constant mass, planar bodies, angle drives, supports that move, given forces. Not for
-    active members, cables, hinges and couplings, loads that turn with bodies, membranes,
+    active members, cables, hinges, couplings and springs, loads that turn with bodies, membranes,
     solids, friction about pins, user forces and motors: use `DOP853` for these.
 
     Source: A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117; J. D. Pryce, Numerical Algorithms 19 (1998) 195-211.

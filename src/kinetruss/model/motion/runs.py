@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field, model_validator
 
@@ -11,6 +11,7 @@ from kinetruss.model._record import Coordinate, Name, Record, Span, Whole
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.motion.events import Event
 from kinetruss.model.motion.methods import Method
+from kinetruss.model.motion.targets import Combined, Target
 from kinetruss.model.motion.tasks import Task
 from kinetruss.model.motion.trajectories import TrajectoryOrName
 
@@ -34,7 +35,7 @@ MISSION = "mission"
 STATIC = tuple(name for name in get_args(Analysis) if name.startswith("statics."))
 """Analyses of structures that stand still, or, for the deflection, of small displacements from a motion."""
 
-_MOTION = ("trajectory", "motion", "samples")
+_MOTION = ("trajectory", "motion", "targets", "samples")
 _USED = {
     "dynamics.inverse": _MOTION,
     "kinematics.follow": _MOTION,
@@ -47,7 +48,7 @@ _USED = {
 }
 """The fields of each analysis besides load cases, stations and condition."""
 
-_OWN = ("trajectory", "motion", "samples", "t_end", "tasks", "method", "events", "poses", "motions", "conditions")
+_OWN = ("trajectory", "motion", "targets", "samples", "t_end", "tasks", "method", "events", "poses", "motions", "conditions")
 
 
 class Run(Record):
@@ -57,7 +58,8 @@ class Run(Record):
         ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``); at rest ``statics.linear`` (small
         displacements), ``statics.equilibrium`` (large ones), ``statics.at_poses`` (forces in poses) and ``statics.deflection``
         (of elastic members along a motion, besides all of ``dynamics.inverse``); or ``mission``.
-    trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...).
+    trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...); or
+        `targets`, a task of the structure (`Gimbal`, `Positioning`, `Docking` ...), which says what the drives must do.
         A simulation needs neither; its trajectory moves the drives that have no task.
     samples : number of equally spaced instants, both ends included.
     load_cases : names; None runs all of the model's, or its plain loads if it has none. A simulation or an equilibrium has
@@ -80,6 +82,7 @@ class Run(Record):
     analysis: Analysis = "dynamics.inverse"
     trajectory: TrajectoryOrName | None = None
     motion: str | None = None
+    targets: Target | None = None
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
     load_cases: tuple[Name, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
@@ -100,6 +103,8 @@ class Run(Record):
                 raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or change analysis: {users[-1]}.")
         if self.analysis == "dynamics.simulate":
             return self._simulated()
+        if self.targets is not None and _timed(self.targets):
+            raise ValueError("has targets with a function of time, which no file can hold. Give way points, or a spline.")
         if self.analysis == MISSION:
             return self._mission()
         if self.analysis == "statics.equilibrium":
@@ -109,15 +114,16 @@ class Run(Record):
         return self
 
     def _one_motion(self) -> None:
-        given = [name for name in ("trajectory", "motion", "poses") if getattr(self, name)]
+        given = [name for name in ("trajectory", "motion", "targets", "poses") if getattr(self, name)]
         if len(given) == 1:
             return
         if self.analysis == "statics.at_poses":
             has = " and ".join(given) or "no poses"
-            raise ValueError(f"has {has}. Give one: poses: {{stowed: {{M7: 1.2 m}}}}, or a trajectory, or motion (a CSV).")
-        has = "both trajectory and motion" if given else "neither trajectory nor motion"
+            raise ValueError(f"has {has}. Give one: poses: {{stowed: {{M7: 1.2 m}}}}, a trajectory, motion (a CSV) or targets.")
+        has = f"both {' and '.join(given)}" if given else "neither trajectory nor motion"
         standing = "" if given else f" {STANDING}"
-        raise ValueError(f"has {has}. Give one: trajectory, or motion (a node-history CSV).{standing}")
+        mend = "Give one: trajectory, motion (a node-history CSV), or targets (a task of the structure)."
+        raise ValueError(f"has {has}. {mend}{standing}")
 
     def _mission(self) -> Run:
         if not self.motions:
@@ -148,3 +154,10 @@ class Run(Record):
         if self.load_cases is not None and len(self.load_cases) > 1:
             what = "an equilibrium has one place" if self.analysis == "statics.equilibrium" else "a simulation has one motion"
             raise ValueError(f"has {len(self.load_cases)} load cases; {what}. Make one run for each.")
+
+
+def _timed(target: Any) -> bool:
+    """True if a task has a course that is a function of time."""
+    if isinstance(target, Combined):
+        return any(_timed(task) for task in target.tasks)
+    return any(callable(course) for course in getattr(target, "moves", {}).values())

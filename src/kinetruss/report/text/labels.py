@@ -9,7 +9,7 @@ from kinetruss.display import quantity
 from kinetruss.io.models import resolved
 from kinetruss.model import Of, Record
 from kinetruss.runs.many import short_paths
-from kinetruss.units import NUMBER, unit_of
+from kinetruss.units import EITHER, NUMBER, unit_of
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
@@ -56,7 +56,7 @@ def _with_unit(model: Model, path: str, value: str) -> str:
         for key in resolved(model, path):
             if isinstance(here, Record):
                 rules = [rule for rule in type(here).model_fields[str(key)].metadata if isinstance(rule, Of)]
-                unit = unit_of(rules[0].quantity) if rules else ""
+                unit = unit_of(rules[0].quantity) if rules and rules[0].quantity not in EITHER else ""
                 here = getattr(here, str(key))
             else:
                 here = here[key]

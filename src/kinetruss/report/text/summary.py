@@ -14,6 +14,7 @@ from kinetruss.report._page import Page
 from kinetruss.report.missions import mission_record, mission_text
 from kinetruss.report.text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.text.simulation import simulation_lines, simulation_record
+from kinetruss.report.text.springs import spring_loads, springs_text
 from kinetruss.report.text.statics import statics_lines, statics_record
 from kinetruss.report.text.trains import exceeded, trains, trains_text
 from kinetruss.runs import MissionRun
@@ -62,6 +63,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "worst": [_row(row) for row in worst_rows(run)],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
         "drive_loads": drive_loads(run, motors(run)),
+        "spring_loads": spring_loads(run),
         "motors": motors(run),
         "trains": trains(run),
         "exceeded": exceeded(run),
@@ -90,6 +92,7 @@ def _text(run: RunResult) -> str:
         parts.append("Not checked\n" + "\n".join(f"{what} ({_counted(names)})" for what, names in missing.items()))
     found = motors(run)
     parts += drives_text(drive_loads(run, found))
+    parts += springs_text(spring_loads(run))
     if found:
         parts.append(f"Motors (largest values of the motion)\n{Table(MOTOR_HEAD, map(_motor_cells, found)).text}")
     parts += trains_text(run)

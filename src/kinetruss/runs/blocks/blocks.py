@@ -58,7 +58,9 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
     """Motion of the samples of one block, started from the sample before it."""
     last = min(first + plan.block, len(plan.times))
     if plan.given is not None:
-        return plan.given.with_(data=plan.given.data.isel(time=slice(first, last)))
+        part = plan.given.with_(data=plan.given.data.isel(time=slice(first, last)))
+        early = last < len(plan.given.arrays["time"].values)
+        return part.with_(status=Status.COMPLETED, message="") if early else part
     lead = 0 if position is None else 1
     try:
         motion = _followed(plan, plan.times[first - lead : last], position, raising=False)

@@ -30,7 +30,7 @@ class Plan:
     """The results to compute.
 
     model : under the condition of the run; origin : as it was given. times : (samples,) s.
-    cases : load cases (None: all loads of the model). given : motion from a file, or known before.
+    cases : load cases (None: all loads of the model). given : motion from a file or for a task, or known before.
     full : False omits results that utilisation does not need: forces at rest, section forces, motor demands.
     bare : only motion and forces.
     """
@@ -70,6 +70,10 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         origin = origin.with_(runs={**origin.runs, chosen: origin.runs[chosen].with_(motion=run.motion)})
         given = kinematics.from_csv(model, str(run.motion))
         times = given.data["time"].values
+    elif run.targets is not None:
+        times = np.linspace(0.0, run.targets.duration, run.samples)
+        check_supports(model, 0.0, float(times[-1]))
+        given = kinematics.inverse(model, run.targets, times=times, raise_on_failure=False)
     elif run.trajectory is None:  # poses at rest, which are counted
         times = np.arange(max(1, len(run.poses)), dtype=float)
         block = len(times)

@@ -134,7 +134,7 @@ class Road:
         return ROUND_OFF * self.largest * float(np.abs(x).max()) / size
 
     def _size(self, x: NDArray[np.float64], N: NDArray[np.float64], factor: float) -> float:
-        parts = (self.balance.force, factor * self.push, N, self.balance.tension(x), self.balance.push)
+        parts = (self.balance.force, factor * self.push, N, self.balance.tension(x), self.balance.push, self.balance.pushing(x))
         return max(float(np.abs(part).max(initial=0.0)) for part in parts) or 1.0
 
     def _along(

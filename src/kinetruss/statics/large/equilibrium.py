@@ -13,7 +13,7 @@ from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian
-from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, row_tensions
+from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, row_tensions, spring_motions
 from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
@@ -218,7 +218,7 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         "member": list(system.members),
         "drive": list(system.drives),
         "support": list(system.supports),
-    }
+    } | ({"spring": list(system.springs)} if system.springs else {})
     ways = [moves_text(shape, system.nodes) for shape in shapes[: found.negative + found.neutral]]
     attrs = {
         "kind": "equilibrium",
@@ -254,7 +254,7 @@ def _holds(system: System, drive: int) -> bool:
 def forces_of(
     system: System, balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], supports: list[int]
 ) -> dict[str, Column]:
-    """member_force (member), reaction (support, axis), drive_force (drive) at rest."""
+    """member_force (member), reaction (support, axis), drive_force (drive), values and forces of springs at rest."""
     held = balance.system
     tension, torque = row_tensions(held, x, N)
     on_measures = measure_forces(held, N)
@@ -271,17 +271,25 @@ def forces_of(
         drive[d] = -left[flat] if held.prescribed[flat] else balance.force[flat]
         fixed[flat] = False
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
-    own = len(system.measures) - len(system.model.couplings)
+    last = len(system.measures) - len(system.springs)
+    own = last - len(system.model.couplings)
     mean = balance.tension(x) + tension
     support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
-    mean = mean + mean_tension_at_rest(
-        system, x, drive, -on_measures[own:], CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
-    )
+    carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
+    mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
+    springs = {}
+    if system.springs:
+        value, _, force, _ = spring_motions(system, x[None])
+        words = "force or torque of the spring on its coordinate"
+        springs = {
+            "spring_value": variable(("spring",), value[0], "m or rad", "coordinate of the spring"),
+            "spring_force": variable(("spring",), force[0], "N or N m", words),
+        }
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
         "drive_force": variable(("drive",), drive, "N or N m", "drive force or torque"),
-    }
+    } | springs
 
 
 def _message(reached: SearchResult, ways: list[str], nodes: tuple[str, ...]) -> str:

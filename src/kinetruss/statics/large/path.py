@@ -271,7 +271,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         "member": list(system.members),
         "support": list(system.supports),
         "drive": list(system.drives),
-    }
+    } | ({"spring": list(system.springs)} if system.springs else {})
     message = "" if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."
     if not walk.looked_at:
         message = f"{message} Too large to look for events.".strip()

@@ -163,7 +163,8 @@ def row_force(balance: Balance, x: NDArray[np.float64], rows: Rows) -> tuple[NDA
 
 def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]) -> float:
     """The largest force in the structure, N."""
-    parts = [balance.force, N, balance.tension(x), balance.push, balance.following(x) if balance.followers else np.zeros(0)]
+    parts = [balance.force, N, balance.tension(x), balance.push, balance.pushing(x)]
+    parts.append(balance.following(x) if balance.followers else np.zeros(0))
     parts += [balance.turn[m] * measure_gradients(balance.system, m, x[None]) for m in np.flatnonzero(balance.turn)]
     if np.any(balance.torque):
         parts.append(balance.torque / ends_of(balance.system, x)[1])

@@ -67,7 +67,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     load = nodal_forces(system, forces, x)
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
-    if len(arrange(system).redundant) or np.any(system.spring > 0) or system.continua is not None:
+    if len(arrange(system).redundant) or np.any(system.spring > 0) or system.springs or system.continua is not None:
         u, e, said = _stiffly(held, x, flexible, load)
     else:
         u, e = _swept(system, held, x, flexible, forces.arrays["member_force"].values)
@@ -78,9 +78,10 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     bars = held.row_kind == LENGTH
     stiffness = np.divide(1.0, flexible, out=np.zeros_like(flexible), where=flexible > 0)
     elongation[:, held.row_member[bars]] = e[:, bars]
-    energy[:, held.row_member[bars]] = (0.5 * stiffness * e**2)[:, bars]
+    stored = 0.5 * stiffness * e**2
+    energy[:, held.row_member[bars]] = stored[:, bars]
     work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
-    return _record(system, forces, u, elongation, length, energy, work, said)
+    return _record(system, forces, u, elongation, length, (energy, stored.sum(axis=1), work), said)
 
 
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -140,10 +141,10 @@ def _record(
     u: NDArray[np.float64],
     elongation: NDArray[np.float64],
     length: NDArray[np.float64],
-    energy: NDArray[np.float64],
-    work: NDArray[np.float64],
+    energies: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]],
     said: str,
 ) -> Deflection:
+    energy, stored, work = energies
     nodes = u.reshape(len(u), -1, 3)[:, :, : system.dim]
     per, time = ("time", "member"), ("time",)
     data = {
@@ -152,9 +153,9 @@ def _record(
         "elongation": variable(per, elongation, "m", "elastic elongation"),
         "strain": variable(per, elongation / length, "", "axial strain"),
         "strain_energy": variable(per, energy, "J", "strain energy"),
-        "energy": variable(time, energy.sum(axis=1), "J", "strain energy of all members"),
+        "energy": variable(time, stored, "J", "strain energy of all members and springs"),
         "work": variable(time, work, "J", "half the nodal forces times their displacements"),
-        "work_balance": variable(time, work - energy.sum(axis=1), "J", "work minus strain energy"),
+        "work_balance": variable(time, work - stored, "J", "work minus strain energy"),
     }
     kept = ("time", "pose", "node", "axis", "member")
     coords = forces.data.coords
@@ -162,15 +163,14 @@ def _record(
     frame = frame.assign_coords({name: coords[name] for name in kept if name in coords})
     if "pose" in coords:
         frame = frame.set_xindex("pose")
-    message = " ".join(text for text in (forces.message, said, _unbalanced(energy, work)) if text)
+    message = " ".join(text for text in (forces.message, said, _unbalanced(stored, work)) if text)
     return Deflection(
         data=frame, status=forces.status, message=message, provenance=provenance(system.model, load_case=forces.load_case)
     )
 
 
-def _unbalanced(energy: NDArray[np.float64], work: NDArray[np.float64]) -> str:
+def _unbalanced(stored: NDArray[np.float64], work: NDArray[np.float64]) -> str:
     """The message if the work of the nodal forces differs from the strain energy: the forces are then not in equilibrium."""
-    stored = energy.sum(axis=1)
     off = np.abs(work - stored) / (max(float(np.abs(stored).max(initial=0.0)), float(np.abs(work).max(initial=0.0))) or 1.0)
     if not len(off) or off.max() <= SILENT:
         return ""

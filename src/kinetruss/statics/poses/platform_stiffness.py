@@ -41,13 +41,18 @@ def platform_stiffness(
 
     Raises
     ------
-    InputError : unknown drives, a stiffness that is not positive.
+    InputError : unknown drives, a stiffness that is not positive, a model with springs.
 
     Notes
     -----
     To first order about a state without load. Gosselin, Stiffness mapping for parallel manipulators, IEEE Trans. Robotics and
     Automation 6 (1990) 377-382.
     """
+    if model.springs:
+        raise InputError(
+            f"platform_stiffness counts drives alone, not the spring {next(iter(model.springs))!r}. Take statics.linear under "
+            "unit loads, or leave the springs out: model.with_(springs={})."
+        )
     found = platform_jacobian(model, platform, state)
     drives = [str(name) for name in found["drive"].values]
     given = dict.fromkeys(drives, float(stiffness)) if isinstance(stiffness, (int, float)) else dict(stiffness)

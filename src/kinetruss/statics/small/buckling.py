@@ -10,7 +10,18 @@ import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Balance, balance_of, bar_laws, continua_geometric, row_tensions, tangents
+from kinetruss.mechanics.assembly import (
+    Balance,
+    balance_of,
+    bar_laws,
+    continua_geometric,
+    measure_forces,
+    row_tensions,
+    spring_laws,
+    spring_motions,
+    sum_stiffness,
+    tangents,
+)
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
@@ -128,8 +139,14 @@ def _of_load(
     tension, torque = row_tensions(system, reached.x, N)
     none = np.zeros_like(L)
     still = np.zeros(3)
-    loaded = tangents(system, reached.x, added + tension, torque, still)[0]
-    geometric = loaded - tangents(system, reached.x, none, none, still)[0]
+    springs, unloaded = spring_laws(system, reached.x), np.zeros((len(system.springs), 3))
+    resisting = unloaded.copy()
+    if system.springs:
+        resisting[:, 0] = springs[:, 1] * spring_motions(system, reached.x[None], flat).rate[0]
+    loaded = tangents(system, reached.x, added + tension, torque, still, springs=resisting)[0]
+    geometric = loaded - tangents(system, reached.x, none, none, still, springs=unloaded)[0]
+    if len(system.measures):
+        geometric = geometric + sum_stiffness(system, reached.x, measure_forces(system, N))
     if system.continua is not None:
         geometric = geometric + continua_geometric(system.continua, reached.x, moved)
     return added + tension, geometric

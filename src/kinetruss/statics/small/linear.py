@@ -9,15 +9,24 @@ import numpy as np
 import xarray as xr
 from scipy.sparse import csr_array
 
+from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Loads, bar_laws, body_and_continua_mass, continua_stiffness, resting_forces
+from kinetruss.mechanics.assembly import (
+    Loads,
+    bar_laws,
+    body_and_continua_mass,
+    continua_stiffness,
+    measure_forces,
+    resting_forces,
+    spring_laws,
+)
 from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.statics.small.accuracy import NOTHING, accuracy_note
-from kinetruss.statics.small.stiffness import Solved, flexibility, solve, stiff_rows
+from kinetruss.statics.small.stiffness import Solved, flexibility, solve, spring_rows, stiff_rows
 from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
 
 if TYPE_CHECKING:
@@ -28,7 +37,7 @@ __all__ = ["Linear", "linear"]
 
 class _Known(NamedTuple):
     """Given forces, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all nodal forces; `tension`
-    (rows,) of bars and `continua_force` (3 n,) of membranes and solids in the configuration itself.
+    (rows,) of bars and springs, `continua_force` (3 n,) of membranes and solids in the configuration itself.
     """
 
     ends: NDArray[np.float64]
@@ -151,9 +160,11 @@ def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Force (rows,) that elastic bars and cables have in the configuration, N."""
+    """Force (rows,) that elastic bars, cables and springs have in the configuration, N."""
     i = held.row_member
-    return np.where(held.row_kind == LENGTH, bar_laws(held, ends_of(held, x, i)[1], member=i).tension, 0.0)
+    found = np.where(held.row_kind == LENGTH, bar_laws(held, ends_of(held, x, i)[1], member=i).tension, 0.0)
+    found[spring_rows(held)] = spring_laws(held, x)[:, 0] / held.measure_scale[held.spring_measure]
+    return found
 
 
 def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -172,15 +183,21 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     force, elongation, energy = (np.zeros(members) for _ in range(3))
     total = solved.force + tension
     force[held.row_member[bars]] = total[bars]
+    on_springs = -total[spring_rows(held)] * system.measure_scale[system.spring_measure]
     length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
     # the energy that the load adds to a prestressed bar: (N + N0) e/2 + N0 e/2
-    energy[held.row_member[bars]] = ((0.5 * solved.force + tension) * solved.elongation)[bars]
+    stored_by = (0.5 * solved.force + tension) * solved.elongation
+    energy[held.row_member[bars]] = stored_by[bars]
     held_now = system.prescribed.copy()
     held_now[system.coordinate_drive[:, 0]] = False
     more = _continuum(system, x) @ solved.displacement  # forces of membranes and solids
     reaction = np.where(held_now, G.T @ total + more - continua_force - load, 0.0).reshape(-1, 3)
-    stored = energy.sum() + (0.5 * more - continua_force) @ solved.displacement
+    if len(system.measures) or system.model.hubs:
+        drive, coupling = _on_measures(held, total)
+        acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
+        force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_springs)
+    stored = stored_by.sum() + (0.5 * more - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
     pull = force[:, None] * u
@@ -195,7 +212,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         "elongation": variable(("member",), elongation, "m", "elongation by the load"),
         "strain": variable(("member",), elongation / length, "", "axial strain by the load"),
         "strain_energy": variable(("member",), energy, "J", "strain energy that the load adds"),
-        "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds, all members and elements"),
+        "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds: members, springs, elements"),
         "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
     }
     coords = {
@@ -205,7 +222,18 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         "end": ["A", "B"],
         "support": list(system.supports),
     }
+    if system.springs:
+        coords["spring"] = list(system.springs)
+        data["spring_force"] = variable(("spring",), on_springs, "N or N m", "force or torque of the spring on its coordinate")
     return xr.Dataset(data, coords=coords)
+
+
+def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Forces of drives (drives,) and couplings (couplings,) on measures, N or N m, from row forces (rows,)."""
+    on = measure_forces(held, total)
+    last = len(held.measures) - len(held.springs)
+    drive = np.where(held.drive_measure >= 0, -on[held.drive_measure], 0.0)
+    return drive, -on[last - len(held.model.couplings) : last]
 
 
 def _continuum(system: System, x: NDArray[np.float64]) -> Any:

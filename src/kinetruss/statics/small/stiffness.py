@@ -2,7 +2,8 @@
 
     f N - G u = 0,   G^T N + C u = F
 
-f = l/(E A), or one over the slope of a law; 0 of bars without one and of locked angles, which are inextensible. Forces come
+f = l/(E A), or one over the slope of a law, of bars and springs; 0 of bars without one and of locked angles, which are
+inextensible. Forces come
 from equilibrium, not from differences of displacements: of a determinate truss they do not depend on f, and the accuracy that
 the condition of G^T f^-1 G would cost is kept (Bjorck, Numerical Methods for Least Squares Problems, 1996, section 2.5).
 """
@@ -16,16 +17,16 @@ import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of, kept
-from kinetruss.mechanics.assembly import bar_laws, continua_stiffness
+from kinetruss.mechanics.assembly import bar_laws, continua_stiffness, spring_laws
 from kinetruss.mechanics.freedom import mobility_at
 from kinetruss.statics.small.refine import best_of, fill_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Solved", "flexibility", "solve", "stiff_rows"]
+__all__ = ["Solved", "flexibility", "solve", "spring_rows", "stiff_rows"]
 
 SURE = 1e-8
 """Error bound above which the rank is checked."""
@@ -45,24 +46,31 @@ class Solved:
 
 @kept()
 def stiff_rows(system: System) -> System:
-    """The system with one row for every member that carries force, elastic ones included, then its driven angles and sums."""
+    """The system with one row for every member that carries force, elastic ones too, its driven angles, sums, springs."""
     members = np.flatnonzero(system.kind != FREE)
     angles = system.row_kind != LENGTH
-    count = len(members)
+    count, own = len(members), system.spring_measure
+    springs = len(own)
     return replace(
         system,
-        row_member=np.concatenate([members, system.row_member[angles]]).astype(np.int32),
-        row_kind=np.concatenate([np.full(count, LENGTH), system.row_kind[angles]]).astype(np.int8),
-        row_drive=np.concatenate([np.full(count, -1), system.row_drive[angles]]).astype(np.int32),
-        row_value=np.concatenate([system.length0[members], system.row_value[angles]]),
-        row_measure=np.concatenate([np.full(count, -1), system.row_measure[angles]]),
+        row_member=np.concatenate([members, system.row_member[angles], np.zeros(springs)]).astype(np.int32),
+        row_kind=np.concatenate([np.full(count, LENGTH), system.row_kind[angles], np.full(springs, SUM)]).astype(np.int8),
+        row_drive=np.concatenate([np.full(count, -1), system.row_drive[angles], np.full(springs, -1)]).astype(np.int32),
+        row_value=np.concatenate([system.length0[members], system.row_value[angles], system.measure_start[own]]),
+        row_measure=np.concatenate([np.full(count, -1), system.row_measure[angles], own]),
     )
 
 
-def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones, infinite for slack cables.
+def spring_rows(held: System) -> NDArray[np.int64]:
+    """The rows of springs among `stiff_rows`, in their order."""
+    return np.arange(len(held.row_kind) - len(held.springs), len(held.row_kind))
 
-    Active members have their `Compliance`, elastic bars and cables one over the slope of their law at their present length.
+
+def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """l/(E A) of the rows at positions x (n, 3), m/N; 0 for inextensible ones, infinite for slack cables and springs in play.
+
+    Active members have their `Compliance`; elastic bars, cables and springs one over the slope of their law at their present
+    length.
     """
     i = held.row_member
     length = ends_of(held, x, i)[1]
@@ -72,6 +80,10 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
         with np.errstate(divide="ignore"):
             found[pulling] = 1 / bar_laws(held, length, member=i).slope[pulling]
     found[held.row_kind != LENGTH] = 0.0
+    if held.springs:
+        with np.errstate(divide="ignore"):
+            # a row is the coordinate times its scale, so its force the force on the coordinate over the scale
+            found[spring_rows(held)] = held.measure_scale[held.spring_measure] ** 2 / spring_laws(held, x)[:, 1]
     return np.asarray(found)
 
 

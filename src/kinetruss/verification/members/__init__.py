@@ -1,1 +1,1 @@
-"""Members and joints in more than name: hubs, bearings, screws, compliance."""
+"""Members and joints in more than name: hubs, bearings, screws, compliance, springs on coordinates."""

@@ -187,7 +187,7 @@ def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]],
                 "kind": kind,
                 "member": members[member],
                 "spread": along,
-                "mean": kind in ("drive", "coupling", "hub"),
+                "mean": kind in ("drive", "coupling", "spring", "hub"),
             }
         )
     return told, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from kinetruss.display import Markup, Table, quantity
 from kinetruss.model import Active, Model, Of, Record, Run
-from kinetruss.units import unit_of
+from kinetruss.units import EITHER, unit_of
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -40,6 +40,7 @@ def inputs(run: RunResult) -> list[Markup]:
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
+        ("Springs on coordinates (SI)", "name", _named(model.springs)),
         ("Loads and load cases", "name", _named({**model.loads, **model.load_cases})),
         ("Tasks of drives and events", "name", _named({**run.told.tasks, **run.told.events})),
     )
@@ -57,6 +58,8 @@ def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
     yield "analysis", f"{told.analysis}; {ANALYSES[told.analysis]}"
     if told.motion is not None:
         yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
+    elif told.targets is not None:
+        yield "task (m, rad, s)", worded(told.targets)
     elif told.trajectory is not None:
         yield "trajectory (m, rad, s)", worded(told.trajectory)
     if told.condition is not None:
@@ -158,8 +161,8 @@ def _unit(metadata: Iterable[Any], annotation: Any) -> str:
     """The unit of a field, or of the numbers in it."""
     for rule in metadata:
         if isinstance(rule, Of):
-            # what a trajectory moves may be a length or an angle
-            return "" if rule.quantity in ("coordinate", "rate") else unit_of(rule.quantity)
+            # what a trajectory moves or a spring holds may be a length or an angle
+            return "" if rule.quantity in EITHER else unit_of(rule.quantity)
     return next((found for one in get_args(annotation) if (found := _unit(getattr(one, "__metadata__", ()), one))), "")
 
 

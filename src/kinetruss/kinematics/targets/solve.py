@@ -1,0 +1,218 @@
+"""The drives that meet tasks, as one problem: least weighted squares from a reference, tasks met, strokes kept."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.tasks import reach as cold
+from kinetruss.kernels.tasks import track as warm
+from kinetruss.kernels.tasks.sweeps import Drives, Room, room_of
+from kinetruss.kinematics.given.support import support_history
+from kinetruss.kinematics.path import LEAST
+from kinetruss.kinematics.path.assemble import own_start
+from kinetruss.kinematics.path.follow import Swept, sweep_path
+from kinetruss.kinematics.path.redundant import Path
+from kinetruss.kinematics.targets.programs import Tasks, measure_of, tasks_of
+from kinetruss.mechanics import System, arrange
+from kinetruss.mechanics.configuration import drive_places, shortest
+from kinetruss.mechanics.freedom import underdriven
+from kinetruss.model import Active, LengthDrive
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.kernels.structure.plan import Plan
+    from kinetruss.kernels.tasks.tape import Tape
+
+__all__ = ["Problem", "State", "problem", "strokes"]
+
+MET = 1e-8
+"""Largest miss of a task that counts as met, as a fraction of the shortest bar."""
+TRIES = 12
+"""Other places from which a pose out of reach is tried again."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class State:
+    """Positions x (3 n,), drives q (d,), and factors s (m,) of tasks; miss (m,), m, of the tasks."""
+
+    x: NDArray[np.float64]
+    q: NDArray[np.float64]
+    s: NDArray[np.float64]
+    miss: NDArray[np.float64]
+
+    @property
+    def far(self) -> float:
+        """Largest miss, m."""
+        return float(np.abs(self.miss).max(initial=0.0))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Problem:
+    """Tasks of a system as kernels take them. reference (d,) : what drives are to be near to. begin : the start."""
+
+    system: System
+    tasks: Tasks
+    plan: Plan
+    tape: Tape
+    drives: Drives
+    reference: NDArray[np.float64]
+    begin: State
+
+    @property
+    def scale(self) -> float:
+        """Shortest bar, m."""
+        return shortest(self.system)
+
+    def linear(self, state: State, parameters: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """What tasks are off by (m,), and their derivatives by the drives (m, d)."""
+        room = self.room(state, parameters)
+        cold.linear(self.plan, self.drives, self.tape, room, self.scale)
+        return room.r[len(state.q) :].copy(), room.A.copy()
+
+    def room(self, state: State, parameters: NDArray[np.float64]) -> Room:
+        """Room for kernels, with a state and parameters in it."""
+        room = room_of(self.plan, self.tape, len(state.x), len(state.q), len(parameters))
+        room.x[0], room.q[0], room.s[0], room.p[0] = state.x, state.q, state.s, parameters
+        room.ref[0], room.moving[0] = self.reference, state.x[self.plan.moving]
+        return room
+
+    def reach(self, parameters: NDArray[np.float64], start: State | None = None, *, tries: int = TRIES) -> State:
+        """The state that meets the tasks at these parameters, or the one that comes nearest to it."""
+        first, rng = start or self.begin, np.random.default_rng(1)
+        best = self._reached(parameters, first)
+        for _ in range(tries):
+            if best.far <= MET * self.scale:
+                break
+            found = self._reached(parameters, self._elsewhere(rng, first))
+            best = found if found.far < best.far else best
+        return best
+
+    def _reached(self, parameters: NDArray[np.float64], start: State) -> State:
+        self.drives.held[self.drives.held != 3] = 0
+        room = self.room(start, parameters)
+        cold.reach(self.plan, self.drives, self.tape, room, self.scale)
+        found = State(x=room.x[0].copy(), q=room.q[0].copy(), s=room.s[0].copy(), miss=start.miss)
+        return replace(found, miss=self.linear(found, parameters)[0])
+
+    def _elsewhere(self, rng: Any, start: State) -> State:
+        """Some other drives near by, and the positions that they give."""
+        free = self.drives.held != 3
+        room = np.minimum(0.15 * self.scale, 0.4 * (self.drives.upper - self.drives.lower))
+        q = start.q.copy()
+        q[free] += (rng.uniform(-1, 1, len(q)) * room)[free]
+        q = np.where(free, np.clip(q, self.drives.lower, self.drives.upper), q)
+        there = drive_path(self.system, np.stack([start.q, q]), start.x)
+        return start if there is None else replace(start, x=there, q=q)
+
+    def track(self, t: NDArray[np.float64], parameters: NDArray[np.float64], start: State, reference: Any = None) -> Any:
+        """`kernels.tasks.track` from a start that meets the first sample; reference (3, times, d) Taylor coefficients."""
+        n, d = len(t), len(self.reference)
+        self.drives.held[self.drives.held != 3] = 0
+        ref = np.zeros((3, n, d))
+        ref[0] = self.reference
+        supports = np.zeros((3, n, len(self.plan.moving)))
+        supports[0] = start.x[self.plan.moving]
+        own = len(self.system.coordinate_drive)
+        if self.system.model.support_motion:
+            value, rate, second = support_history(self.system, t)
+            supports[0, :, own:], supports[1, :, own:], supports[2, :, own:] = value, rate, 0.5 * second
+        given = warm.Given(t, parameters, ref if reference is None else reference, supports, self.scale)
+        out = warm.Tracked(np.zeros((3, n, len(start.x))), np.zeros((3, n, d + self.tape.tasks)), np.zeros((n, d), np.int64))
+        reason, good = warm.track(self.plan, self.drives, self.tape, self.room(start, parameters[0, 0]), given, out)
+        return reason, good, out
+
+
+def problem(system: System, targets: Any, choice: Any) -> Problem:
+    """The problem of tasks; choice : a record with objective, weights, hold and within_stroke.
+
+    Raises
+    ------
+    InputError : drives that leave freedoms, or none; more tasks than drives.
+    """
+    arrangement = arrange(system)
+    if arrangement.plan is None:
+        raise underdriven(system)
+    if not system.drives:
+        raise InputError("The model has no drives, so nothing can be done for a task. Make bars driven, or name all freedoms.")
+    plan, tasks = arrangement.plan, tasks_of(system, targets)
+    x = own_start(system)
+    q = drive_places(system, x[None])[0]
+    count = len(tasks.labels)
+    for row in plan.sum_row:
+        m = int(system.row_measure[plan.row[row]])
+        tasks.program.result(tasks.program.number(0.0) + measure_of(system, tasks.program, m))
+    drives, reference = drives_of(system, plan, choice, q)
+    begin = State(x=x.reshape(-1).copy(), q=q, s=np.zeros(count), miss=np.zeros(count))
+    return Problem(
+        system=system, tasks=tasks, plan=plan, tape=tasks.program.tape(count), drives=drives, reference=reference, begin=begin
+    )
+
+
+def strokes(system: System) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Least and largest value of each drive, m; infinite where none is given."""
+    lower, upper = np.full(len(system.drives), -np.inf), np.full(len(system.drives), np.inf)
+    for d, name in enumerate(system.drives):
+        drive = system.model.all_drives[name]
+        member = system.model.members[drive.bar] if isinstance(drive, LengthDrive) else None
+        if isinstance(member, Active) and member.limits is not None:
+            lower[d], upper[d] = member.limits
+    return lower, upper
+
+
+def drives_of(system: System, plan: Plan, choice: Any, q: NDArray[np.float64]) -> tuple[Drives, NDArray[np.float64]]:
+    """Where the drives act, and what they are to be near to."""
+    count = len(system.drives)
+    row, flat = np.full(count, -1, np.int64), np.full(count, -1, np.int64)
+    for k in plan.driven:
+        row[plan.drive[k]] = k if k < plan.ptr[-1] else -2
+    for at, d in system.coordinate_drive:
+        flat[d] = at
+    if twice := [name for d, name in enumerate(system.drives) if row[d] == -2]:
+        raise InputError(
+            f"{twice[0]!r} is held by other bars or drives too, so it cannot move alone. Release it, or hold less."
+        )
+    lower, upper = strokes(system)
+    turning = np.array([_turning(system, d) for d in range(count)])
+    weight = np.where(turning, shortest(system) ** 2, 1.0) * [choice.weights.get(name, 1.0) for name in system.drives]
+    held = np.array([3 if name in choice.hold else 0 for name in system.drives], np.int64)
+    reference, limited = q.copy(), np.isfinite(lower) & np.isfinite(upper)
+    if choice.objective == "stroke_ends":
+        if not limited.any():
+            raise InputError(
+                "No drive has limits, so none has ends of a stroke to keep away from. Give limits of active members."
+            )
+        reference[limited] = 0.5 * (lower + upper)[limited]
+        half = 0.5 * (upper - lower)[limited]
+        weight[limited] *= (half.min() / half) ** 2
+        weight[~limited] *= 1e-3
+    if not choice.within_stroke:
+        lower, upper = np.full(count, -np.inf), np.full(count, np.inf)
+    reference = np.where(held == 3, q, reference)
+    arrays = {"row": row, "flat": flat, "held": held, "weight": weight, "lower": lower, "upper": upper}
+    return Drives.of(arrays), reference
+
+
+def _turning(system: System, d: int) -> bool:
+    return system.model.all_drives[system.drives[d]].kind in ("angle", "hinge")
+
+
+def drive_path(system: System, q: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Positions (3 n,) that the last drives of a path q (times, d) give, by continuation from x; None if it cannot be gone."""
+    found = followed(system, np.arange(len(q), dtype=float), (q, np.zeros_like(q), np.zeros_like(q)), x)
+    return found.x[-1] if len(found.x) == len(q) else None
+
+
+def followed(system: System, t: NDArray[np.float64], drive: Any, x: NDArray[np.float64]) -> Swept:
+    """The sweep along histories of drives from positions x (3 n,): positions, rates, singularity measure."""
+    columns = system.coordinate_drive[:, 1]
+    value, rate, second = (np.ascontiguousarray(one[:, columns]) for one in drive)
+    if system.model.support_motion:
+        value, rate, second = (np.hstack(two) for two in zip((value, rate, second), support_history(system, t), strict=True))
+    values, rates, seconds = (np.ascontiguousarray(one) for one in drive)
+    path = Path(t=t, drive=(values, rates, seconds), moving=(value, rate, second))
+    return sweep_path(system, path, start=x.reshape(-1, 3)[:, : system.dim], least=LEAST)
