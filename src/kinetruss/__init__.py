@@ -22,8 +22,9 @@ _PACKAGES = (
 )
 _NAMES = {
     "model": (
-        "Bearing Catalogue Compliance Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold Hinge Hub "
-        "Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive OffsetCoordinate Active "
+        "Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold "
+        "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive "
+        "OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Beam Body BodyCouple BodyForce ConstantRate CoordinateDrive CosineCoordinate Cyclic "
         "DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
@@ -33,6 +34,7 @@ _NAMES = {
     ),
     "io": "read write",
     "kinematics": "check notes",
+    "kinematics.conditions": "under",
     "dynamics.prescribed": "prepare",
     "runs": "run",
     "results": "Status",

@@ -100,6 +100,12 @@ def test_result_names_of_the_notation_are_real():
     known.add(lin.transmissibility(1.0).name)
     turned = kt.read(kt.library.example_files()["four_bar"][0])
     known |= {str(name) for name in kt.statics.at_poses(turned, [{}]).data.data_vars}
+    sprung = kt.Spring(coordinate=kt.LengthDrive("b"), stiffness=2.0)
+    hung = kt.Model(
+        nodes={"A": (0, 0), "B": (0, -1)}, fixed={"A": "xy", "B": "x"}, springs={"s": sprung},
+        bars={"b": kt.Bar(ends=("A", "B"), kind="free", mass=1.0)}, gravity=(0, -9.81),
+    )  # fmt: skip
+    known |= {str(name) for name in kt.statics.equilibrium(hung).data.data_vars}
     table = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
     first = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
     for name in re.findall(r"`([a-z]\w+)`", " ".join(first)):

@@ -82,7 +82,7 @@ def test_one_fault_of_a_bar(fields, fault):
         (PLANE, simulated(t_end=0), "runs.r.t_end: 0 must be greater than 0."),
         (PLANE, {"runs": {"r": {"analysis": "dynamics.simulate"}}}, "runs.r: has no t_end."),
         (PLANE, simulated(load_cases=("a", "b")), "runs.r: has 2 load cases; a simulation has one motion."),
-        (PLANE, simulated(motion="m.csv"), "runs.r: has a motion from a file, which a simulation computes itself."),
+        (PLANE, simulated(motion="m.csv"), "runs.r: has motion, which dynamics.simulate does not use."),
         (
             PLANE,
             {"runs": {"r": {"trajectory": kt.ConstantRate(rates={"turn": 1}, duration=1), "t_end": 1}}},

@@ -48,7 +48,7 @@ def test_a_run_has_one_motion_only():
     task = kt.Positioning(node="N8", moves={"z": 1.0})
     with pytest.raises(kt.ModelError, match="both motion and targets"):
         kt.Run(targets=task, motion="a.csv")
-    with pytest.raises(kt.ModelError, match="simulation computes itself"):
+    with pytest.raises(kt.ModelError, match="has targets, which dynamics.simulate does not use"):
         kt.Run(analysis="dynamics.simulate", t_end=1.0, targets=task)
     with pytest.raises(kt.ModelError, match="no node called 'N88'"):
         model.with_(runs={"a": kt.Run(targets=kt.Positioning(node="N88"))})
@@ -63,3 +63,17 @@ def test_out_of_reach_ends_a_run_early_with_its_words():
     assert not result.status.ok
     assert 0 < len(result.motion.time) < 21
     assert "nearest pose" in result.message
+
+
+def test_a_mission_takes_tasks_among_its_motions(tmp_path):
+    path = tmp_path / "model.yaml"
+    path.write_text(
+        TEXT + "  all: {analysis: mission, motions: [dock], conditions: [held]}\nconditions: {held: {locked: [B1.M9]}}\n"
+    )
+    model = kt.read(path)
+    mission = kt.run(model, "all")
+    alone = kt.run(model.with_(runs={"one": model.runs["dock"].with_(condition="held")}), "one")
+    top = alone.motion.data.sel(node=["B2.N7", "B2.N9", "B2.N8"]).mean("node").position.values
+    assert top[-1, :2] == pytest.approx([0.05, 0.0], abs=1e-10)  # the drives that are left do the task
+    worst = float(alone.verdict.data.utilisation.max())
+    assert float(mission.pairs.utilisation.max()) == pytest.approx(worst, rel=1e-12)

@@ -10,8 +10,12 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Mission, Model
+from kinetruss.model.motion import MISSION, STATIC
 from kinetruss.results import Forces, Motion
 from kinetruss.runs.blocks import SIMULATED, plan
+
+MOVING = ("dynamics.inverse", "kinematics.follow")
+"""Analyses whose motion does not depend on the sections."""
 
 __all__ = ["Loading", "forces_of", "loadings"]
 
@@ -45,7 +49,8 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
     InputError : a run is a simulation.
     """
     found = []
-    names = mission.runs or tuple(name for name, run in model.runs.items() if run.analysis != SIMULATED)
+    names = mission.runs or tuple(name for name, run in model.runs.items() if run.analysis in MOVING)
+    names = tuple(dict.fromkeys(one for name in names for one in _moving(model, name)))
     for name in names:
         job = plan(model, name)
         motion = job.given
@@ -61,6 +66,21 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
             label = case or "all"
             found.append(Loading(name=f"{name}/{label}" if len(names) > 1 else label, run=name, case=case, motion=motion))
     return found
+
+
+def _moving(model: Model, name: str) -> tuple[str, ...]:
+    """A run, or the runs that a mission run names as motions."""
+    run = model.runs.get(name)
+    if run is None or run.analysis != MISSION:
+        if run is not None and (run.analysis in STATIC or run.condition is not None):
+            what = "stands still" if run.condition is None else f"has the condition {run.condition!r}"
+            raise InputError(f"Run {name!r} {what}, so it cannot be sized for. Name runs of dynamics.inverse.")
+        return (name,)
+    if run.conditions:
+        raise InputError(f"Run {name!r} has conditions, which a sizing does not take. Name its motions, or make runs of them.")
+    if lacking := [motion for motion in run.motions if motion not in model.runs]:
+        raise InputError(f"Run {name!r} moves along {lacking[0]!r}, which is a trajectory. Make a run of it, to be sized for.")
+    return run.motions
 
 
 def forces_of(model: Model, loadings: Iterable[Loading]) -> dict[str, Forces]:

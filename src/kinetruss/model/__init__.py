@@ -31,9 +31,10 @@ from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model._words import nearest
 from kinetruss.model.beams.record import Beam
 from kinetruss.model.checks.faults import faults, trajectory_faults
-from kinetruss.model.checks.simulation import event_faults, task_faults
+from kinetruss.model.checks.simulation import condition_faults, event_faults, task_faults
 from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.hubs.record import Hub
+from kinetruss.model.motion.conditions import Condition
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -119,6 +120,7 @@ __all__ = [
     "Bridge",
     "Circle",
     "Combined",
+    "Condition",
     "ConstantRate",
     "CoordinateDrive",
     "Coordinates",
@@ -200,6 +202,7 @@ __all__ = [
     "OffsetCoordinate",
     "geared",
     "turns",
+    "condition_faults",
     "event_faults",
     "natural_length",
     "stiffness",

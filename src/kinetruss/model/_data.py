@@ -11,6 +11,7 @@ from kinetruss.model._record import GravityVector, Name, Number, Record, Velocit
 from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model.beams.record import Beam
 from kinetruss.model.hubs.record import Hub
+from kinetruss.model.motion.conditions import Condition
 from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.motion.runs import Run
@@ -93,6 +94,7 @@ class ModelData(Record):
     gravity: GravityVector | None = None
     loads: Table[Name, Load] = ReadOnly()
     load_cases: Table[Name, LoadCase] = ReadOnly()
+    conditions: Table[Name, Condition] = ReadOnly()
     support_motion: Table[Name, History] = ReadOnly()
     velocities: Table[Name, VelocityVector] = ReadOnly()
     drives: Table[Name, Drive] = ReadOnly()

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.checks.faults import coordinate_kinds
+from kinetruss.model.checks.simulation import coordinate_kinds
 from kinetruss.model.motion.trajectories import moved_by
 
 if TYPE_CHECKING:

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from kinetruss.report.document._document import document_page
     from kinetruss.report.document._write import write_document
     from kinetruss.report.pictures.figures import figures
+    from kinetruss.report.pictures.maps import map_picture
     from kinetruss.report.pictures.picture import picture
     from kinetruss.report.pictures.plot import plot
     from kinetruss.report.pictures.quantities import curves
@@ -23,9 +24,8 @@ if TYPE_CHECKING:
     from kinetruss.report.text.variants import variants
 
 __all__ = [
-    "Page", "beside",
-    "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "picture", "plot",
-    "summary", "variants", "write_document",
+    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints",
+    "map_picture", "picture", "plot", "summary", "variants", "write_document",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -35,6 +35,7 @@ __getattr__, __dir__ = late(
         "document._document": "document_page",
         "document._write": "write_document",
         "pictures.figures": "figures",
+        "pictures.maps": "map_picture",
         "pictures.picture": "picture",
         "pictures.plot": "plot",
         "pictures.quantities": "curves",

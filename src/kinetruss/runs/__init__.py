@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
-from kinetruss.runs._result import RunResult, load
+from kinetruss.runs._result import RunResult
 
 if TYPE_CHECKING:
     from kinetruss.runs._run import resume, run
@@ -18,9 +18,12 @@ if TYPE_CHECKING:
     from kinetruss.runs.blocks.gauge_strains import gauge_strains
     from kinetruss.runs.many.run_variants import VariantRuns, run_variants
     from kinetruss.runs.many.variants import variants
+    from kinetruss.runs.missions.governing import governing
+    from kinetruss.runs.missions.record import MissionRun, load
 
 __all__ = [
     "Budget",
+    "MissionRun",
     "RunResult",
     "VariantRuns",
     "budget",
@@ -28,6 +31,7 @@ __all__ = [
     "forces_at_peak",
     "forces_at_rest",
     "gauge_strains",
+    "governing",
     "load",
     "resume",
     "run",
@@ -44,6 +48,8 @@ __getattr__, __dir__ = late(
         "accuracy.standard_errors": "standard_errors",
         "blocks.forces_at": "forces_at forces_at_peak forces_at_rest",
         "blocks.gauge_strains": "gauge_strains",
+        "missions.governing": "governing",
+        "missions.record": "MissionRun load",
         "many.run_variants": "VariantRuns run_variants",
         "many.variants": "variants",
     },

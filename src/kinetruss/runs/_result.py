@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import StoreError
-from kinetruss.model import Model
-from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Status, Verdict
+from kinetruss.model import Model, Run
+from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Status, Verdict
 from kinetruss.results.records import happened
 from kinetruss.results.store import Store, is_locked, key, open_store
+from kinetruss.runs.blocks.conditioned import conditioned
 from kinetruss.runs.blocks.derived import derived
 
 __all__ = ["RunResult", "load", "model_of"]
@@ -22,9 +23,11 @@ __all__ = ["RunResult", "load", "model_of"]
 class RunResult:
     """The results of one run.
 
-    name : name of the run in the model. motion : positions, velocities, accelerations.
+    model : the model of the results: that which was given (`origin`) under the condition of the run. name : name of the run
+    in it. motion : positions, velocities, accelerations.
     forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
+    statics : load case -> what a static analysis finds besides forces (displacements, energies, stability), over time or poses.
     simulation : for a simulated motion, energies, events and diagnostics; else None.
     status, message : how it ended (RUNNING or INTERRUPTED if it has not ended); it contains only good samples.
     samples : number of requested samples; ``len(run.motion.time)`` of them are good.
@@ -35,10 +38,12 @@ class RunResult:
     model: Model
     name: str
     motion: Motion
+    given: Model | None = None
     forces: Mapping[str, Forces] = field(default_factory=dict)
     sections: Mapping[str, Sections] = field(default_factory=dict)
     verdict: Verdict | None = None
     demand: Mapping[str, Demand] = field(default_factory=dict)
+    statics: Mapping[str, Result] = field(default_factory=dict)
     simulation: Simulation | None = None
     status: Status = Status.COMPLETED
     message: str = ""
@@ -48,6 +53,17 @@ class RunResult:
     provenance: Mapping[str, Any] = field(default_factory=dict)
     wall_time: float = 0.0
     settings: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def origin(self) -> Model:
+        """The model that was given, without the condition of the run."""
+        return self.model if self.given is None else self.given
+
+    @property
+    def told(self) -> Run:
+        """The run as the model describes it, with its trajectory in place of a name."""
+        run = self.origin.runs[self.name]
+        return run.with_(trajectory=self.origin.trajectory_of(run))
 
     @property
     def good(self) -> int:
@@ -87,17 +103,20 @@ def from_store(store: Store) -> RunResult:
     demand: Mapping[str, Demand] = {
         case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")
     }
-    model = model_of(store)
+    origin = model_of(store)
+    model = conditioned(origin, origin.runs[ledger.run])[0]
     if ledger.options.get("derived"):
         forces, sections, demand = derived(model, motion, forces, int(ledger.options["stations"]))
     return RunResult(
         model=model,
+        given=origin,
         name=ledger.run,
         motion=motion,
         forces=forces,
         sections=sections,
         demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
+        statics={case: Result(data=store.read(f"statics/{key(case)}"), **common) for case in _cases(store, "statics")},
         simulation=_simulation(store, motion, forces, common),
         samples=ledger.samples,
         path=store.path,

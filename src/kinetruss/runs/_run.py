@@ -11,14 +11,16 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import InputError
 from kinetruss.limits import hold
 from kinetruss.model import Model
+from kinetruss.model.motion import MISSION
 from kinetruss.results import Status, model_hash, provenance
 from kinetruss.results.store import Ledger, Store, Writer, check_unlocked, claimed, create, holding, open_store, reopen
 from kinetruss.runs._result import RunResult, from_store, model_of
 from kinetruss.runs.blocks.block import Block
 from kinetruss.runs.blocks.blocks import blocks
 from kinetruss.runs.blocks.join import Accumulator, groups_of, in_memory, tail_groups
-from kinetruss.runs.blocks.planned import Plan, plan
+from kinetruss.runs.blocks.planned import Plan, chosen_run, plan
 from kinetruss.runs.blocks.stored import stored_blocks
+from kinetruss.runs.missions import resume_mission, run_mission
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,7 +42,8 @@ def run(
 ) -> RunResult:
     """Do a named run: motion, member forces of each load case, section forces, utilisation, motor demands.
 
-    The motion is prescribed (``dynamics.inverse``) or simulated (``dynamics.simulate``).
+    The motion is prescribed (``dynamics.inverse``) or simulated (``dynamics.simulate``); or the structure stands still, or it
+    is a mission of many motions.
 
     Parameters
     ----------
@@ -53,8 +56,8 @@ def run(
 
     Returns
     -------
-    RunResult. A path that ends early (a singular position, lengths that cannot close) raises no exception: the good
-    samples are in the result, with status and message.
+    RunResult; of a mission a `MissionRun`. A path that ends early (a singular position, lengths that cannot close) raises no
+    exception: the good samples are in the result, with status and message.
 
     Raises
     ------
@@ -63,6 +66,8 @@ def run(
     stay readable.
     """
     started = time.perf_counter()
+    if (chosen := chosen_run(model, name)) and model.runs[chosen].analysis == MISSION:
+        return run_mission(model, chosen, out, overwrite=overwrite, progress=progress, settings=settings)
     job = plan(model, name, block)
     if out is None:
         return replace(_in_memory(job, progress, started), settings=settings or {})
@@ -72,7 +77,7 @@ def run(
         first = next(computed)  # all input errors are raised before the folder is changed
         if first.simulation is not None and block is None:
             job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
-        writer = create(path, ledger_of(job, settings), job.model.model_dump_json(), overwrite=overwrite, held=held)
+        writer = create(path, ledger_of(job, settings), job.origin.model_dump_json(), overwrite=overwrite, held=held)
         stored = _stream(job, writer, Accumulator(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:
         return from_store(open_store(path))
@@ -95,7 +100,9 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
     started = time.perf_counter()
     path = Path(out)
     check_unlocked(path)
-    _unfinished(path)  # raises an error before anything is written there
+    unfinished = _unfinished(path)  # raises an error before anything is written there
+    if unfinished.ledger.options.get("analysis") == MISSION:
+        return resume_mission(path, progress=progress)
     with holding(path) as held:
         store = _unfinished(path)  # read it again, now that no other process writes it
         job = plan(model_of(store), store.ledger.run, store.ledger.block)
@@ -165,9 +172,9 @@ def ledger_of(job: Plan, settings: Mapping[str, str] | None = None) -> Ledger:
         run=job.name,
         samples=len(job.times),
         block=job.block,
-        model_hash=model_hash(job.model),
+        model_hash=model_hash(job.origin),
         options=options | ({"settings": dict(settings)} if settings else {}),
-        provenance=provenance(job.model, run=job.name),
+        provenance=provenance(job.origin, run=job.name),
     )
 
 

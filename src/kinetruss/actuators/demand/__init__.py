@@ -8,7 +8,8 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.actuators.demand.evaluate import STANDSTILL, columns_of
+    from kinetruss.actuators.demand.summarise import QUANTITIES
 
-__all__ = ["STANDSTILL", "columns_of"]
+__all__ = ["QUANTITIES", "STANDSTILL", "columns_of"]
 
-__getattr__, __dir__ = late(__name__, {"evaluate": "STANDSTILL columns_of"})
+__getattr__, __dir__ = late(__name__, {"evaluate": "STANDSTILL columns_of", "summarise": "QUANTITIES"})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import click
 
@@ -31,8 +32,9 @@ def export(out: Path, file: Path, group: tuple[str, ...], as_json: bool) -> None
     """
     from kinetruss.io import export as write
 
-    opened_run(out)
-    written = write(out, file, groups=group)
+    with TemporaryDirectory(prefix="kinetruss-") as scratch:
+        found = opened_run(out, Path(scratch) / "pair")
+        written = write(found.path or out, file, groups=group)
     if as_json:
         print_json("export", {"out": str(out), "file": str(written)})
     else:

@@ -45,8 +45,10 @@ def report(run: Path, folder: Path | None, no_open: bool, no_pdf: bool, no_view:
     from kinetruss import runs, viewer
     from kinetruss.results.store import REPORT
 
-    found = runs.load(run)
-    view = "" if no_view else viewer.page(viewer.scene(found, frames=frames))
+    found = seen = runs.load(run)
+    if isinstance(found, runs.MissionRun) and not no_view:
+        seen = runs.governing(found)
+    view = "" if no_view else viewer.page(viewer.scene(seen, frames=frames))
     written = reports.write_document(found, folder or run / REPORT, view=view, date=date.today().isoformat(), pdf=not no_pdf)
     shown = not no_open and browsed(written.page)
     if as_json:

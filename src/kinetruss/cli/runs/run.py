@@ -72,10 +72,11 @@ def run(
         _variants(model, name, out, texts, overwrite, as_json, quiet, max_size)
         return
     result = _compute(model, name, out, resumed, overwrite, quiet or as_json, max_size)
-    from kinetruss import report
+    from kinetruss import report, runs
     from kinetruss.results.store import PICTURES
 
-    written = report.figures(result, result.path / PICTURES) if pictures else []
+    seen = runs.governing(result) if pictures and isinstance(result, runs.MissionRun) else result
+    written = report.figures(seen, result.path / PICTURES) if pictures else []
     if as_json:
         print_json("run", {**report.summary(result).record, "pictures": [str(path) for path in written]})
     elif not quiet:

@@ -43,11 +43,14 @@ def opened(paths: Sequence[Path]) -> list[RunResult]:
     return [opened_run(path) for path in found_runs(paths)]
 
 
-def opened_run(path: Path) -> RunResult:
-    """One run, opened in the same way."""
+def opened_run(path: Path, out: Path | None = None) -> RunResult:
+    """One run, opened in the same way; of a mission its governing pair, done as a run (written to `out`)."""
     from kinetruss import runs
 
     found = runs.load(path)
+    if isinstance(found, runs.MissionRun):
+        found = runs.governing(found, out=out)
+        click.echo(f"{path}: a mission has an envelope and no histories; its governing pair is shown, {found.name}.", err=True)
     if not found.whole:
         click.echo(f"{path}: the run is not complete: {found.good} of {found.samples} samples are good.", err=True)
     return found

@@ -14,7 +14,16 @@ from kinetruss.kernels.compiled.record import Flags, Floats, Ints
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import von_mises
 
-__all__ = ["MOMENT_RESULTANT", "MOMENT_SUM", "Measure", "least_tension", "part_least_tension", "part_top", "peaks"]
+__all__ = [
+    "MOMENT_RESULTANT",
+    "MOMENT_SUM",
+    "Measure",
+    "least_tension",
+    "part_least_tension",
+    "part_tension",
+    "part_top",
+    "peaks",
+]
 
 
 MOMENT_RESULTANT, MOMENT_SUM = 10, 11
@@ -163,25 +172,32 @@ def peaks(given: Polynomials, measure: Ints, scale: Floats, overhang: Flags, spa
 
 
 @kernel_bare
-def part_least_tension(given: Polynomials, i: int, part: int, overhang: bool) -> Any:
-    """Place and value of the least T over the segments of a part, in closed form; with `overhang` over the first one alone."""
+def part_tension(given: Polynomials, i: int, part: int, overhang: bool, sign: float) -> Any:
+    """Place and value of the largest sign T over the segments of a part, in closed form; `overhang`: over the first alone."""
     coef, ends = given
-    best_x, best = 0.0, math.inf
-    # minimum of the parabola T(xi) of each segment: its ends or its vertex
+    best_x, best = 0.0, -math.inf
+    # maximum of the parabola of each segment: its ends or its vertex
     for j in range(coef.shape[2]):
         start = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1])
         end = max(0.0, min(1.0, ends[i, part, j]))
         if j > 0 and (start >= 1.0 or overhang):
             break
-        t0, t1, t2 = coef[i, part, j, 0], coef[i, part, j, 1], coef[i, part, j, 2]
-        x = -0.5 * t1 / t2 if t2 > 0.0 else start
+        t0, t1, t2 = sign * coef[i, part, j, 0], sign * coef[i, part, j, 1], sign * coef[i, part, j, 2]
+        x = -0.5 * t1 / t2 if t2 < 0.0 else start
         if not start < x < end:
             x = start
         for place in (start, end, x):
             T = t0 + place * (t1 + place * t2)
-            if not best <= T:  # true of what is no number, too
+            if not best >= T:  # true of what is no number, too
                 best_x, best = place, T
     return best_x, best
+
+
+@kernel_bare
+def part_least_tension(given: Polynomials, i: int, part: int, overhang: bool) -> Any:
+    """Place and value of the least T over the segments of a part; with `overhang` over the first one alone."""
+    place, value = part_tension(given, i, part, overhang, -1.0)
+    return place, -value
 
 
 @kernel

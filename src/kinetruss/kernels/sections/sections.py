@@ -34,6 +34,7 @@ __all__ = [
     "COEFFICIENTS",
     "WHOLE",
     "member_axes",
+    "member_polynomials",
     "most_segments",
     "section_forces",
     "section_polynomials",
@@ -239,34 +240,39 @@ def _rods(members: Members, histories: Histories, k: int, out: Polynomials, at: 
 
 
 @kernel_inline
+def _member(members: Members, histories: Histories, i: int, k: int, out: Polynomials, row: int, part: int) -> None:
+    """The parts of member k at sample i, into parts part, part + 1 of a row of out."""
+    p, q, rods = members.p, members.q, members.rods
+    # S(xi) = -F_A + m int b dxi, b linear along the member
+    g, still, a, b, m = (members.gravity[0], members.gravity[1], members.gravity[2]), (0.0, 0.0, 0.0), p[k], q[k], rods[k, 0]
+    frame = _frame(histories.position, i, a, b, members.orient[k], members.reference, k)
+    # in member axes: f the force at A, s = a_A - g, e = a_B - a_A, w = u'' (zero where it is not needed)
+    at_a, at_b = _at(histories.acceleration, i, a), _at(histories.acceleration, i, b)
+    f, s = _seen(_at(histories.joint_force[i], k, 0), frame), _seen(_less(at_a, g), frame)
+    e, w = _seen(_less(at_b, at_a), frame), still
+    two = members.two_rods[k] != 0
+    if two or rods[k, 2] != 0.0:
+        w = _bending(histories.velocity, i, a, b, frame, e)
+    c0, c1, at = _less(still, f), _times(m, s), (row, part, i)
+    if two:
+        _rods(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m * rods[k, 1], w)), w)
+    else:
+        _bar(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m, e)), w)
+
+
+@kernel_bare
+def member_polynomials(members: Members, histories: Histories, i: int, k: int, out: Polynomials, part: int) -> None:
+    """Coefficients of all segments of the parts of member k at sample i, into parts part, part + 1 of row 0 of out."""
+    _member(members, histories, i, k, out, 0, part)
+
+
+@kernel_inline
 def _sample(members: Members, histories: Histories, i: int, out: Polynomials, row: int) -> None:
     """All parts at sample i, into a row of out."""
-    p, q, two_rods, rods, orient, reference = (
-        members.p,
-        members.q,
-        members.two_rods,
-        members.rods,
-        members.orient,
-        members.reference,
-    )
-    g, still, part = (members.gravity[0], members.gravity[1], members.gravity[2]), (0.0, 0.0, 0.0), 0
-    # S(xi) = -F_A + m int b dxi of each member, b linear along it
-    for k in range(p.shape[0]):
-        a, b, m = p[k], q[k], rods[k, 0]
-        frame = _frame(histories.position, i, a, b, orient[k], reference, k)
-        # in member axes: f the force at A, s = a_A - g, e = a_B - a_A, w = u'' (zero where it is not needed)
-        at_a, at_b = _at(histories.acceleration, i, a), _at(histories.acceleration, i, b)
-        f, s = _seen(_at(histories.joint_force[i], k, 0), frame), _seen(_less(at_a, g), frame)
-        e, w = _seen(_less(at_b, at_a), frame), still
-        if two_rods[k] != 0 or rods[k, 2] != 0.0:
-            w = _bending(histories.velocity, i, a, b, frame, e)
-        c0, c1, at = _less(still, f), _times(m, s), (row, part, i)
-        if two_rods[k] != 0:
-            _rods(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m * rods[k, 1], w)), w)
-            part += 2
-        else:
-            _bar(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m, e)), w)
-            part += 1
+    part = 0
+    for k in range(members.p.shape[0]):
+        _member(members, histories, i, k, out, row, part)
+        part += 2 if members.two_rods[k] != 0 else 1
 
 
 @kernel_bare

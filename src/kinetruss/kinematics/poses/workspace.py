@@ -66,9 +66,12 @@ def workspace(
     Returns
     -------
     Dataset over the two axes (along, across). ``reachable``: bool, on the assembly branch of the model's own configuration;
-    ``within``: reachable and all drives within their limits; ``drive_position`` (along, across, drive) m or rad, NaN elsewhere;
+    ``within``: reachable and all drives within their limits; ``limit``: what stops it otherwise, ``out of reach`` or the drive
+    that is farthest beyond its limits, ``M7 short`` or ``M7 long``; ``drive_position`` (along, across, drive) m or rad, NaN
+    elsewhere; ``stroke`` (along, across, drive): share of the way from the least to the largest limit, NaN without limits;
     ``serial``: singularity measure of the inverse problem (0 at the border of the workspace); ``parallel``: smallest singular
-    value of the prescribed rows with the drives held (0 at a position in which the drives do not hold the structure).
+    value of the prescribed rows with the drives held (0 at a position in which the drives do not hold the structure);
+    ``conditioning``: the same over their largest (1: all directions held alike). `report.map_picture` draws each of them.
 
     Raises
     ------
@@ -208,6 +211,7 @@ def _dataset(cut: _Slice, x: NDArray[np.float64], limits: NDArray[np.float64], a
     at = [states[k].reshape(-1, 3) for k in range(len(states))]
     rows = [rows_of(system, one, values) for one, values in zip(at, drives, strict=True)]
     free = [rows_of(cut.released, one) for one in at]
+    stroke, stopped = _stroke(system, drives, limits)
     within = np.all((drives >= limits[:, 0]) & (drives <= limits[:, 1]), axis=1)
     per = (along, across)
 
@@ -216,18 +220,46 @@ def _dataset(cut: _Slice, x: NDArray[np.float64], limits: NDArray[np.float64], a
         out[good] = values
         return out
 
-    gauges = [np.array([_smallest(one) for one in found]) for found in (free, rows)]
+    gauges = [np.array([_smallest(one)[0] for one in found]) for found in (free, rows)]
+    conditioning = np.array([_smallest(one)[1] for one in rows])
     data = {
         "reachable": variable(per, good, "", "can be reached"),
         "within": variable(per, placed(within, False), "", "can be reached within the drives' limits"),
+        "limit": variable(per, _words(good, stopped), "", "what stops the point"),
+        "stroke": variable((*per, "drive"), placed(stroke, np.nan), "", "share of the stroke of each drive"),
         "drive_position": variable((*per, "drive"), placed(drives, np.nan), "m or rad", "drives there"),
         "serial": variable(per, placed(gauges[0], np.nan), "", "gauge of the inverse problem"),
         "parallel": variable(per, placed(gauges[1], np.nan), "", "gauge of the drives' hold"),
+        "conditioning": variable(per, placed(conditioning, np.nan), "", "smallest over largest singular value, drives held"),
     }
     coords = {across: (across, cut.u, {"units": "m"}), along: (along, cut.v, {"units": "m"}), "drive": list(system.drives)}
     return xr.Dataset(data, coords=coords, attrs={"kind": "workspace"})
 
 
-def _smallest(J: NDArray[np.float64]) -> float:
-    """Smallest singular value; 1 where nothing is unknown."""
-    return float(np.linalg.svd(J, compute_uv=False)[-1]) if J.size else 1.0
+def _smallest(J: NDArray[np.float64]) -> tuple[float, float]:
+    """Smallest singular value, and as a fraction of the largest; 1 where nothing is unknown."""
+    if not J.size:
+        return 1.0, 1.0
+    found = np.linalg.svd(J, compute_uv=False)
+    return float(found[-1]), float(found[-1] / found[0])
+
+
+def _stroke(system: System, drives: NDArray[np.float64], limits: NDArray[np.float64]) -> tuple[NDArray[np.float64], list[str]]:
+    """Share of the stroke of each drive (states, drives), and what stops each state; empty where nothing does."""
+    span = limits[:, 1] - limits[:, 0]
+    known = np.isfinite(span)
+    share = np.full(drives.shape, np.nan)
+    share[:, known] = (drives[:, known] - limits[known, 0]) / span[known]
+    beyond = np.maximum(limits[:, 0] - drives, drives - limits[:, 1])
+    names = []
+    for row, off in zip(drives, beyond, strict=True):
+        d = int(off.argmax()) if len(off) else 0
+        stopped = len(off) > 0 and off[d] > 0
+        names.append(f"{system.drives[d]} {'short' if row[d] < limits[d, 0] else 'long'}" if stopped else "")
+    return share, names
+
+
+def _words(good: NDArray[np.bool_], stopped: list[str]) -> NDArray[np.str_]:
+    found = np.full(good.shape, "out of reach", dtype=object)
+    found[good] = stopped
+    return found.astype(str)

@@ -25,6 +25,8 @@ _TABLES = {
     "load": ("loads",),
     "load case": ("load_cases",),
     "trajectory": ("trajectories",),
+    "condition": ("conditions",),
+    "run or trajectory": ("runs", "trajectories"),
     "drive": ("drives", "bars", "active"),
     "drive or pose coordinate": ("drives", "bars", "active"),
 }

@@ -17,10 +17,16 @@ from kinetruss.model.checks.gauges import gauge_faults
 from kinetruss.model.checks.joints import joint_faults
 from kinetruss.model.checks.lengths import length_faults
 from kinetruss.model.checks.loads import load_faults
-from kinetruss.model.checks.simulation import event_faults, task_faults, velocity_faults
-from kinetruss.model.checks.targets import target_faults
+from kinetruss.model.checks.simulation import (
+    all_condition_faults,
+    coordinate_kinds,
+    other_quantity,
+    run_faults,
+    value_faults,
+    velocity_faults,
+)
 from kinetruss.model.hubs.bearings import bearing_faults
-from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, turns
+from kinetruss.model.motion.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive
 from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
 from kinetruss.model.motion.trajectories import moved_by
 from kinetruss.model.parts.elastic import elastic_faults
@@ -30,7 +36,7 @@ if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
     from kinetruss.model.parts.members import Node
 
-__all__ = ["coordinate_kinds", "dimension", "faults", "misfits", "trajectory_faults"]
+__all__ = ["dimension", "faults", "misfits", "trajectory_faults"]
 
 
 def faults(model: ModelData) -> list[Fault]:
@@ -50,19 +56,12 @@ def faults(model: ModelData) -> list[Fault]:
         *coupling_faults(model),
         *spring_faults(model),
         *_trajectories(model),
-        *_runs(model),
+        *run_faults(model),
+        *all_condition_faults(model),
         *_gauges(model),
         *gauge_faults(model),
         *continuum_faults(model, dim),
     ]
-
-
-def coordinate_kinds(model: ModelData) -> dict[str, str]:
-    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
-    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
-    for pose in model.poses:
-        kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
-    return kinds
 
 
 def dimension(counts: Iterable[int]) -> int:
@@ -365,18 +364,10 @@ def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] =
         for number in value if isinstance(value, tuple) else (value,):
             given = getattr(number, "quantity", None)
             if given is not None and given != kinds[name]:
-                yield _other_quantity(place, field, given, kinds[name])
+                yield other_quantity(place, field, given, kinds[name])
                 break
     yield from _both_ways(model, set(table), path)
     yield from length_faults(model, trajectory, path)
-
-
-def _other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
-    """A length where an angle is moved, or the other way round."""
-    what, wanted = (f"{'an' if one == 'angle' else 'a'} {one}" for one in (given, kind))
-    per = "/s" if field == "rates" else ""
-    mend = f"Write for example {('10 deg' if kind == 'angle' else '1.2 m') + per!r}."
-    return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)
 
 
 def _both_ways(model: ModelData, named: set[str], path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -396,25 +387,6 @@ def _gauges(model: ModelData) -> Iterator[Fault]:
     zero = model.gauge_zero
     if zero is None:
         return
-    kinds = coordinate_kinds(model)
-    for name, value in zero.at.items():
-        place = ("gauge_zero", "at", name)
-        if name not in kinds:
-            yield unknown("drive or pose coordinate", name, kinds, place)
-        elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
-            yield _other_quantity(place, "at", quantity, kinds[name])
+    yield from value_faults(model, zero.at, ("gauge_zero", "at"))
     if zero.load_case is not None and zero.load_case not in model.load_cases:
         yield unknown("load case", zero.load_case, model.load_cases, ("gauge_zero", "load_case"))
-
-
-def _runs(model: ModelData) -> Iterator[Fault]:
-    for name, run in model.runs.items():
-        if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
-            yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))
-        for index, case in enumerate(run.load_cases or ()):
-            if case not in model.load_cases:
-                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
-        if run.targets is not None:
-            yield from target_faults(model, run.targets, ("runs", name, "targets"))
-        yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
-        yield from event_faults(model, run.events, ("runs", name, "events"))

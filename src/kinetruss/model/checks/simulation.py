@@ -1,13 +1,14 @@
-"""Cross-checks of simulations: start velocities, tasks, events."""
+"""Cross-checks of runs: what they name, and of simulations the start velocities, tasks, events."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.motion.drives import LengthDrive, turns
 from kinetruss.model.motion.inputs import PositionLoop
 from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
@@ -16,8 +17,23 @@ from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
+    from kinetruss.model.motion.conditions import Condition
+    from kinetruss.model.motion.runs import Run
 
-__all__ = ["event_faults", "task_faults", "velocity_faults"]
+MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
+"""Analyses whose motion, or poses, a mission can take."""
+
+__all__ = [
+    "all_condition_faults",
+    "condition_faults",
+    "coordinate_kinds",
+    "event_faults",
+    "other_quantity",
+    "run_faults",
+    "task_faults",
+    "value_faults",
+    "velocity_faults",
+]
 
 
 def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
@@ -130,3 +146,95 @@ def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events
                 yield Fault(
                     place, f"{axis!r} is no axis of node {node!r}.", f"Write {node}.x or {node}.y.", about=(("nodes",),)
                 )
+
+
+def coordinate_kinds(model: ModelData) -> dict[str, str]:
+    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
+    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
+    for pose in model.poses:
+        kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
+    return kinds
+
+
+def run_faults(model: ModelData) -> Iterator[Fault]:
+    """Unknown trajectories, load cases, drives and poses of all runs."""
+    for name, run in model.runs.items():
+        if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
+            yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))
+        for index, case in enumerate(run.load_cases or ()):
+            if case not in model.load_cases:
+                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
+        if run.targets is not None:
+            yield from target_faults(model, run.targets, ("runs", name, "targets"))
+        yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
+        yield from event_faults(model, run.events, ("runs", name, "events"))
+        if run.condition is not None and run.condition not in model.conditions:
+            yield unknown("condition", run.condition, model.conditions, ("runs", name, "condition"))
+        yield from _mission_faults(model, name, run)
+        for pose, values in run.poses.items():
+            yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
+    """What a mission names: runs with a prescribed motion or trajectories, and conditions."""
+    for index, motion in enumerate(run.motions):
+        place = ("runs", name, "motions", index)
+        if motion not in model.runs and motion not in model.trajectories:
+            yield unknown("run or trajectory", motion, {**model.runs, **model.trajectories}, place)
+        elif motion in model.runs and model.runs[motion].analysis not in MOVING:
+            what = model.runs[motion].analysis
+            yield Fault(place, f"{motion!r} is {what}, which has no prescribed motion.", "Name runs of dynamics.inverse.")
+        elif motion in model.runs and model.runs[motion].condition is not None:
+            mend = "Remove it there, and name it in the conditions of the mission."
+            yield Fault(place, f"{motion!r} has a condition of its own.", mend)
+    for index, condition in enumerate(run.conditions or ()):
+        if condition not in model.conditions:
+            yield unknown("condition", condition, model.conditions, ("runs", name, "conditions", index))
+
+
+def all_condition_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of all conditions of a model."""
+    for name, condition in model.conditions.items():
+        yield from condition_faults(model, condition, ("conditions", name))
+
+
+def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Unknown nodes, members and drives of a condition, and vectors with too few or too many components."""
+    dim = len(next(iter(model.nodes.values())).at)
+    for field in ("payloads", "forces"):
+        for node in getattr(condition, field):
+            if node not in model.nodes:
+                yield unknown("node", node, model.nodes, (*path, field, node))
+    for node, force in condition.forces.items():
+        yield from components(force, dim, (*path, "forces", node))
+    for field in ("gravity", "base_acceleration"):
+        yield from components(getattr(condition, field), dim, (*path, field))
+    for member in condition.temperatures:
+        if member not in model.members:
+            yield unknown("member", member, model.members, (*path, "temperatures", member))
+    for field, what, known in (
+        ("locked", "drive", model.all_drives),
+        ("released", "drive", model.all_drives),
+        ("failed", "member", model.members),
+    ):
+        for index, name in enumerate(getattr(condition, field)):
+            if name not in known:
+                yield unknown(what, name, known, (*path, field, index))
+
+
+def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Values of drives and pose coordinates: unknown ones, and lengths in place of angles."""
+    kinds = coordinate_kinds(model)
+    for name, value in values.items():
+        if name not in kinds:
+            yield unknown("drive or pose coordinate", name, kinds, (*path, name))
+        elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
+            yield other_quantity((*path, name), path[-1] if path[-1] == "at" else "poses", quantity, kinds[name])
+
+
+def other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
+    """A length where an angle is moved, or the other way round."""
+    what, wanted = (f"{'an' if one == 'angle' else 'a'} {one}" for one in (given, kind))
+    per = "/s" if field == "rates" else ""
+    mend = f"Write for example {('10 deg' if kind == 'angle' else '1.2 m') + per!r}."
+    return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.model.motion.runs import STANDING
+    from kinetruss.model.motion.runs import MISSION, STANDING, STATIC
 
-__all__ = ["STANDING"]
+__all__ = ["MISSION", "STANDING", "STATIC"]
 
-__getattr__, __dir__ = late(__name__, {"runs": "STANDING"})
+__getattr__, __dir__ = late(__name__, {"runs": "MISSION STANDING STATIC"})

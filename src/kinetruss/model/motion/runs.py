@@ -4,44 +4,79 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
-from kinetruss.model._record import Name, Record, Span, Whole
+from kinetruss.model._record import Coordinate, Name, Record, Span, Whole
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.motion.events import Event
 from kinetruss.model.motion.methods import Method
 from kinetruss.model.motion.targets import Combined, Target
 from kinetruss.model.motion.tasks import Task
 from kinetruss.model.motion.trajectories import TrajectoryOrName
-from kinetruss.units import shown
 
-__all__ = ["STANDING", "Run"]
+__all__ = ["MISSION", "STANDING", "STATIC", "Run"]
 
-_SIMULATED = ("t_end", "tasks", "method", "events")
-
-STANDING = "A structure that stands still is analysed in Python: kt.statics.linear(kt.read(FILE))."
+STANDING = "A structure that stands still: analysis: statics.linear, statics.equilibrium, or statics.at_poses with poses."
 """The fix for a run of a structure that does not move."""
 
-Analysis = Literal["dynamics.inverse", "kinematics.follow", "dynamics.simulate"]
+Analysis = Literal[
+    "dynamics.inverse",
+    "kinematics.follow",
+    "dynamics.simulate",
+    "statics.linear",
+    "statics.equilibrium",
+    "statics.at_poses",
+    "statics.deflection",
+    "mission",
+]
+
+MISSION = "mission"
+STATIC = tuple(name for name in get_args(Analysis) if name.startswith("statics."))
+"""Analyses of structures that stand still, or, for the deflection, of small displacements from a motion."""
+
+_MOTION = ("trajectory", "motion", "targets", "samples")
+_USED = {
+    "dynamics.inverse": _MOTION,
+    "kinematics.follow": _MOTION,
+    "dynamics.simulate": ("trajectory", "samples", "t_end", "tasks", "method", "events"),
+    "statics.linear": (),
+    "statics.equilibrium": ("tasks",),
+    "statics.at_poses": (*_MOTION, "poses"),
+    "statics.deflection": _MOTION,
+    MISSION: ("motions", "conditions", "samples"),
+}
+"""The fields of each analysis besides load cases, stations and condition."""
+
+_OWN = ("trajectory", "motion", "targets", "samples", "t_end", "tasks", "method", "events", "poses", "motions", "conditions")
 
 
 class Run(Record):
     """A named run of a model.
 
-    analysis : ``dynamics.inverse`` (motion, forces, strength, drives), ``kinematics.follow`` (motion only) or
-        ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``).
+    analysis : ``dynamics.inverse`` (motion, forces, strength, drives), ``kinematics.follow`` (motion only),
+        ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``); at rest ``statics.linear`` (small
+        displacements), ``statics.equilibrium`` (large ones), ``statics.at_poses`` (forces in poses) and ``statics.deflection``
+        (of elastic members along a motion, besides all of ``dynamics.inverse``); or ``mission``.
     trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...); or
         `targets`, a task of the structure (`Gimbal`, `Positioning`, `Docking` ...), which says what the drives must do.
         A simulation needs neither; its trajectory moves the drives that have no task.
     samples : number of equally spaced instants, both ends included.
-    load_cases : names; None runs all of the model's, or its plain loads if it has none. A simulation has one at most; None
-        takes all loads with factor 1.
+    load_cases : names; None runs all of the model's, or its plain loads if it has none. A simulation or an equilibrium has
+        one at most; None takes all loads with factor 1.
     stations : equally spaced sections along each member, both ends included.
+    condition : name of one of the model's `conditions`, under which the run is done; None: the model as it is.
 
     Of a simulation: t_end : s, the start is 0. tasks : what drives do (`Free`, `Hold`, `GivenForce`, an input of the motor, a
     trajectory of that drive alone); a drive without a task follows the trajectory if that moves it, else it is held. method :
     the integration method; by default `Taylor` if the motion has a power series, else `DOP853`. events : events to detect.
+    An equilibrium has tasks too (`Free`, `Hold`, `GivenForce`).
+
+    Of ``statics.at_poses``: poses : name of a pose -> drive or pose coordinate -> value, m or rad (what is not named stands as
+    in the model); or a trajectory, whose samples are the poses.
+
+    Of a mission: motions : names of other runs and of trajectories (with `samples` each). conditions : names; None: the model
+    as it is. Every motion is done under every condition and every load case.
     """
 
     analysis: Analysis = "dynamics.inverse"
@@ -51,34 +86,59 @@ class Run(Record):
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
     load_cases: tuple[Name, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
+    condition: Name | None = None
     t_end: Span | None = None
     tasks: Table[Name, Task] = ReadOnly()
     method: Method | None = None
     events: Table[Name, Event] = ReadOnly()
-
-    @field_validator("analysis", mode="before")
-    @classmethod
-    def _moves(cls, value: Any) -> Any:
-        if isinstance(value, str) and value.casefold().startswith("static"):
-            known = ", ".join(get_args(Analysis))
-            raise ValueError(f"{shown(value)} is no analysis of a run, which moves: {known}. {STANDING}")
-        return value
+    poses: Table[Name, Table[Name, Coordinate]] = ReadOnly()
+    motions: tuple[Name, ...] = ()
+    conditions: tuple[Name, ...] | None = None
 
     @model_validator(mode="after")
-    def _one_motion(self) -> Run:
+    def _fitting(self) -> Run:
+        for name in _OWN:
+            if name not in _USED[self.analysis] and getattr(self, name) != type(self).model_fields[name].default:
+                users = [one for one, used in _USED.items() if name in used]
+                raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or change analysis: {users[-1]}.")
         if self.analysis == "dynamics.simulate":
             return self._simulated()
-        for name in _SIMULATED:
-            if getattr(self, name) != type(self).model_fields[name].default:
-                raise ValueError(f"has {name}, which {self.analysis} does not use. Remove it, or simulate: dynamics.simulate.")
-        given = [name for name in ("trajectory", "motion", "targets") if getattr(self, name) is not None]
         if self.targets is not None and _timed(self.targets):
             raise ValueError("has targets with a function of time, which no file can hold. Give way points, or a spline.")
-        if len(given) != 1:
-            has = f"both {' and '.join(given)}" if given else "neither trajectory nor motion"
-            standing = "" if given else f" {STANDING}"
-            mend = "Give one: trajectory, motion (a node-history CSV), or targets (a task of the structure)."
-            raise ValueError(f"has {has}. {mend}{standing}")
+        if self.analysis == MISSION:
+            return self._mission()
+        if self.analysis == "statics.equilibrium":
+            self._one_case()
+        if "motion" in _USED[self.analysis]:
+            self._one_motion()
+        return self
+
+    def _one_motion(self) -> None:
+        given = [name for name in ("trajectory", "motion", "targets", "poses") if getattr(self, name)]
+        if len(given) == 1:
+            return
+        if self.analysis == "statics.at_poses":
+            has = " and ".join(given) or "no poses"
+            raise ValueError(f"has {has}. Give one: poses: {{stowed: {{M7: 1.2 m}}}}, a trajectory, motion (a CSV) or targets.")
+        has = f"both {' and '.join(given)}" if given else "neither trajectory nor motion"
+        standing = "" if given else f" {STANDING}"
+        mend = "Give one: trajectory, motion (a node-history CSV), or targets (a task of the structure)."
+        raise ValueError(f"has {has}. {mend}{standing}")
+
+    def _mission(self) -> Run:
+        if not self.motions:
+            raise ValueError(
+                "names no motions, so the mission is empty. Add motions: [RUN, ...], names of runs or trajectories."
+            )
+        for field in ("motions", "load_cases", "conditions"):
+            if (names := getattr(self, field)) is None:
+                continue
+            if not names:
+                raise ValueError(f"{field} is empty, so there is nothing to do. Name some, or leave it out.")
+            if twice := [name for k, name in enumerate(names) if name in names[:k]]:
+                raise ValueError(f"{field} names {twice[0]!r} twice. Name it once.")
+        if self.condition is not None:
+            raise ValueError("has condition, which belongs to one run. Write conditions: [...] for a mission.")
         return self
 
     def _simulated(self) -> Run:
@@ -87,17 +147,13 @@ class Run(Record):
         step = getattr(self.method, "step", None)
         if step is not None and self.t_end / step > MOST_COUNT:
             raise ValueError(f"{self.t_end:g} s by steps of {step:g} s are {self.t_end / step:.0e} steps. Take longer steps.")
-        if self.targets is not None:
-            raise ValueError(
-                "has targets, which ask for a motion that a simulation computes itself. Remove them, or use dynamics.inverse."
-            )
-        if self.motion is not None:
-            raise ValueError(
-                "has a motion from a file, which a simulation computes itself. Remove it, or use dynamics.inverse."
-            )
-        if self.load_cases is not None and len(self.load_cases) > 1:
-            raise ValueError(f"has {len(self.load_cases)} load cases; a simulation has one motion. Make one run for each.")
+        self._one_case()
         return self
+
+    def _one_case(self) -> None:
+        if self.load_cases is not None and len(self.load_cases) > 1:
+            what = "an equilibrium has one place" if self.analysis == "statics.equilibrium" else "a simulation has one motion"
+            raise ValueError(f"has {len(self.load_cases)} load cases; {what}. Make one run for each.")
 
 
 def _timed(target: Any) -> bool:

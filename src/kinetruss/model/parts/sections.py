@@ -218,12 +218,16 @@ SectionOrName = Annotated[Annotated[Section, Tag("record")] | Annotated[Name, Ta
 
 
 class Material(Record):
-    """Elastic material: E (Young's modulus), density, yield strength, Poisson's ratio; SI, with the source of the values."""
+    """Elastic material: E (Young's modulus), density, yield strength, Poisson's ratio; SI, with the source of the values.
+
+    thermal_expansion : coefficient of linear expansion, 1/K, as conditions with a temperature need it.
+    """
 
     E: Stress
     density: Density
     yield_strength: Stress | None = None
     poisson: Number = 0.3
+    thermal_expansion: Number | None = None
     source: str = ""
 
     @field_validator("poisson")
@@ -231,6 +235,13 @@ class Material(Record):
     def _poisson(cls, value: float) -> float:
         if not -1 < value <= 0.5:
             raise ValueError(f"Poisson's ratio {value:g} must lie above -1 and at most 0.5. Steel: 0.3.")
+        return value
+
+    @field_validator("thermal_expansion")
+    @classmethod
+    def _expansion(cls, value: float | None) -> float | None:
+        if value is not None and not abs(value) < 1e-3:
+            raise ValueError(f"{value:g} is no coefficient of expansion, 1/K. Steel: 12e-6.")
         return value
 
 

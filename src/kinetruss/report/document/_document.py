@@ -16,7 +16,9 @@ from kinetruss.report.document.parts.inputs import inputs
 from kinetruss.report.document.parts.pictures import picture
 from kinetruss.report.document.parts.recompute import recompute
 from kinetruss.report.document.parts.top import top
+from kinetruss.report.missions import mission_html, mission_record
 from kinetruss.report.pictures.figures import specifications
+from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
     from kinetruss.report.pictures.specs import Figure
@@ -36,6 +38,8 @@ def document_page(run: RunResult, view: str = "", date: str = "") -> Page:
     replaces it.
     date : date of the report, as text; none by default, so that the same run gives the same text.
     """
+    if isinstance(run, MissionRun):
+        return Page(found=run, as_record=mission_record, as_html=partial(mission_html, view=view, date=date))
     return Page(found=run, as_record=document_record, as_html=partial(_html, view=view, date=date))
 
 
@@ -75,6 +79,7 @@ def _sectioned(run: RunResult, record: dict[str, Any], view: str) -> list[Markup
         ("mobility", "Mobility", parts.mobility(record)),
         ("motion", "Motion", [*parts.motion(record), *(drawn.of("lengths") if _changes(run) else ())]),
         ("simulation", "Simulation", [*parts.simulated(run, record), *drawn.of("energies")]),
+        ("statics", "Displacements and stability", parts.standing(run)),
         ("forces", "Member forces", [*parts.forces(record), *drawn.of("forces")]),
         ("strength", "Strength", [*demands.strength(record), *drawn.of("stresses")]),
         ("drives", "Actuators", [*demands.drives(record), *drawn.of("motors")]),

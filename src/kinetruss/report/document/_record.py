@@ -28,7 +28,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
     NaN becomes None, infinity the text ``Infinity``. Only the name of the run folder is included, since reports are sent out.
     """
     text = model_text(run)
-    told = run.model.runs[run.name]
+    told = run.told
     found = summary_record(run) | {
         "schema": SCHEMA,
         "out": None if run.path is None else run.path.resolve().name,
@@ -63,7 +63,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
 def model_text(run: RunResult) -> str:
     """The model as in the run folder, byte by byte; its hash is computed from this text."""
     stored = None if run.path is None else run.path / "model.json"
-    return stored.read_text("utf-8") if stored is not None and stored.is_file() else run.model.model_dump_json()
+    return stored.read_text("utf-8") if stored is not None and stored.is_file() else run.origin.model_dump_json()
 
 
 def strength(run: RunResult) -> list[dict[str, Any]]:

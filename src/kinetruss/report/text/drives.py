@@ -12,6 +12,7 @@ from kinetruss.display import Table, instant, quantity
 from kinetruss.model import turns
 
 if TYPE_CHECKING:
+    from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
 __all__ = ["drive_cells", "drive_loads", "drives_text"]
@@ -43,12 +44,18 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
                     "unit": "N m" if turns(drive) else "N",
                     "load": float(push[at]),
                     "time": float(time[at]),
+                    "pose": pose_at(forces, at),
                     "rate": _peak(rate),
                     "power": _peak(push * rate),
                     "load_case": case,
                 }
             )
     return found
+
+
+def pose_at(forces: Forces, at: int) -> str:
+    """Name of the pose of a sample; empty for instants of a motion."""
+    return str(forces.data["pose"].values[at]) if "pose" in forces.data.coords else ""
 
 
 def drives_text(found: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -67,7 +74,7 @@ def drive_cells(one: Mapping[str, Any]) -> tuple[str, ...]:
     return (
         one["drive"],
         quantity(load, one["unit"]),
-        instant(one["time"]),
+        one["pose"] or instant(one["time"]),
         quantity(rate, per),
         quantity(power, "W"),
         one["load_case"],

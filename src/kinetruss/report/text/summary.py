@@ -11,10 +11,13 @@ import numpy as np
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
 from kinetruss.report._page import Page
-from kinetruss.report.text.drives import drive_loads, drives_text
+from kinetruss.report.missions import mission_record, mission_text
+from kinetruss.report.text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.text.simulation import simulation_lines, simulation_record
 from kinetruss.report.text.springs import spring_loads, springs_text
+from kinetruss.report.text.statics import statics_lines, statics_record
 from kinetruss.report.text.trains import exceeded, trains, trains_text
+from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row
@@ -33,7 +36,9 @@ MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "powe
 
 
 def summary(run: RunResult) -> Page:
-    """The summary of a run as a page."""
+    """The summary of a run as a page; of a mission, its envelope."""
+    if isinstance(run, MissionRun):
+        return Page(found=run, as_record=mission_record, as_text=mission_text)
     return Page(found=run, as_record=summary_record, as_text=_text)
 
 
@@ -63,6 +68,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "trains": trains(run),
         "exceeded": exceeded(run),
         "simulation": simulation_record(run),
+        "statics": statics_record(run),
         "checks": checks(run),
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
@@ -76,6 +82,8 @@ def _text(run: RunResult) -> str:
     parts = [_head(run)]
     if told := list(simulation_lines(run)):
         parts.append(Table(("", ""), told, "Simulation").text)
+    if told := list(statics_lines(run)):
+        parts.append(Table(("", ""), told, "Statics").text)
     if forces := largest_forces(run):
         parts.append(f"Largest member forces (tension positive)\n{Table(FORCE_HEAD, map(_force_cells, forces)).text}")
     if rows := worst_rows(run):
@@ -100,7 +108,9 @@ def _counted(names: list[str]) -> str:
 
 def _head(run: RunResult) -> str:
     time = run.motion.data["time"].values
-    span = f", t = {number(time[0])} to {instant(time[-1])}" if len(time) else ""
+    poses = [str(name) for name in run.motion.data["pose"].values] if "pose" in run.motion.data else []
+    span = f", t = {number(time[0])} to {instant(time[-1])}" if len(time) > 1 else ""
+    span = f", poses {_counted(poses)}" if poses else span
     count = f"{run.good} of {run.samples} samples are good" if not run.whole else f"{run.samples} samples"
     state = {
         "finished": run.status.value,
@@ -141,6 +151,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
                     "force": float(values[at, i]),
                     "by_motion": share,
                     "time": when,
+                    "pose": pose_at(forces, at),
                     "load_case": case,
                     "unique": member not in unsure,
                 }
@@ -221,7 +232,7 @@ def checks(run: RunResult) -> dict[str, Any]:
         at = int(np.nanargmin(gauge))
         record["singularity"] = {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
     still = _stands_still(run)
-    balances = [_balance(forces, _exchanged(run), still) for forces in run.forces.values() if forces.data.sizes["time"]]
+    balances = [_balance(forces, _exchanged(run), still) for forces in run.forces.values() if _moves(forces)]
     if balances:
         record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
     record["not_held"] = [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
@@ -229,6 +240,11 @@ def checks(run: RunResult) -> dict[str, Any]:
         dict.fromkeys(m for forces in run.forces.values() for m in forces.data.attrs.get("not_unique", []))
     )
     return record
+
+
+def _moves(forces: Forces) -> bool:
+    """False for forces of poses at rest, which have no power."""
+    return bool(forces.data.sizes["time"]) and "energy_balance" in forces.data
 
 
 def _exchanged(run: RunResult) -> float:
@@ -279,7 +295,7 @@ def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:
         f["member"],
         quantity(f["force"], "N") + ("" if f["unique"] else ", not unique"),
         by_motion,
-        instant(f["time"]),
+        f["pose"] or instant(f["time"]),
         f["load_case"],
     )
 
@@ -292,7 +308,7 @@ def _cells(row: Row) -> tuple[str, ...]:
         quantity(row.value, row.unit),
         quantity(row.limit, row.unit),
         number(row.margin, 3),
-        instant(row.time),
+        row.pose or instant(row.time),
         quantity(row.position, "m"),
         row.load_case,
     )

@@ -62,9 +62,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Store", "Writer", "create", "key", "open_store", "reopen"]
 
-VERDICT = "verdict"
+VERDICT, ENVELOPE = "verdict", "envelope"
 """Groups that are written once, at the end."""
-ORDER = ("motion", "simulation", "forces", "sections", VERDICT, "demand")
+ORDER = ("pairs", "envelope", "motion", "simulation", "statics", "forces", "sections", VERDICT, "demand")
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,7 +256,11 @@ def open_store(path: Path) -> Store:
         ledger = Ledger(**record)
         text = (path / MODEL).read_text("utf-8")
         ended = ledger.state == "finished"
-        groups = tuple(name for name in _groups(path) if ended or name != VERDICT) if ledger.committed or ended else ()
+        groups = (
+            tuple(name for name in _groups(path) if ended or name not in (VERDICT, ENVELOPE))
+            if ledger.committed or ended
+            else ()
+        )
         again = read_ledger(path)
     except (OSError, TypeError, ValueError) as error:
         if is_locked(path):

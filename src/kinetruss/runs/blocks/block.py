@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from kinetruss import actuators, strength
-from kinetruss.results import Demand, Forces, Motion, Sections, Simulation, Verdict
+from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Verdict
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,6 +21,7 @@ __all__ = ["Block", "judged"]
 class Block:
     """Results of consecutive samples, by load case; `verdict` over all cases.
 
+    statics : of static analyses, with a time axis.
     simulation : for a simulated motion; `state` is the state of its integration after the block.
     """
 
@@ -29,6 +30,7 @@ class Block:
     sections: dict[str, Sections]
     demand: dict[str, Demand]
     verdict: Verdict | None
+    statics: Mapping[str, Result] = field(default_factory=dict)
     simulation: Simulation | None = None
     state: Mapping[str, NDArray[Any]] | None = None
 
@@ -40,6 +42,8 @@ class Block:
 def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
     """Results that follow from the forces: sections, utilisation, motor demands."""
     model, stations = plan.model, plan.run.stations
+    if plan.bare:
+        return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=None)
     if not plan.full:
         return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=strength.check(model, forces))
     return Block(

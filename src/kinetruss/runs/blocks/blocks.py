@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss import dynamics, kinematics
+from kinetruss import dynamics
 from kinetruss.errors import InputError
 from kinetruss.results import Motion, Status
 
@@ -15,8 +15,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 from kinetruss.runs.blocks.block import Block, judged
-from kinetruss.runs.blocks.planned import SIMULATED, Plan
+from kinetruss.runs.blocks.conditioned import followed
+from kinetruss.runs.blocks.planned import SIMULATED, STATIC, Plan
 from kinetruss.runs.blocks.simulated import simulated
+from kinetruss.runs.blocks.standing import along, standing
 
 __all__ = ["blocks"]
 
@@ -36,6 +38,9 @@ def blocks(
     """
     if plan.run.analysis == SIMULATED:
         yield from simulated(plan, first, state, fitted=fitted)
+        return
+    if plan.given is None and plan.run.trajectory is None:
+        yield standing(plan)
         return
     while first < len(plan.times):
         motion = _motion(plan, first, position)
@@ -57,11 +62,8 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
         early = last < len(plan.given.arrays["time"].values)
         return part.with_(status=Status.COMPLETED, message="") if early else part
     lead = 0 if position is None else 1
-    trajectory = plan.model.trajectory_of(plan.run)
     try:
-        motion = kinematics.follow(
-            plan.model, trajectory, times=plan.times[first - lead : last], start=position, raise_on_failure=False
-        )
+        motion = _followed(plan, plan.times[first - lead : last], position, raising=False)
     except InputError as error:
         if first == 0:
             raise
@@ -70,10 +72,13 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
     return motion.with_(data=motion.data.isel(time=slice(lead, None))) if lead else motion
 
 
+def _followed(plan: Plan, times: NDArray[np.float64], start: NDArray[np.float64] | None, *, raising: bool) -> Motion:
+    return followed((plan.origin, plan.model), plan.condition, plan.run.trajectory, times, start, raising=raising)
+
+
 def _nothing(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:
     """A motion without samples."""
-    trajectory = plan.model.trajectory_of(plan.run)
-    before = kinematics.follow(plan.model, trajectory, times=plan.times[first - 1 : first], start=position)
+    before = _followed(plan, plan.times[first - 1 : first], position, raising=True)
     return before.with_(data=before.data.isel(time=slice(0, 0)))
 
 
@@ -81,5 +86,7 @@ def _analysed(plan: Plan, motion: Motion) -> Block:
     """All requested results of a motion, load case by load case."""
     if plan.run.analysis == "kinematics.follow":
         return Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
+    if plan.run.analysis in STATIC:
+        return along(plan, motion)
     found = [dynamics.inverse(plan.model, motion, case, static=plan.full) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in found})

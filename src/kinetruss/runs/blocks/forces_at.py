@@ -9,6 +9,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import InputError
 from kinetruss.model import Model
+from kinetruss.runs.blocks.conditioned import followed
 from kinetruss.runs.blocks.planned import SIMULATED, Plan, plan
 
 if TYPE_CHECKING:
@@ -108,5 +109,5 @@ def _motion(job: Plan, t: NDArray[np.float64]) -> Motion:
     # from the start of the path, not directly from the model's pose to the requested one
     lead = np.linspace(job.times[0], t[0], STEPS, endpoint=False) if t[0] > job.times[0] else np.zeros(0)
     t = np.clip(t, job.times[0], job.times[-1])
-    motion = kinematics.follow(job.model, job.model.trajectory_of(job.run), times=np.concatenate([lead, t]))
+    motion = followed((job.origin, job.model), job.condition, job.run.trajectory, np.concatenate([lead, t]))
     return motion.with_(data=motion.data.isel(time=slice(len(lead), None)))

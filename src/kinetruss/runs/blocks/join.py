@@ -102,6 +102,7 @@ def groups_of(block: Block) -> dict[str, xr.Dataset]:
         found[f"forces/{key(case)}/total"] = forces.data
         if forces.static is not None:
             found[f"forces/{key(case)}/static"] = forces.static.data
+    found |= {f"statics/{key(case)}": one.data for case, one in block.statics.items()}
     found |= {f"sections/{key(case)}": one.data for case, one in block.sections.items()}
     found |= {f"demand/{key(case)}": one.data for case, one in block.demand.items()}
     return {name: timed(data) for name, data in found.items()}
@@ -129,10 +130,12 @@ def in_memory(plan: Plan, kept: list[Block], accumulated: Accumulator, wall_time
     forces = {case: _forces([block.forces[case] for block in full], motion) for case in kept[0].forces}
     return RunResult(
         model=plan.model,
+        given=plan.origin,
         name=plan.name,
         motion=motion,
         forces=forces,
         simulation=_simulation(kept, motion, forces),
+        statics={case: _along_time([block.statics[case] for block in kept if block.statics]) for case in kept[0].statics},
         sections={case: _along_time([block.sections[case] for block in full]) for case in kept[0].sections},
         verdict=accumulated.verdict,
         demand={case: _demand([block.demand[case] for block in full], accumulated.demand[case]) for case in kept[0].demand},

@@ -199,13 +199,12 @@ class _Work:
 
         So the model is compiled only once; compiling takes as long as the forces of some hundred samples.
         """
+        if job.condition is not None:
+            return job
         moving: dict[str, Any] = {"runs": {}, "trajectories": {}, "title": ""}
         if self._last is None or self._last.with_(**moving) != job.model.with_(**moving):
             self._last = job.model
-        if job.given is not None:
-            return replace(job, model=self._last)
-        run_here = job.run.with_(trajectory=job.model.trajectory_of(job.run))
-        return replace(job, model=self._last, run=run_here)
+        return replace(job, model=self._last)
 
     def _remove_old(self, path: Path) -> None:
         """Remove the runs of an earlier command from the folders of the variants, after the first variant is computed."""

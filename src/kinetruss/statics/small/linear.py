@@ -74,7 +74,8 @@ def linear(
     Returns
     -------
     Linear. ``displacement`` (node, axis) m; ``member_force`` (member) N, mean over the length, tension positive;
-    ``end_force`` (member, end): axial tension at A and B; ``reaction`` (support, axis): force on the structure;
+    ``end_force`` (member, end): axial tension at A and B; ``joint_force`` (member, end, axis): force on the member from its
+    joint; ``reaction`` (support, axis): force on the structure;
     ``elongation`` (member) m and ``strain`` (member), of the load alone; ``strain_energy`` (member) J; ``energy`` J, their
     sum; ``work`` J, half the loads times their displacements, equal to it without prestress (Clapeyron).
     attrs ``force_error``, ``displacement_error``: bounds on the errors by round-off, relative to the largest force and
@@ -199,11 +200,14 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     stored = stored_by.sum() + (0.5 * more - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
+    pull = force[:, None] * u
+    joint = np.stack([-pull, pull], axis=1) - ends
     supports = [system.node_index(name) for name in system.supports]
     data = {
         "displacement": variable(("node", "axis"), solved.displacement.reshape(-1, 3)[:, :dim], "m", "node displacement"),
         "member_force": variable(("member",), force, "N", "mean axial force, tension positive"),
         "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at the ends"),
+        "joint_force": variable(("member", "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
         "reaction": variable(("support", "axis"), reaction[supports, :dim], "N", "support force on the structure"),
         "elongation": variable(("member",), elongation, "m", "elongation by the load"),
         "strain": variable(("member",), elongation / length, "", "axial strain by the load"),

@@ -21,6 +21,11 @@ NAMES = 8
 ANALYSES = {
     "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
     "kinematics.follow": "kinematics: a given motion, without forces",
+    "statics.linear": "statics: small displacements of an elastic structure, and its forces",
+    "statics.equilibrium": "statics: the equilibrium with large displacements, its forces and its stability",
+    "statics.at_poses": "statics: the forces of poses at rest",
+    "statics.deflection": "inverse dynamics, and the small displacements of elastic members along the motion",
+    "mission": "a mission: all motions under all conditions and load cases, and their envelope",
     "dynamics.simulate": "forward dynamics: the motion caused by weight, loads, springs and motors, and its forces",
 }
 
@@ -37,7 +42,7 @@ def inputs(run: RunResult) -> list[Markup]:
         ("Drive trains", "used by", _trains(model)),
         ("Springs on coordinates (SI)", "name", _named(model.springs)),
         ("Loads and load cases", "name", _named({**model.loads, **model.load_cases})),
-        ("Tasks of drives and events", "name", _named({**model.runs[run.name].tasks, **model.runs[run.name].events})),
+        ("Tasks of drives and events", "name", _named({**run.told.tasks, **run.told.events})),
     )
     for caption, head, rows in lists:
         shown = list(rows)
@@ -48,15 +53,17 @@ def inputs(run: RunResult) -> list[Markup]:
 
 
 def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
-    told = run.model.runs[run.name]
+    told = run.told
     yield "run", run.name
     yield "analysis", f"{told.analysis}; {ANALYSES[told.analysis]}"
     if told.motion is not None:
         yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
     elif told.targets is not None:
         yield "task (m, rad, s)", worded(told.targets)
-    elif (trajectory := run.model.trajectory_of(told)) is not None:
-        yield "trajectory (m, rad, s)", worded(trajectory)
+    elif told.trajectory is not None:
+        yield "trajectory (m, rad, s)", worded(told.trajectory)
+    if told.condition is not None:
+        yield "condition", f"{told.condition}: {worded(run.origin.conditions[told.condition])}"
     if told.t_end is not None:
         yield "simulated time", quantity(told.t_end, "s")
         yield "method", _method(run, told)

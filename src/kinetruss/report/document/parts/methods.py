@@ -69,7 +69,7 @@ CHECKS = (
 
 def methods(run: RunResult) -> Iterator[tuple[str, str, str]]:
     """Name, what was done, and published sources (or none) of each method that the run used."""
-    told = run.model.runs[run.name]
+    told = run.told
     if run.simulation is not None or told.analysis == "dynamics.simulate":
         yield FORWARD
     else:

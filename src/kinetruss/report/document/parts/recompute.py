@@ -41,7 +41,7 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
 
 def _motion(run: RunResult) -> list[tuple[str, Any]]:
     """The present hash of the motion's file."""
-    given = run.model.runs[run.name].motion
+    given = run.told.motion
     if given is None:
         return []
     path = Path(given)

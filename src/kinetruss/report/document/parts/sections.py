@@ -11,13 +11,14 @@ from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
 from kinetruss.report.text.drives import drive_cells
+from kinetruss.report.text.statics import statics_lines
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
     Record = dict[str, Any]
 
-__all__ = ["checked", "forces", "method", "mobility", "motion", "simulated"]
+__all__ = ["checked", "forces", "method", "mobility", "motion", "simulated", "standing"]
 
 
 def mobility(record: Record) -> list[Markup]:
@@ -86,6 +87,12 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
         heads = ("time", "smallest pivot", "branch")
         parts.append(Table(heads, lines, "Singular positions passed (pivot 0 is singular)", left_out(found["passages"])).html)
     return parts
+
+
+def standing(run: RunResult) -> list[Markup]:
+    """Displacements, energies and stability of a static analysis."""
+    rows = list(statics_lines(run))
+    return [Table(("", ""), rows, "Static analysis").html] if rows else []
 
 
 def forces(record: Record) -> list[Markup]:

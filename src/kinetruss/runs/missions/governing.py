@@ -1,0 +1,37 @@
+"""A pair of a mission as a run of its own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from kinetruss.errors import InputError
+from kinetruss.limits import whole
+from kinetruss.runs._result import RunResult
+from kinetruss.runs._run import run
+from kinetruss.runs.missions.pairs import pairs_of
+from kinetruss.runs.missions.record import MissionRun
+
+__all__ = ["governing"]
+
+
+def governing(mission: MissionRun, pair: int | None = None, out: str | Path | None = None) -> RunResult:
+    """Do one pair of a mission as a run, with all histories.
+
+    Parameters
+    ----------
+    pair : its number; by default the one with the highest utilisation, or the first that can be. out : as of `run`.
+
+    Raises
+    ------
+    InputError : no such pair, or one that cannot be.
+    """
+    pairs = pairs_of(mission.model, mission.name)
+    if pair is None:
+        possible = [k for k, samples in enumerate(mission.pairs["samples"].values) if samples > 0]
+        if not possible:
+            raise InputError(f"No pair of {mission.name!r} could be done: {next(iter(mission.findings.values()), '')}")
+        pair = possible[0] if mission.governing is None else mission.governing
+    if not 0 <= whole(pair, "pair", least=0) < len(pairs):
+        raise InputError(f"The mission has no pair {pair}. It has {len(pairs)}, counted from 0.")
+    model, name = pairs[pair].alone(mission.model, mission.model.runs[mission.name])
+    return run(model, name, out)

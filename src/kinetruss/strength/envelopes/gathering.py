@@ -1,0 +1,81 @@
+"""Gathers the envelope of members over pairs of a motion and a load case, without keeping their histories."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from kinetruss.kernels.sections.envelope import COLUMNS, YIELD, Kept, Rules, envelope
+from kinetruss.mechanics import System, compile, kept
+from kinetruss.model import Model
+from kinetruss.results import Forces
+from kinetruss.strength.members.inputs import histories
+from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.buckling import end_condition
+
+__all__ = ["Gathering"]
+
+
+class Gathering:
+    """The envelope of a model over pairs; ``rods`` (tension, compression, bending, stress; parts; columns) and
+    ``members`` (buckling, beam-column; members; columns), see `kernels.sections.envelope`.
+    """
+
+    def __init__(self, model: Model) -> None:
+        parts = parts_of(model)
+        self.part_names = parts.names
+        self._parts = {name: k for k, name in enumerate(parts.names)}
+        self._members = {name: k for k, name in enumerate(model.members)}
+        self.rods = np.full((4, len(self._parts), COLUMNS), np.nan)
+        self.members = np.full((2, len(self._members), COLUMNS), np.nan)
+        self.rods[:3, :, 0] = -math.inf  # a tension may be negative, a bending moment zero
+        self.rods[3, :, 0] = self.members[:, :, 0] = -1.0
+        self.top = np.zeros(4)
+
+    def begin(self) -> None:
+        """A new pair begins: its highest utilisation is not known."""
+        self.top[:] = -1.0, -1, YIELD, np.nan
+
+    def add(self, model: Model, forces: Forces, pair: int) -> None:
+        """Take forces of a pair into account; model : the same, or with members taken out."""
+        given, times = histories(model, forces), forces.arrays["time"].values
+        if not len(times):
+            return
+        ends = np.ascontiguousarray(forces.arrays["end_force"].values)
+        tension, compression, bending, stress = self.rods
+        buckling, combined = self.members
+        found = Kept(tension, compression, bending, stress, buckling, combined, self.top)
+        envelope(self._rules(model), given.members, given.histories, ends, times, given.allocate(1), found, float(pair))
+
+    def _rules(self, model: Model) -> Rules:
+        parts = parts_of(model)
+        own_part = np.array([self._parts[name] for name in parts.names], np.int64)
+        own_member = np.array([self._members[name] for name in model.members], np.int64)
+        return _rules(compile(model)).with_(own_part=own_part, own_member=own_member)
+
+
+@kept()
+def _rules(system: System) -> Rules:
+    """What sections and materials of a model allow; the places where it is kept are those of the model itself."""
+    model, parts = system.model, parts_of(system.model)
+    C = np.array([end_condition(member.buckling) for member in model.members.values()])[parts.member]
+    stiff = math.pi**2 * C * parts.E
+    return Rules.of(
+        {
+            "n_buckling": model.safety.buckling,
+            "moment_factor": 1.0,
+            "shape": parts.shape,
+            "first": parts.first,
+            "two": parts.two,
+            "cable": parts.cable,
+            "own_part": np.arange(len(parts.names)),
+            "own_member": np.arange(len(parts.first)),
+            "scale": parts.scale,
+            "strength": parts.yield_strength / model.safety.yielding,
+            "fibre": np.stack([parts.c3 / parts.I2, parts.c2 / parts.I3], axis=1),
+            "stiff": np.stack([stiff * parts.I2, stiff * parts.I3], axis=1),
+            "squash": parts.area * parts.yield_strength,
+            "span": parts.length,
+        }
+    )
