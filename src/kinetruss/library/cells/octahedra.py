@@ -200,6 +200,7 @@ def _hardware(given: Rods) -> tuple[dict[str, Any], dict[str, Any]]:
             length=given.get("base_length", 0.7),
             mass=given.get("base_mass", 3.0),
             section=None if rods["base"] is None else "base",
+            material=None if rods["base"] is None or material is None else "bar",
         ),
         "tube": Part(
             length=given.get("tube_length", 0.254),

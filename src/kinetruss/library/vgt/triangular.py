@@ -97,6 +97,7 @@ def triangular(
     """
     tube = section if tube_section is None else tube_section
     sections = {"follower": section, "tube": tube} | ({} if base_section is None else {"base": base_section})
+    rod = {} if base_section is None else {"section": "base", "material": "tube"}
     return Model(
         title=title,
         nodes={
@@ -115,7 +116,7 @@ def triangular(
         active={
             "actuator": Active(
                 ends=("O2", "B"),
-                base=Part(length=base_length, mass=base_mass, section=None if base_section is None else "base"),
+                base=Part(length=base_length, mass=base_mass, **rod),
                 tube=Part(length=tube_length, mass=tube_mass, section="tube", material="tube", rotary_inertia=rotary_inertia),
                 screw=named(SCREWS, screw, "screw"),
                 gear=named(GEARS, gear, "gear"),

@@ -16,7 +16,7 @@ from kinetruss.report.text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.text.simulation import simulation_lines, simulation_record
 from kinetruss.report.text.springs import spring_loads, springs_text
 from kinetruss.report.text.statics import statics_lines, statics_record
-from kinetruss.report.text.trains import exceeded, trains, trains_text
+from kinetruss.report.text.trains import MOST, exceeded, trains, trains_text
 from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
@@ -94,11 +94,26 @@ def _text(run: RunResult) -> str:
     parts += drives_text(drive_loads(run, found))
     parts += springs_text(spring_loads(run))
     if found:
-        parts.append(f"Motors (largest values of the motion)\n{Table(MOTOR_HEAD, map(_motor_cells, found)).text}")
+        parts.append(_motors_text(found))
     parts += trains_text(run)
     if lines := list(_check_lines(run)):
         parts.append(Table(("", ""), lines, "Checks").text)
     return "\n\n".join(parts)
+
+
+def _motors_text(found: list[dict[str, Any]]) -> str:
+    """The table of motors; of many those nearest to a limit."""
+    shown, more = found, ""
+    if len(found) > MOST:
+        shown = sorted(found, key=_near, reverse=True)[:MOST]
+        more = f"\nand {len(found) - MOST} more, farther from their limits"
+    return f"Motors (largest values of the motion)\n{Table(MOTOR_HEAD, map(_motor_cells, shown)).text}{more}"
+
+
+def _near(motor: Mapping[str, Any]) -> tuple[float, float]:
+    """How near a motor is to its limits, then its torque: strokes of equal cells are equal."""
+    limit = motor["nearest_limit"]
+    return (round(limit["utilisation"], 6) if limit else 0.0, abs(motor["motor_torque"]))
 
 
 def _counted(names: list[str]) -> str:

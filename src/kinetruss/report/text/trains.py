@@ -32,7 +32,7 @@ HEAD = (
     "load case",
 )
 MOST = 12
-"""Largest number of printed exceeded limits."""
+"""Largest number of motors and of exceeded limits that are printed."""
 
 PEAKS = {
     "motor_torque": "motor_torque",
@@ -83,7 +83,9 @@ def trains_text(run: RunResult) -> list[str]:
     """The same as text: a table, and a list of exceeded limits."""
     parts = []
     if found := trains(run):
-        parts.append(f"Drive trains (largest torques at the motor)\n{Table(HEAD, map(_cells, found)).text}")
+        more = f"\nand {len(found) - MOST} more, with less torque" if len(found) > MOST else ""
+        shown = sorted(found, key=lambda one: -float(one["motor_torque"]))[:MOST] if more else found
+        parts.append(f"Drive trains (largest torques at the motor)\n{Table(HEAD, map(_cells, shown)).text}{more}")
     if over := _exceeded(run):
         lines = [f"{one} ({case})" for case, one in over[:MOST]]
         if len(over) > MOST:
