@@ -142,3 +142,14 @@ def test_build_by_name_reads_text():
     with pytest.raises(ModelError, match="paylod_mass"):
         build("vgt.triangular", {"paylod_mass": 3})
     assert "anyOf" in builders()["vgt.triangular"].model_json_schema()["properties"]["span"]
+
+
+@pytest.mark.parametrize("build", [kt.library.vgt.double_octahedral, kt.library.vgt.triangular])
+def test_base_rods_with_a_section_are_of_the_material_of_the_tubes(build):
+    steel = kt.library.materials.STEEL_S355
+    model = build(base_section=kt.Rod(diameter=0.02), material=steel)
+    for member in model.active.values():
+        assert model.materials[member.base.material] == steel == model.materials[member.tube.material]
+    assert not kt.strength.check(model, kt.statics.at_poses(model, [{}])).not_checked()
+    bare = build(material=steel)
+    assert {member.base.material for member in bare.active.values()} == {None}

@@ -47,6 +47,20 @@ def test_the_largest_force_is_the_largest(tripod_run):
     assert abs(first["force"]) == np.abs(everywhere).max()
 
 
+def test_of_many_motors_those_nearest_to_a_limit_are_shown():
+    """Twelve of the 120 rows of sixty motors in two load cases; the record has all."""
+    model = kt.read(kt.library.example_files()["mast"][0])
+    page = report.summary(run(model.with_(runs={"deploy": model.runs["deploy"].with_(samples=11)})))
+    motors, trains = (page.text.split(head)[1].split("\n\n")[0] for head in ("Motors (", "Drive trains ("))
+    assert len(page.record["motors"]) == 120
+    assert motors.endswith("and 108 more, farther from their limits")
+    assert trains.endswith("and 108 more, with less torque")
+    shown = [line.split()[0] for line in trains.splitlines()[2:-1]]
+    torques = sorted(page.record["trains"], key=lambda one: -one["motor_torque"])
+    assert shown == [one["active"] for one in torques[:12]]
+    assert motors.splitlines()[2].split()[0] == shown[0]  # all use the same stroke: the most loaded comes first
+
+
 def test_a_run_that_is_not_whole_says_so_at_the_top(tmp_path):
     def stop(done: int, total: int) -> None:
         raise KeyboardInterrupt
