@@ -291,3 +291,100 @@ def test_the_top_of_a_mast_has_five_freedoms_not_nine():
         kt.flexible.corrected(model, forces, ("B3.N7", "B3.N8", "B3.N9"))
     found = kt.flexible.corrected(model, forces, ("B3.N7", "B3.N8.z", "B3.N9.z"))
     assert np.abs(found.error.values).max() < 1e-12
+
+
+def swinging(**spring: float) -> kt.Model:
+    """A rigid bar that only a hinge spring holds, with a mass at its tip."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": {"at": (0.8, 0), "mass": 2.0}},
+        fixed=["A"],
+        bars={"b": kt.Bar(ends=("A", "B"), mass=0.6)},
+        springs={"hinge": kt.Spring(coordinate=kt.AngleDrive("b"), **spring)},
+        gravity=(0, -9.81),
+    )
+
+
+def test_where_only_a_hinge_spring_gives_way():
+    """w^2 = k/J with J = (m + m_bar/3) l^2, and the weight's moment over k as the settled angle."""
+    model, k, J = swinging(stiffness=500.0), 500.0, (2.0 + 0.2) * 0.64
+    found = kt.flexible.frequencies(model, kt.statics.at_poses(model, [{}]), 1)
+    np.testing.assert_allclose(2 * math.pi * found.frequency.values, math.sqrt(k / J), rtol=1e-12)
+    x = np.tile(np.array([[0.0, 0.0], [0.8, 0.0]]), (5, 1, 1))
+    still = kt.kinematics.from_arrays(model, np.linspace(0, 0.1, 5), x, 0 * x, 0 * x)
+    shaken = kt.flexible.vibration(model, kt.dynamics.inverse(model, still, static=False), tolerance=1e-6)
+    sunk = -(2.0 + 0.3) * 9.81 * 0.8 / k * 0.8
+    np.testing.assert_allclose(shaken.settled.sel(node="B", axis="y").values, sunk, rtol=1e-9)
+    np.testing.assert_allclose(shaken.displacement.sel(node="B", axis="y").values, sunk, rtol=1e-6)
+    # a spring without stiffness leaves a mechanism
+    loose = swinging(damping=1.0)
+    with pytest.raises(kt.InputError, match="not stiff in this position"):
+        kt.flexible.frequencies(loose, kt.statics.at_poses(loose, [{}]), 1)
+
+
+LEAD = kt.Compliance(screw=2.5e6, nut=3e7, base=8e6)
+
+
+def lifted() -> tuple[kt.Model, kt.Quintic]:
+    """A mass on an actuator with a compliance, moved along x."""
+    rod = {"mass": 0.0, "section": SECTION, "material": kt.Material(E=70e9, density=0.0)}
+    lift = kt.Active(
+        ends=("A", "B"), base=kt.Part(length=0.5, **rod), tube=kt.Part(length=0.4, **rod), compliance=LEAD, limits=(0.55, 1.2)
+    )
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": {"at": (0.6, 0), "mass": 40.0}},
+        fixed={"A": "xy", "B": "y"},
+        active={"lift": lift},
+        gravity=(-9.81, 0),
+    )
+    return model, kt.Quintic(moves={"lift": (0.6, 0.9)}, duration=0.2)
+
+
+def lead_flexibility(length: np.ndarray) -> np.ndarray:
+    """Screw, tube, nut and base in series, m/N."""
+    return (length - 0.4) / 2.5e6 + 0.4 / 7e6 + 1 / 3e7 + 1 / 8e6
+
+
+def test_an_actuator_gives_way_by_its_compliance():
+    """Frequencies, corrected lengths, settled displacements and the deflection of a mass, at every length."""
+    model, move = lifted()
+    forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, move, samples=41), static=False)
+    length = forces.motion.length.sel(member="lift").values
+    f = lead_flexibility(length)
+    load = -40.0 * (9.81 + forces.motion.acceleration.sel(node="B", axis="x").values)
+    found = kt.flexible.frequencies(model, forces, 1)
+    np.testing.assert_allclose(2 * math.pi * found.frequency.values[:, 0], 1 / np.sqrt(40.0 * f), rtol=1e-12)
+    np.testing.assert_allclose(found.actuator_share.values[:, 0, 0], 1.0, rtol=1e-12)
+    lin = kt.dynamics.linearise(model, forces.motion, time=0.1)
+    np.testing.assert_allclose(lin.frequency.values, found.frequency.values[20], rtol=1e-9)
+    change = kt.flexible.corrected(model, forces, "B.x").change.values[:, 0]
+    np.testing.assert_allclose(change, -load * f, rtol=1e-9, atol=1e-15)
+    small = kt.statics.deflection(model, forces).displacement.sel(node="B", axis="x").values
+    np.testing.assert_allclose(small, load * f, rtol=1e-12, atol=1e-18)
+    shaken = kt.flexible.vibration(model, forces, tolerance=1e-4)
+    np.testing.assert_allclose(shaken.settled.sel(node="B", axis="x").values, load * f, rtol=1e-9, atol=1e-15)
+
+
+def test_a_compliant_actuator_in_simulation():
+    """m x'' = -m g - (x - l0)/f(l0), integrated by another method; `vibration` agrees to first order."""
+    from scipy.integrate import solve_ivp
+
+    model, move = lifted()
+    run = kt.flexible.simulate(model, move, 0.25, samples=26)
+    t = run.time.values
+
+    def natural(s: float) -> float:
+        # quintic from 0.6 to 0.9 m
+        r = min(s / 0.2, 1.0)
+        return 0.6 + 0.3 * r**3 * (10 - 15 * r + 6 * r * r)
+
+    def rates(s: float, y: np.ndarray) -> list[float]:
+        l0 = natural(s)
+        return [y[1], -9.81 - (y[0] - l0) / (40.0 * float(lead_flexibility(l0)))]
+
+    own = solve_ivp(rates, (0, 0.25), [0.6 - 40 * 9.81 * lead_flexibility(0.6), 0.0], t_eval=t, rtol=1e-11, atol=1e-13)
+    np.testing.assert_allclose(run.motion.position.sel(node="B", axis="x").values, own.y[0], atol=1e-9)
+    forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, move, samples=81), static=False)
+    shaken = kt.flexible.vibration(model, forces, tolerance=1e-4)
+    off = np.interp(t[:21], forces.time.values, shaken.displacement.sel(node="B", axis="x").values)
+    bent = own.y[0][:21] - np.array([natural(s) for s in t[:21]])
+    assert np.abs(off - bent).max() < 0.01 * np.abs(bent).max()

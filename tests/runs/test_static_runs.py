@@ -107,6 +107,29 @@ def test_a_deflection_run_has_the_motion_its_forces_and_the_displacements(bay, t
     assert run.forces["all"].member_force.values == pytest.approx(forces.member_force.values, rel=1e-9)
 
 
+def test_a_deflection_run_takes_the_compliance_of_an_actuator(tmp_path):
+    rod = {"mass": 0.0, "section": kt.Tube(outer=0.02, inner=0.016), "material": STEEL}
+    act = {"base": kt.Part(length=0.5, **rod), "tube": kt.Part(length=0.4, **rod)}
+    soft = kt.Compliance(screw=2.5e6, nut=3e7, base=8e6)
+    lift = kt.Model(
+        nodes={"A": (0, 0), "B": {"at": (0, 0.6), "mass": 40.0}},
+        fixed={"A": "xy", "B": "x"},
+        active={"lift": kt.Active(ends=("A", "B"), compliance=soft, **act)},
+        gravity=(0, -9.81),
+        runs={
+            "up": kt.Run(
+                analysis="statics.deflection", trajectory=kt.Quintic(moves={"lift": (0.6, 0.9)}, duration=1.0), samples=5
+            )
+        },
+    )
+    run = kt.run(lift, out=tmp_path / "run")
+    length = run.motion.length.sel(member="lift").values
+    N = run.forces["all"].member_force.sel(member="lift").values
+    f = (length - 0.4) / 2.5e6 + 0.4 / (STEEL.E * rod["section"].area) + 1 / 3e7 + 1 / 8e6
+    sunk = run.statics["all"].displacement.sel(node="B", axis="y").values
+    assert sunk == pytest.approx(N * f, rel=1e-9) and np.all(sunk < -1e-4)
+
+
 def test_an_unreachable_pose_ends_the_run_with_the_poses_before_it(bay):
     model = bay.with_(runs={"r": kt.Run(analysis="statics.at_poses", poses={"rest": {}, "far": {"M7": 40.0}})})
     run = kt.run(model)

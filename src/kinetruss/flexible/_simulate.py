@@ -62,9 +62,10 @@ def simulate(
 
     Notes
     -----
-    N = k (l - l0) + c (l' - l0') of every member, with the l0(t) of the trajectory for actuators, whose k is E A/l0 if it is
-    not given; large displacements. It starts at rest in the settled state of the first instant (first order), unless
-    ``positions`` are given. Steps follow the fastest vibration of the members: short runs.
+    N = k (l - l0) + c (l' - l0') of every member, with the l0(t) of the trajectory for actuators, whose k follows l0 if it is
+    not given: E A/l0, or that of its `Compliance` at l0; large displacements. It starts at rest in the settled state
+    of the first instant (first order), unless ``positions`` are given. Steps follow the fastest vibration of the members: short
+    runs.
     """
     delay = number_of(damping, "damping", "s")
     if delay < 0:
@@ -127,7 +128,8 @@ class _Springs:
         self.p, self.q = system.p[members], system.q[members]
         self.f, self.delay, self.dim = f[rows], delay, system.dim
         self.given = np.isin([system.members[i] for i in members], list(given))
-        self.start = system.length0[members]
+        # f = compliance l0 + yielding
+        self.per_length, self.fixed = np.nan_to_num(system.compliance[members]), system.yielding[members]
 
     @property
     def force(self) -> Callable[[float, Any, Any], NDArray[np.float64]]:
@@ -141,7 +143,7 @@ class _Springs:
         now = min(max(t, 0.0), self.last)
         own = self.rate(now) if 0.0 <= t <= self.last else np.zeros(len(L))
         natural = self.length(now)
-        k = np.where(self.given, 1.0, self.start / natural) / self.f
+        k = 1.0 / np.where(self.given, self.f, self.per_length * natural + self.fixed)
         pull = (k * (L - natural + self.delay * ((u * rate).sum(axis=1) - own)))[:, None] * u
         found = np.zeros((len(x), self.dim))
         np.add.at(found, self.p, pull)

@@ -5,8 +5,8 @@ them elastic: with small displacements u from the rigid motion and row forces N,
 
     M u'' + C u' + K u + G^T N = f_nodes - M a,    G u = f N
 
-G (rows, n): gradients of the rows; K: geometric stiffness of all members and the stiffness of springs; f = l/(E A), 1/k where
-a stiffness is given, and 0 of what is inextensible.
+G (rows, n): gradients of the rows; K: geometric stiffness of all members and the stiffness of springs; f = l/(E A), that of the
+`Compliance` of an active member, 1/k where a stiffness is given, and 0 of what is inextensible.
 """
 
 from __future__ import annotations
@@ -108,8 +108,8 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
     shape, free = (len(x), -1, 3), system.free
     still = bool(forces.data.attrs.get("at_rest", 0))
     soft = softness.flexibility(system, system.x0)
-    if not (np.any(soft) or np.any(system.spring > 0) or system.continua is not None):
-        raise InputError("No member is elastic. Give sections and materials, or a stiffness for members.")
+    if not (np.any(soft) or np.any(system.spring > 0) or system.springs or system.continua is not None):
+        raise InputError("No member is elastic. Give sections and materials, a stiffness for members, or springs.")
     case = forces.load_case if forces.load_case in system.model.load_cases else None
     gravity = loads_of(system, forces).gravity
     times = forces.arrays["time"].values

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics.actions import refuse_bearings
+from kinetruss.dynamics.linear.compliant import compliant
 from kinetruss.dynamics.linear.record import Linearisation
 from kinetruss.dynamics.linear.reduce import Reduced, reduced, signal_rows
 from kinetruss.dynamics.linear.signals import Input, Names, Output, inputs_of, outputs_of
@@ -40,6 +41,7 @@ def linearise(
     outputs: Names | None = None,
     dofs: str | Iterable[str] | None = None,
     free: Iterable[str] = (),
+    rigid: str | Iterable[str] = (),
     load_case: str | None = None,
     tasks: Mapping[str, Any] | None = None,
     time: float | None = None,
@@ -53,12 +55,16 @@ def linearise(
     inputs : names. Of a free node coordinate (``"B.x"``), of an elastic member or a released drive (``"M7"``,
         ``"crank.angle"``): a force on it, N, positive where it lengthens, or a torque, N m. Of a support or another prescribed
         coordinate (``"N1.z"``, a driven length): its motion, with three columns in B: value, rate (``'``), second rate
-        (``''``). A mapping gives labels, also to sums: ``{"base": {"N1.z": 1, "N2.z": 1, "N3.z": 1}}``.
+        (``''``). Of a held drive with a compliance: its commanded length, m, one column. A mapping gives labels, also to sums:
+        ``{"base": {"N1.z": 1, "N2.z": 1, "N3.z": 1}}``.
     outputs : likewise; coordinates, with ``'`` for the rate and ``''`` for the second rate; ``"M7.force"`` tension of a member,
         ``"N1.z.force"`` force of a support on the structure. By default the degrees of freedom.
     dofs : names of node coordinates, lengths and angles, mixed; drives among them are released, with the constant force that
         holds the state. None chooses node coordinates.
     free : names of further drives that are released likewise.
+    rigid : active members whose `Compliance` does not count. Other held drives with a compliance are springs in series, 1/k the
+        sum of the flexibilities of screw, nut, tube and base at the length of the state; the commanded length is then the
+        drive's, and holds the state.
     load_case, tasks : as in `statics.equilibrium`; those of an Equilibrium are taken from it.
 
     Returns
@@ -85,9 +91,9 @@ def linearise(
     True
     """
     refuse_bearings(model, "A linearisation")
-    here = state_at(model, state, load_case, tasks, time)
+    here = compliant(state_at(model, state, load_case, tasks, time), dofs, free, rigid)
     at = dof_basis(here.balance.system, dofs, here.x, free)
-    signals = inputs_of(at.system, inputs)
+    signals = inputs_of(at.system, inputs, here.springs)
     wanted = outputs_of(at.system, [one.name for one in at.dofs] if outputs is None else outputs)
     found = reduced(here, at, signals)
     _check_mass(at, found.M[:, : len(at.dofs)])
@@ -130,7 +136,7 @@ def _state_space(
     B, D = [], []
     forces, motions = iter(range(found.F.shape[1])), iter(range(k, count))
     for one in signals:
-        if one.kind == "force":
+        if one.kind != "motion":
             j = next(forces)
             B.append(P[:, j])
             D.append(Yf[:, j] + Y2[:, :k] @ P[:, j])

@@ -32,7 +32,8 @@ Floats = Any
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Reduced:
-    """M, C, K (dofs, columns) of columns c = (q, s); F (dofs, forces) of force inputs; X0, X1, X2 (3 n, columns).
+    """M, C, K (dofs, columns) of columns c = (q, s); F (dofs, forces) of force inputs, commanded lengths among them;
+    X0, X1, X2 (3 n, columns).
 
     full : M, C, K (3 n, 3 n) and unit loads (3 n, forces) before reduction. tension (m,) N. forces : the force inputs.
     """
@@ -60,7 +61,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     motions = [one for one in inputs if one.kind == "motion"]
     X0, X1, X2 = X = _columns(state, at, motions)
     T = X0[:, : len(at.dofs)]
-    forces = [one for one in inputs if one.kind == "force"]
+    forces = [one for one in inputs if one.kind != "motion"]
     push = np.stack([unit_load_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
     return Reduced(
         M=T.T @ (M @ X0),

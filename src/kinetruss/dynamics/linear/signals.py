@@ -24,22 +24,25 @@ Names = str | Iterable[str] | Mapping[str, str | Mapping[str, float]]
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A force on coordinates, or the motion of prescribed ones, each with a factor."""
+    """A force on coordinates, the motion of prescribed ones, or the commanded length of drives that give way.
+
+    Each has a factor; that of a commanded length is the stiffness in series, N/m: it acts as this force on its member.
+    """
 
     label: str
-    kind: Literal["force", "motion"]
+    kind: Literal["force", "motion", "command"]
     parts: tuple[tuple[Coordinate, float], ...]
 
     @property
     def unit(self) -> str:
         """SI unit."""
         own = self.parts[0][0].unit
-        return own if self.kind == "motion" else "N m" if own == "rad" else "N"
+        return "N m" if self.kind == "force" and own == "rad" else "N" if self.kind == "force" else own
 
     @property
     def columns(self) -> list[tuple[str, str]]:
-        """Name and unit of its columns in B: one force, or value, rate and second rate."""
-        if self.kind == "force":
+        """Name and unit of its columns in B: one force or commanded length, or value, rate and second rate."""
+        if self.kind != "motion":
             return [(self.label, self.unit)]
         return [(self.label + mark, self.unit + per) for mark, per in (("", ""), ("'", "/s"), ("''", "/s^2"))]
 
@@ -62,8 +65,8 @@ class Output:
         return own + ("", "/s", "/s^2")[self.order]
 
 
-def inputs_of(system: System, names: Names) -> list[Input]:
-    """Inputs of a system without the rows of released drives.
+def inputs_of(system: System, names: Names, springs: Mapping[int, float]) -> list[Input]:
+    """Inputs of a system without the rows of released drives; springs : stiffness of drives that give way, by member, N/m.
 
     Raises
     ------
@@ -71,15 +74,24 @@ def inputs_of(system: System, names: Names) -> list[Input]:
     """
     found = []
     for label, parts in _listed(system, names):
-        motion = {is_prescribed(system, one) for one, _ in parts}
-        if len(motion) > 1 or len({one.unit for one, _ in parts}) > 1:
+        kinds = {_kind(system, one, springs) for one, _ in parts}
+        if len(kinds) > 1 or len({one.unit for one, _ in parts}) > 1:
             raise InputError(
                 f"Input {label!r} adds different quantities (forces, prescribed motions, angles). Make separate inputs of them."
             )
         if any(one.kind == "pose" for one, _ in parts):
             raise InputError(f"Input {label!r} is a pose coordinate. Name nodes, lengths or angles.")
-        found.append(Input(label, "motion" if motion.pop() else "force", tuple(parts)))
+        kind = kinds.pop()
+        if kind == "command":
+            parts = [(one, factor * springs[one.index]) for one, factor in parts]
+        found.append(Input(label, kind, tuple(parts)))
     return found
+
+
+def _kind(system: System, one: Coordinate, springs: Mapping[int, float]) -> Literal["force", "motion", "command"]:
+    if one.kind == "length" and one.index in springs:
+        return "command"
+    return "motion" if is_prescribed(system, one) else "force"
 
 
 def outputs_of(system: System, names: Names) -> list[Output]:

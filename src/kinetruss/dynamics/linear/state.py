@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,7 +42,8 @@ AT_REST = 1e-8
 @dataclass(frozen=True, kw_only=True, eq=False)
 class State:
     """balance : forces, with drives of given force released. x, v, a (n, 3); N (rows,) of its rows. left : largest residual
-    force at rest as a fraction of the largest force. still : True in equilibrium at rest.
+    force at rest as a fraction of the largest force. still : True in equilibrium at rest. springs : stiffness of drives that
+    give way, by the index of their member, N/m.
     """
 
     balance: Balance
@@ -52,6 +53,7 @@ class State:
     N: NDArray[np.float64]
     left: float
     still: bool
+    springs: Mapping[int, float] = field(default_factory=dict)
 
 
 def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str, Any] | None, time: float | None) -> State:
@@ -115,6 +117,8 @@ def drive_forces(state: State) -> NDArray[np.float64]:
     """Force or torque of every drive in a state, (drives,) N or N m."""
     balance, system = state.balance, state.balance.system
     tension, torque = row_tensions(system, state.x, state.N)
+    if yielding := list(state.springs):
+        tension[yielding] = bar_laws(system, ends_of(system, state.x, yielding)[1], member=yielding).tension
     found, on_measures = np.zeros(len(system.drives)), measure_forces(system, state.N)
     left = mass_matrix(system, state.x) @ state.a.reshape(-1) - moving_forces(balance, state.x, state.v)
     if len(state.N):
