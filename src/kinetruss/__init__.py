@@ -28,7 +28,7 @@ _NAMES = {
         "Amplifier AngleDrive Bar Beam Body BodyCouple BodyForce ConstantRate CoordinateDrive CosineCoordinate Cyclic "
         "DriveLoad "
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
-        "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PositionLoop Pressure Quintic "
+        "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PointMass PositionLoop Pressure Quintic "
         "Circle Combined Coordinates Docking Gimbal Pointing Positioning Reflecting Way "
         "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput Trapezoid Tube "
     ),

@@ -103,7 +103,7 @@ from kinetruss.model.parts.elastic import natural_length, stiffness
 from kinetruss.model.parts.gauges import Bridge, Gauge, GaugeZero
 from kinetruss.model.parts.joints import GROUND, Bearing, Hinge, Joint
 from kinetruss.model.parts.loads import History, LoadCase, NodalForce
-from kinetruss.model.parts.members import Active, Bar, Compliance, Node, Part, PlanarBody
+from kinetruss.model.parts.members import Active, Bar, Compliance, Node, Part, PlanarBody, PointMass
 from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
 
 __all__ = [
@@ -149,6 +149,7 @@ __all__ = [
     "Node",
     "NodalForce",
     "Part",
+    "PointMass",
     "Pointing",
     "PositionLoop",
     "Positioning",

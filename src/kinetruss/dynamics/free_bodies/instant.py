@@ -36,7 +36,8 @@ class Rod:
 
     start, length : where it begins, from end A of its member, and how long it is, m. mass : kg. acceleration : (dim,) of its
     centre of mass, m/s^2. swing : (dim,) N m; u x swing is the rate of its angular momentum about its centre of mass.
-    place : of a body's centre, along the bar from end A and to its left, m; None of a rod, whose centre is its middle.
+    place : of the centre of a body or of a base with masses on it, along the bar from end A and to its left, m; None of a rod
+    whose centre is its middle.
     """
 
     name: str
@@ -228,7 +229,8 @@ class Instant:
         base = Rod(
             name=f"{name}.base",
             start=0.0,
-            length=l,
+            length=float(system.base[i, 1]),
+            place=(l / 2, 0.0),
             mass=m,
             acceleration=self.a[A] + l / 2 * bend,
             swing=(m * l**2 / 12 + rotary) * bend,

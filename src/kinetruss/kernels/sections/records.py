@@ -16,7 +16,9 @@ class Members(Record):
     segments : that a part has at most. p, q (m,) : nodes at the ends A, B. orient (m,) : node that spans plane 1-2 with the
     member, or -1; reference (m, 3) : direction where there is none. two_rods (m,) : 1 of active members. rods (m, 6) : mass kg,
     length m, rotary inertia kg m^2 of a bar or base, then of a tube. acting (m + 1,) : actions acting[k]:acting[k + 1] are on
-    member k. spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
+    member k. clamped_ptr (m + 1,) : masses
+    clamped[clamped_ptr[k]:clamped_ptr[k + 1]] are on the base of member k; clamped (c, 2) : fraction from A, ascending, and kg,
+    besides that in rods. spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
     """
 
     segments: I0
@@ -26,6 +28,8 @@ class Members(Record):
     two_rods: I1
     acting: I1
     spread: I1
+    clamped_ptr: I1
+    clamped: F2
     rods: F2
     reference: F2
     gravity: F1

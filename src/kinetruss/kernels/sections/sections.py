@@ -8,6 +8,7 @@ inertia of the part, and C_A, C_B the couples of drives and couplings at its end
     bar and base, from A:   S(xi) = -F_A + m int_0^xi b dxi,    M(0) = -C_A
     base beyond the nut:    S(xi) = -m int_xi^1 b dxi,          M(1) = 0
     tube, from B:           S(xi) = F_B - m int_xi^1 b dxi,     M(1) = C_B
+    masses on the base:     S jumps by m b at each, M does not
     everywhere:             dM/dxi = -l u x S + i u x u''
 
 Along a bar b = b_A + xi (a_B - a_A); along the base b = b_A + s u''; along the tube b = b_B - s' u'', s' from B.
@@ -218,17 +219,67 @@ def _bar(members: Members, histories: Histories, k: int, out: Polynomials, at: A
 
 
 @kernel_inline
-def _rods(members: Members, histories: Histories, k: int, out: Polynomials, at: Any, frame: Frame, force: Any, w: Any) -> None:
-    """Base and tube of active member k. force : along the base up to the nut; w : u''."""
+def _resisting(members: Members, n: int, span: float, motion: Any) -> Any:
+    """m b of mass n on the base, b = s + xi l u''; motion : s = a_A - g and u''."""
+    s, w = motion
+    m, arm = members.clamped[n, 1], members.clamped[n, 0] * span
+    return m * (s[0] + arm * w[0]), m * (s[1] + arm * w[1]), m * (s[2] + arm * w[2])
+
+
+@kernel_inline
+def _base(members: Members, k: int, out: Polynomials, at: Any, nut: float, force: Any, motion: Any, couple: Any) -> None:
+    """The base of active member k, a new segment behind every mass on it and behind the nut. couple : about 2, 3 at A."""
+    row, part = at
+    (c0, c1, c2), (k2, k3) = force, couple
+    span, turn, place, last = (
+        members.rods[k, 1],
+        _times(members.rods[k, 2], motion[1]),
+        members.clamped,
+        members.clamped_ptr[k + 1],
+    )
+    j, n = 0, members.clamped_ptr[k]
+    # from A: S(xi) = -F_A + m int_0^xi b dxi + sum of m b of the masses passed
+    while n < last and place[n, 0] < nut:
+        s = place[n, 0]
+        if s > 0.0 and (j == 0 or s > out.ends[row, part, j - 1]):
+            _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), False)
+            out.ends[row, part, j] = s
+            j += 1
+        q = _resisting(members, n, span, motion)
+        c0 = (c0[0] + q[0], c0[1] + q[1], c0[2] + q[2])
+        k2, k3 = k2 - span * q[2] * s, k3 + span * q[1] * s
+        n += 1
+    _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), False)
+    out.ends[row, part, j] = nut
+    j += 1
+    # beyond the nut no force acts at xi = 1: S(xi) = -m int_xi^1 b dxi - sum of m b of the masses ahead
+    c0, k2, k3 = _less(_less((0.0, 0.0, 0.0), c1), c2), 0.0, 0.0
+    for ahead in range(n, last):
+        q, s = _resisting(members, ahead, span, motion), place[ahead, 0]
+        c0 = _less(c0, q)
+        k2, k3 = k2 - span * q[2] * (1.0 - s), k3 + span * q[1] * (1.0 - s)
+    while n < last:
+        q, s = _resisting(members, n, span, motion), place[n, 0]
+        if s > out.ends[row, part, j - 1]:
+            _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), True)
+            out.ends[row, part, j] = s
+            j += 1
+        c0 = (c0[0] + q[0], c0[1] + q[1], c0[2] + q[2])
+        k2, k3 = k2 + span * q[2] * (1.0 - s), k3 - span * q[1] * (1.0 - s)
+        n += 1
+    _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), True)
+    out.ends[row, part, j] = WHOLE
+
+
+@kernel_inline
+def _rods(
+    members: Members, histories: Histories, k: int, out: Polynomials, at: Any, frame: Frame, force: Any, motion: Any
+) -> None:
+    """Base and tube of active member k. force : along the base up to the first mass; motion : a_A - g and u''."""
     row, part, i = at
-    _, c1, c2 = force
-    rods, g = members.rods, members.gravity
-    span, turn = rods[k, 1], _times(rods[k, 2], w)
-    out.ends[row, part, 0], out.ends[row, part, 1] = (frame.length - rods[k, 4]) / span, WHOLE
+    rods, g, w = members.rods, members.gravity, motion[1]
     k2, k3 = _end_couple(members, histories, i, k, 0.0, frame)
-    _write(out, (row, part, 0), force, span, turn, (-k2, -k3), False)
-    # beyond the nut no force acts at xi = 1
-    _write(out, (row, part, 1), (_less(_less((0.0, 0.0, 0.0), c1), c2), c1, c2), span, turn, (0.0, 0.0), True)
+    _base(members, k, out, (row, part), (frame.length - rods[k, 4]) / rods[k, 1], force, motion, (-k2, -k3))
     # the tube is written from xi = 1 back
     m, span, f = rods[k, 3], rods[k, 4], _seen(_at(histories.joint_force[i], k, 1), frame)
     c2 = _times(0.5 * m * span, w)
@@ -255,7 +306,7 @@ def _member(members: Members, histories: Histories, i: int, k: int, out: Polynom
         w = _bending(histories.velocity, i, a, b, frame, e)
     c0, c1, at = _less(still, f), _times(m, s), (row, part, i)
     if two:
-        _rods(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m * rods[k, 1], w)), w)
+        _rods(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m * rods[k, 1], w)), (s, w))
     else:
         _bar(members, histories, k, out, at, frame, (c0, c1, _times(0.5 * m, e)), w)
 
@@ -280,7 +331,7 @@ def section_polynomials(members: Members, histories: Histories, out: Polynomials
     """Coefficients of all segments of all parts.
 
     The last segment of a part ends at 2; those behind it are left as they are. The base of an active member has two, which
-    meet at the nut; a bar one more than places where something acts between its ends.
+    meet at the nut, and one more a mass; a bar one more than places where something acts between its ends.
     """
     for i in range(histories.position.shape[0]):
         _sample(members, histories, i, out, i)
@@ -315,10 +366,10 @@ def _evaluate(given: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats, i
             j += 1
 
 
-def most_segments(acting: Ints, spread: Ints) -> int:
-    """How many segments a part has at most; 2 at least, for the base of an active member."""
+def most_segments(acting: Ints, spread: Ints, clamped_ptr: Ints) -> int:
+    """How many segments a part has at most; 2 at least, and one more a mass, for the base of an active member."""
     points = np.append(0, np.cumsum(np.logical_not(spread)))
-    return 1 + int(np.diff(points[acting]).max(initial=1))
+    return 1 + max(int(np.diff(points[acting]).max(initial=1)), 1 + int(np.diff(clamped_ptr).max(initial=0)))
 
 
 @kernel_bare

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
-from kinetruss.model import Active, Bar, Model, natural_length, stiffness
+from kinetruss.model import Active, Bar, Model, PointMass, natural_length, stiffness
 from kinetruss.model.hubs import arms_of, clamped_at
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "kind": np.zeros(count, np.int8),
         "length0": distance.copy(),
         "rods": np.zeros((count, 6)),
+        "base": np.zeros((count, 3)),
         "two_rods": np.zeros(count, np.bool_),
         "compliance": np.full(count, np.nan),
         "yielding": np.zeros(count),
@@ -37,6 +38,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "body": np.zeros((count, 4)),
         "is_body": np.zeros(count, np.bool_),
     }
+    clamped: list[tuple[int, float, float]] = []
     stuffs: dict[tuple[int, int, bool], tuple[float, float]] = {}
     kinds, lines, soft, lawful = [DRIVEN] * count, [0.0] * count, [float("nan")] * count, []
     uniform = np.zeros(count, np.bool_)
@@ -48,7 +50,9 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         if isinstance(member, Active):
             base, tube = member.base, member.tube
             found["two_rods"][i] = True
-            found["rods"][i] = (*_rod(model, base, base.length), *_rod(model, tube, tube.length))
+            found["base"][i] = _rod(model, base, base.length)
+            found["rods"][i] = (*_loaded(found["base"][i], base.masses), *_rod(model, tube, tube.length))
+            clamped += [(i, one.at / base.length, one.mass) for one in sorted(base.masses, key=lambda one: one.at)]
             soft[i], found["yielding"][i] = _in_series(model, member)
             continue
         if name not in driven:
@@ -68,6 +72,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
             soft[i] = stuff[1]
         if member.kind != "rigid":
             lawful.append((i, member))
+    found["clamped"] = np.array(clamped).reshape(-1, 3)
     found["kind"][:], found["compliance"][:] = kinds, soft
     # hubs are rigid bodies, with their arms and with the members clamped to them
     of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
@@ -101,6 +106,21 @@ def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
         mass = material.density * section.area * length if section is not None and material is not None else 0.0
     rotary = mass * section.second_moments[1] / section.area if part.rotary_inertia else 0.0
     return mass, length, rotary
+
+
+def _loaded(rod: NDArray[np.float64], masses: tuple[PointMass, ...]) -> tuple[float, float, float]:
+    """The uniform rod with the mass, first and second moment about its clamped end that a rod has with masses on it.
+
+    m = sum of masses, m l/2 = first moment, m l^2/3 + i = second moment. Its rotary inertia i may be negative.
+    """
+    m, l, i = rod
+    total = m + sum(one.mass for one in masses)
+    if not masses or total == 0:
+        return m, l, i
+    first = m * l / 2 + sum(one.mass * one.at for one in masses)
+    second = m * l**2 / 3 + i + sum(one.mass * one.at**2 for one in masses)
+    length = 2 * first / total
+    return total, length, second - total * length**2 / 3
 
 
 def _in_series(model: Model, member: Active) -> tuple[float, float]:

@@ -191,6 +191,7 @@ def _active(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
         if part.rotary_inertia:
             yield from _rotary(model, part, path)
     yield from _rods(model, name, active)
+    yield from _masses(name, active)
     yield from _train(model, active, ("active", name))
     if active.motor is not None and active.screw is None:
         about = (("active", name, "screw"),)
@@ -217,6 +218,20 @@ def _rods(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
         elif active.limits is not None and rod > active.limits[0] * (1 + 1e-9):
             least = f"{active.limits[0]:g} m at the least of its limits"
             yield Fault(path, f"{rod:g} m is longer than the member, {least}.", mend, about=about)
+
+
+def _masses(name: str, active: Active) -> Iterator[Fault]:
+    """Masses clamped on the tube, or beside the base."""
+    if active.tube.masses:
+        mend = "Clamp them on the base: swap the ends of the member, or its two rods."
+        yield Fault(("active", name, "tube", "masses"), "are given, but only a base rod takes masses.", mend)
+    for index, one in enumerate(active.base.masses):
+        path = ("active", name, "base", "masses", index)
+        if not 0 <= one.at <= active.base.length * (1 + 1e-9):
+            message = f"{one.at:g} m is not on the base, which is {active.base.length:g} m long."
+            yield Fault((*path, "at"), message, f"Give 0 to {active.base.length:g} m from its clamped end.")
+        if one.mass < 0:
+            yield Fault((*path, "mass"), f"{one.mass:g} kg is negative.", "Give 0 or more.")
 
 
 def _train(model: ModelData, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:

@@ -28,7 +28,7 @@ from kinetruss.model.motion.drivetrain import AmplifierOrName, GearOrName, Motor
 from kinetruss.model.parts.sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse, shown
 
-__all__ = ["Active", "Bar", "Compliance", "EndCondition", "Node", "Part", "PlanarBody"]
+__all__ = ["Active", "Bar", "Compliance", "EndCondition", "Node", "Part", "PlanarBody", "PointMass"]
 
 _ENDS = ("pinned-pinned", "clamped-pinned", "clamped-clamped", "clamped-free")
 
@@ -133,14 +133,25 @@ class Bar(Record):
         return short_form(value, "ends")
 
 
+class PointMass(Record):
+    """A mass (kg) clamped on a base rod, such as its motor: at this distance from the clamped end, m, on its axis."""
+
+    at: Length
+    mass: Mass
+
+
 class Part(Record):
-    """One rod of an active member: length (m), mass (kg, by default density x area x length), section, material."""
+    """One rod of an active member: length (m), mass (kg, by default density x area x length), section, material.
+
+    masses : clamped on it besides its own, on a base rod only.
+    """
 
     length: PositiveLength
     mass: Mass | None = None
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     rotary_inertia: Flag = False
+    masses: tuple[PointMass, ...] = ()
 
 
 class Compliance(Record):

@@ -82,16 +82,21 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
     index = {name: k for k, name in enumerate(system.members)}
     acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
     orient, reference = orientation(system)
+    rods = system.rods.copy()
+    rods[system.two_rods, :3] = system.base[system.two_rods]
+    clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(len(index) + 1))
     return Members.of(
         {
-            "segments": most_segments(acting, np.array(spread, np.bool_)),
+            "segments": most_segments(acting, np.array(spread, np.bool_), clamped_ptr),
             "p": system.p,
             "q": system.q,
             "orient": orient,
             "two_rods": system.two_rods,
             "acting": acting,
             "spread": spread,
-            "rods": system.rods,
+            "clamped_ptr": clamped_ptr,
+            "clamped": system.clamped[:, 1:],
+            "rods": rods,
             "reference": reference,
             "gravity": [*gravity, *[0.0] * (3 - system.dim)],
         }
