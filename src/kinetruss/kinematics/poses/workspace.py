@@ -15,6 +15,7 @@ from kinetruss.arrays import array_of
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.tasks.sweeps import Drives
 from kinetruss.kinematics.path.redundant import LEAST
+from kinetruss.kinematics.poses.prescribed import Slice, places
 from kinetruss.kinematics.targets.along import Choice, cannot, choice_of, divided
 from kinetruss.kinematics.targets.courses import at_values
 from kinetruss.kinematics.targets.inverse import task_of
@@ -22,7 +23,7 @@ from kinetruss.kinematics.targets.objectives import KNOTTED
 from kinetruss.kinematics.targets.solve import MET, Problem, State, problem
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics import jacobian as rows_of
-from kinetruss.mechanics.configuration import POSE, number_of
+from kinetruss.mechanics.configuration import POSE, drive_values, number_of
 from kinetruss.model import Active, Coordinates, Model, Positioning, nearest
 from kinetruss.results import variable
 
@@ -132,10 +133,12 @@ def workspace(
 
     Notes
     -----
-    Continued from the model's own pose to the grid, and from each pose that is reached to its neighbours. With more drives
-    than coordinates the drives are those of least change from the model's own. A pose that these reach only beyond their
-    limits counts as within if other drives keep them, continued in the same way; `drive_position` has these. The drive that
-    `limit` names is one of the drives of least change.
+    Continued from the model's own pose to the grid, and from each pose that is reached to its neighbours. Places of a node with
+    as many drives as coordinates are continued with the node prescribed, also through positions in which the drives do not hold
+    the structure; of other tasks what lies behind such positions counts as out of reach. With more drives than coordinates the
+    drives are those of least change from the model's own. A pose that these reach only beyond their limits counts as within if
+    other drives keep them, continued in the same way; `drive_position` has these. The drive that `limit` names is one of the
+    drives of least change.
 
     >>> import numpy as np, kinetruss as kt
     >>> leg = {"kind": "driven"}
@@ -151,7 +154,8 @@ def workspace(
     grid, given = _problem(system, _task(system, point), (across, along, at))
     if lacking := cannot(given, given.linear(given.begin, at_values(given.tasks, grid.level[None])[0])[1]):
         raise InputError(f"{lacking} Name fewer coordinates, or leave some free.")
-    found = _flood(given, grid, least)
+    alone = isinstance(point, str) and point in system.nodes and len(system.drives) == model.dim
+    found = _swept(given, grid, least, point) if alone else _flood(given, grid, least)
     kept = _kept(given, grid, least, bounds, found)
     return _dataset(given, grid, least, bounds, found, kept)
 
@@ -228,6 +232,22 @@ def _level(at: Any) -> dict[str, Any]:
     if not isinstance(at, Mapping):
         raise InputError(f"at is {shown(at)}. Give other axes with their values, e.g. at={{'z': -0.8}}.")
     return dict(at)
+
+
+def _swept(given: Problem, grid: _Grid, least: float, node: str) -> _Found:
+    """The places of a node that fixes the configuration by itself."""
+    system, poses = given.system, {}
+    one, other = grid.columns[-1], grid.columns[-2]
+    for first in product(*(range(count) for count in grid.shape[:-2])):
+        level = grid.row((*first, 0, 0))
+        x = places(Slice(system, node, (one, other), grid.places[-1], grid.places[-2], level, least))
+        for i, j in np.argwhere(~np.isnan(x[..., 0])):
+            at, zero = x[i, j].reshape(1, -1, 3), np.zeros((1, len(system.nodes), 3))
+            q = drive_values(system, at, zero, zero)[0][0]
+            state = State(x=x[i, j].copy(), q=q, s=given.begin.s, miss=given.begin.miss)
+            A = given.linear(state, at_values(given.tasks, grid.row((*first, i, j))[None])[0])[1]
+            poses[(*first, int(i), int(j))] = _Pose(state=state, derivatives=A)
+    return _Found(poses=poses)
 
 
 def _flood(given: Problem, grid: _Grid, least: float) -> _Found:

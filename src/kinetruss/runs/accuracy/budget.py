@@ -43,8 +43,8 @@ class Budget(Result):
         data, names = self.data, [str(one) for one in self.data["parameter"].values]
         rows = []
         for i, name in enumerate(data["quantity"].values):
-            row = {"quantity": str(name), "unit": str(data["unit"].values[i])}
-            row |= {key: float(one.values[i]) for key, one in data.data_vars.items() if one.dims == ("quantity",)}
+            row: dict[str, Any] = {"quantity": str(name), "unit": str(data["unit"].values[i])}
+            row |= {str(key): float(one.values[i]) for key, one in data.data_vars.items() if one.dims == ("quantity",)}
             rows.append(row | {"share": dict(zip(names, data["share"].values[i].tolist(), strict=True))})
         return {"quantities": rows, "tolerance": dict(zip(names, data["tolerance"].values.tolist(), strict=True)), **data.attrs}
 
