@@ -17,6 +17,7 @@ from kinetruss.cli.pages.picture import picture
 from kinetruss.cli.pages.render import render
 from kinetruss.cli.pages.studio import studio
 from kinetruss.cli.pages.view import view
+from kinetruss.cli.runs.budget import budget
 from kinetruss.cli.runs.compare import compare
 from kinetruss.cli.runs.export import export
 from kinetruss.cli.runs.gauges import gauges
@@ -44,7 +45,7 @@ def main() -> None:
 
 
 for _verb in (
-    check, run, info, verify, examples, export, plot, compare, size, explain, gauges, view, picture, render, report, studio,
-    compile_kernels,
+    check, run, info, verify, examples, export, plot, compare, size, budget, explain, gauges, view, picture, render, report,
+    studio, compile_kernels,
 ):  # fmt: skip
     main.add_command(_verb)

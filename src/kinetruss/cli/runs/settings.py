@@ -1,4 +1,4 @@
-"""``--set PATH=V1,V2,...`` of the command line."""
+"""``--set PATH=V1,V2,...`` and other ``NAME=VALUE`` of the command line."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import click
 
-__all__ = ["settings"]
+__all__ = ["pairs", "settings"]
 
 OPENING, CLOSING = "[{(", "]})"
 
@@ -28,6 +28,23 @@ def settings(texts: Iterable[str]) -> dict[str, list[str]]:
         found[path] = _split(values)
         if not all(found[path]):
             raise click.UsageError(f"--set {text!r} has an empty value. Write ~ for none.")
+    return found
+
+
+def pairs(option: str, texts: Iterable[str]) -> dict[str, str]:
+    """Name -> value of an option that may be given several times.
+
+    >>> pairs("--tolerance", ["M*.length=0.1 mm", "temperature = 20"])
+    {'M*.length': '0.1 mm', 'temperature': '20'}
+    """
+    found: dict[str, str] = {}
+    for text in texts:
+        name, _, value = (part.strip() for part in text.partition("="))
+        if not name or not value:
+            raise click.UsageError(f"{option} {text!r} has no name or no value. Write {option} NAME=VALUE.")
+        if name in found:
+            raise click.UsageError(f"{option} {name} is given twice. Give one value.")
+        found[name] = value
     return found
 
 

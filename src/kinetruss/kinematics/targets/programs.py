@@ -96,6 +96,10 @@ class Tasks:
         self.program.result(value if isinstance(value, Scalar) else self.program.number(value), period)
         self.labels.append(label)
 
+    def unit(self, asked: Asked) -> str:
+        """Unit of what is asked for."""
+        return "rad" if asked.rotation >= 0 or _turns(self.system, asked.task, asked.name) else "m"
+
     def read(self, x: Any) -> Any:
         """Values (times, asked) of what is asked for at flat positions x (times, 3 n)."""
         return self.readings.values(self.readings.tape(0), np.ascontiguousarray(x), np.zeros((len(x), 1)))

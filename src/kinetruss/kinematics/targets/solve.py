@@ -99,6 +99,18 @@ class Problem:
         found = State(x=room.x[0].copy(), q=room.q[0].copy(), s=room.s[0].copy(), miss=start.miss)
         return replace(found, miss=self.linear(found, parameters)[0])
 
+    def polished(self, parameters: NDArray[np.float64], state: State) -> State:
+        """A state that meets the tasks after one more step of Newton's method, if that comes nearer."""
+        c, A = self.linear(state, parameters)
+        free = self.drives.held != 3
+        q = state.q.copy()
+        q[free] -= np.linalg.lstsq(A[:, free], c, rcond=None)[0]
+        q = np.where(free, np.clip(q, self.drives.lower, self.drives.upper), q)
+        room = self.room(replace(state, q=q), parameters)
+        good = cold.linear(self.plan, self.drives, self.tape, room, self.scale)
+        found = replace(state, x=room.x[0].copy(), q=q, miss=room.r[len(q) :].copy())
+        return found if good and found.far < state.far else state
+
     def _elsewhere(self, rng: Any, start: State) -> State:
         """Some other drives near by, and the positions that they give."""
         free = self.drives.held != 3

@@ -28,6 +28,7 @@ _TABLES = {
     "condition": ("conditions",),
     "run or trajectory": ("runs", "trajectories"),
     "drive": ("drives", "bars", "active"),
+    "coordinate": ("drives", "bars", "active"),
     "drive or pose coordinate": ("drives", "bars", "active"),
 }
 

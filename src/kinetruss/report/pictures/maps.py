@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import COLOURS
+from kinetruss.display import COLOURS, scale
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.report.pictures.draw import SUFFIXES, write
@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 __all__ = ["map_picture"]
 
 QUANTITIES = {
-    "reach": "what stops the point",
+    "reach": "what stops the pose",
     "stroke": "share of the stroke used",
-    "serial": "gauge of the inverse problem (0: border of the workspace)",
+    "serial": "smallest singular value of the task (0: border of the workspace)",
     "parallel": "smallest singular value, drives held (0: singular)",
     "conditioning": "smallest over largest singular value, drives held",
     "drive_position": "drive position, m or rad",
@@ -38,8 +38,8 @@ def map_picture(workspace: xr.Dataset, file: str | Path, quantity: str = "reach"
 
     Parameters
     ----------
-    workspace : from `kinematics.workspace`. file : ``.png``, ``.svg`` or ``.pdf``.
-    quantity : ``reach`` (free, or the limit that stops the point), ``stroke``, ``serial``, ``parallel``, ``conditioning`` or
+    workspace : from `kinematics.workspace`, over two axes. file : ``.png``, ``.svg`` or ``.pdf``.
+    quantity : ``reach`` (free, or the limit that stops the pose), ``stroke``, ``serial``, ``parallel``, ``conditioning`` or
         ``drive_position``.
     drive : of ``stroke`` and ``drive_position``; by default the stroke of the drive that is nearest to one of its limits.
 
@@ -52,6 +52,8 @@ def map_picture(workspace: xr.Dataset, file: str | Path, quantity: str = "reach"
         raise InputError(f"{path}: pictures end in {', '.join('.' + suffix for suffix in SUFFIXES)}.")
     if quantity not in QUANTITIES:
         raise InputError(f"No map of {quantity!r}. {nearest(quantity, QUANTITIES)}")
+    if len(axes := [str(name) for name in workspace["reachable"].dims]) != 2:
+        raise InputError(f"The map has the axes {', '.join(axes)}. Draw one slice of it, e.g. found.isel({{{axes[0]!r}: 0}}).")
     values, names = _values(workspace, quantity, drive)
     with mpl.rc_context(RC):
         write(_drawn(workspace, values, names, f"{QUANTITIES[quantity]}{f': {drive}' if drive else ''}"), path)
@@ -90,12 +92,14 @@ def _drawn(data: xr.Dataset, values: NDArray[np.float64], names: list[str], titl
     if names:
         colours = ["#e8f1e4", *(COLOURS[k % len(COLOURS)] for k in range(len(names) - 1))]
         options |= {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": len(names) - 0.5}
-    mesh = axes.pcolormesh(data[across].values, data[along].values, values, **options)
+    (x, of_x), (y, of_y) = (scale(1.0, data[name].attrs["units"]) for name in (across, along))
+    mesh = axes.pcolormesh(data[across].values * x, data[along].values * y, values, **options)
     bar = canvas.colorbar(mesh, ax=axes, ticks=range(len(names)) if names else None)
     if names:
         bar.ax.set_yticklabels(names)
-    axes.set_aspect("equal")
-    axes.set_xlabel(f"{across}, m")
-    axes.set_ylabel(f"{along}, m")
+    if of_x == of_y:
+        axes.set_aspect("equal")
+    axes.set_xlabel(f"{across}, {of_x}")
+    axes.set_ylabel(f"{along}, {of_y}")
     axes.set_title(title[:1].upper() + title[1:])
     return canvas

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.display import Table, number, quantity
 from kinetruss.errors import InputError
+from kinetruss.model import turns
 from kinetruss.report._page import Page
 from kinetruss.strength import sections, stresses
 
@@ -22,7 +23,9 @@ if TYPE_CHECKING:
 __all__ = ["Both", "beside"]
 
 HEAD = ("quantity", "of", "ideal", "real", "difference", "ratio")
-UNITS = {"member_force": "N", "drive_force": "", "von_mises": "Pa", "position": "m"}
+ROUND_OFF = 1e-12
+"""Share of the largest value of a quantity up to which another one is round-off."""
+UNITS = {"member_force": "N", "drive_force": "N", "von_mises": "Pa", "position": "m"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +33,8 @@ class Both:
     """One quantity of one member, drive, part or node in both models.
 
     ideal, real : the values of largest magnitude along the motion, with sign; None for places. difference : the largest
-    difference at one instant; of places the largest distance. ratio : of the magnitudes, real over ideal; None if that is 0.
+    difference at one instant; of places the largest distance. ratio : of the magnitudes, real over ideal; None if that is
+    round-off beside the largest of the quantity.
     """
 
     quantity: str
@@ -66,7 +70,7 @@ def beside(ideal: tuple[Model, Forces], real: tuple[Model, Forces]) -> Page:
     >>> motion = kt.kinematics.follow(arm, kt.ConstantRate(rates={"turn": 1}, duration=0.5), samples=3)
     >>> found = kt.report.beside(*((one, kt.dynamics.inverse(one, motion)) for one in (arm, rough)))
     >>> print(found.text.splitlines()[2])
-    drive_force   turn     14.71     14.89      0.1768  1.012
+    drive_force   turn  14.71 N m  14.89 N m  176.8 mN m  1.012
     """
     (one, first), (two, second) = ideal, real
     if not np.array_equal(first.arrays["time"].values, second.arrays["time"].values):
@@ -75,6 +79,8 @@ def beside(ideal: tuple[Model, Forces], real: tuple[Model, Forces]) -> Page:
     for name, axis in (("member_force", "member"), ("drive_force", "drive")):
         pair = [_columns(forces.arrays[axis].values, forces.arrays[name].values) for forces in (first, second)]
         found += _both(name, pair)
+    moments = {name for name, drive in one.all_drives.items() if turns(drive)}
+    found = [replace(row, unit="N m") if row.quantity == "drive_force" and row.of in moments else row for row in found]
     braces = {name for model in (one, two) for name, bar in model.bars.items() if bar.brace}
     found = [row for row in found if row.of not in braces]
     found += _both("von_mises", [_stress(model, forces) for model, forces in (ideal, real)])
@@ -101,6 +107,7 @@ def _columns(names: Any, values: Any) -> dict[str, NDArray[np.float64]]:
 def _both(name: str, pair: Sequence[dict[str, NDArray[np.float64]]]) -> list[Both]:
     """The rows of one quantity, by falling difference."""
     rows = []
+    largest = max((float(np.abs(values).max()) for values in pair[0].values()), default=0.0)
     for of in pair[0]:
         if of not in pair[1]:
             continue
@@ -118,7 +125,7 @@ def _both(name: str, pair: Sequence[dict[str, NDArray[np.float64]]]) -> list[Bot
                 ideal=first,
                 real=second,
                 difference=float(np.abs(two - one).max()),
-                ratio=abs(second / first) if first else None,
+                ratio=abs(second / first) if abs(first) > ROUND_OFF * largest else None,
             )
         )
     return sorted(rows, key=lambda row: -row.difference)

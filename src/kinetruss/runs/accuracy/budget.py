@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss import dynamics, kinematics, strength
-from kinetruss.display import Table, number
+from kinetruss.display import Table, number, quantity
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.io import set_values
 from kinetruss.kinematics.path import Course, Sampled, motion_of, path_of, start_values, sweep_path
@@ -26,25 +26,49 @@ if TYPE_CHECKING:
 __all__ = ["Budget", "budget"]
 
 Floats = Any
+ROUND_OFF = 1e-12
+"""Values up to this magnitude, in SI units, are round-off."""
+MICROSTRAIN = "1e-6"
+"""Unit of strains."""
 
 
 class Budget(Result):
-    """An error budget; see `budget`. ``.text``: worst case, root sum of squares and Monte Carlo side by side."""
+    """An error budget; see `budget`. ``.text``: worst case, root sum of squares and Monte Carlo side by side; ``.record``: all
+    numbers as plain data.
+    """
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Quantities with their errors, and the share of every parameter, in SI units; strains in 1e-6."""
+        data, names = self.data, [str(one) for one in self.data["parameter"].values]
+        rows = []
+        for i, name in enumerate(data["quantity"].values):
+            row: dict[str, Any] = {"quantity": str(name), "unit": str(data["unit"].values[i])}
+            row |= {str(key): float(one.values[i]) for key, one in data.data_vars.items() if one.dims == ("quantity",)}
+            rows.append(row | {"share": dict(zip(names, data["share"].values[i].tolist(), strict=True))})
+        return {"quantities": rows, "tolerance": dict(zip(names, data["tolerance"].values.tolist(), strict=True)), **data.attrs}
 
     @property
     def text(self) -> str:
         """The quantities with their errors by the three ways, and the three parameters with the largest shares."""
         data, rows = self.data, []
-        for i, name in enumerate(data["quantity"].values):
-            share = np.abs(data["share"].values[i])
+        keys = ("nominal", "worst_case", "root_sum_square", "monte_carlo", "monte_carlo_error")
+        for i, (name, unit) in enumerate(zip(data["quantity"].values, data["unit"].values, strict=True)):
+            share = np.abs(data["share"].values[i]) if data["worst_case"].values[i] > ROUND_OFF else np.zeros(0)
             first = [
-                f"{data['parameter'].values[k]} {share[k] / max(share.sum(), 1e-300):.0%}"
-                for k in np.argsort(-share)[:3]
-                if share[k]
+                f"{data['parameter'].values[k]} {quantity(share[k] / share.sum(), '%')}"
+                for k in np.argsort(-share, kind="stable")[:3]
+                if share[k] > ROUND_OFF
             ]
-            keys = ("nominal", "worst_case", "root_sum_square", "monte_carlo", "monte_carlo_error")
-            rows.append((str(name), *(number(float(data[key].values[i]), 4) for key in keys), ", ".join(first)))
+            rows.append((str(name), *(_shown(float(data[key].values[i]), str(unit)) for key in keys), ", ".join(first)))
         return Table(("quantity", "nominal", "worst case", "rss", "Monte Carlo", "+-", "largest shares"), rows).text
+
+
+def _shown(value: float, unit: str) -> str:
+    """A value with its unit; round-off is 0."""
+    if unit != MICROSTRAIN:
+        return quantity(value, unit)
+    return f"{number(0.0 if abs(value) * 1e-6 < ROUND_OFF else value)} microstrain"
 
 
 def budget(
@@ -52,7 +76,7 @@ def budget(
     of: str | Iterable[str],
     tolerances: Mapping[str, Any],
     *,
-    at: Mapping[str, float] | tuple[Any, float] | None = None,
+    at: Mapping[str, float | str] | tuple[Any, float] | None = None,
     load_case: str | None = None,
     samples: int = 1000,
     seed: int = 0,
@@ -149,7 +173,8 @@ class _Job:
                     raise InputError(f"{name!r} stands for {len(several)} coordinates. Name one, e.g. {several[0].name!r}.")
                 self.own[k] = several[0]
         self.units = [
-            self.own[k].unit if k in self.own else "1e-6" if kind == "strain" else "N" for k, (_, kind) in enumerate(self.kinds)
+            self.own[k].unit if k in self.own else MICROSTRAIN if kind == "strain" else "N"
+            for k, (_, kind) in enumerate(self.kinds)
         ]
         self.x: Floats = None
 
