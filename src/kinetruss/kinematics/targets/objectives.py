@@ -50,8 +50,8 @@ def reference_along(
     for k in at:
         if (state := given.reach(parameters[0, k], state)).far > MET * given.scale:
             raise InputError(
-                f"At t = {t[k]:g} s no drives that meet the task are found from the best ones before. Give the drives limits or "
-                f"hold some of them; objective {'least_change'!r} says whether the task is within reach."
+                f"At t = {t[k]:g} s no drives that meet the task are found from the best ones before. Give the drives "
+                "limits, or hold some of them; the objective 'least_change' says whether the task is within reach."
             )
         state = best_state(given, parameters[0, k], state, objective)
         found.append(state)
