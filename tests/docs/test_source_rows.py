@@ -138,7 +138,7 @@ def test_a_beam_in_space_bends_about_both_axes():
 
 
 def test_the_truss_damps_a_flexible_beam_on_its_platform():
-    """Held drives: a clamped beam. Fed back through them all comes to rest but its twist: a bay does not turn its top about z."""
+    """Held drives: a clamped beam. Fed back through them all comes to rest but its twist: a bay cannot turn its top."""
     bay = kt.library.vgt.double_octahedral(gravity=(0, 0, 0))
     foot = centroid(bay, TOP)
     tip, apex = (tuple(np.add(foot, (0, 0, z))) for z in (1.2, -0.4))
