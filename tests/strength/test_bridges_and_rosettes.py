@@ -47,12 +47,16 @@ def test_a_shunt_is_the_divider_of_its_resistors():
 
 
 @pytest.mark.parametrize("wrong", [1.07, -0.9])
-def test_a_shunt_mends_gain_and_sign(wrong):
-    true = kt.Bridge(excitation=5, gain=100, resistance=350, linear=True)
-    shunted = 5 * 100 * wrong * float(bridge_output(shunt_strain(350, 100e3, 2.1), true, 2.1))
-    bridge = true.with_(shunt=100e3, shunt_reading=shunted)
-    volts = 5 * 100 * wrong * bridge_output([2e-4, -3e-4], true, 2.1)
-    np.testing.assert_allclose(bridge_strain(volts, bridge, 2.1), [2e-4, -3e-4], rtol=1e-12)
+@pytest.mark.parametrize("linear", [True, False])
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_shunt_across_one_arm_mends_gain_and_sign(kind, linear, wrong):
+    """The divider of the shunted arm and an equal one, or its linear part: the other arms rest while it is on."""
+    true = kt.Bridge(kind=kind, excitation=5, gain=100, resistance=350, linear=linear)
+    arm = 350 * 100e3 / (350 + 100e3)
+    output = (arm / 350 - 1) / 4 if linear else arm / (arm + 350) - 0.5
+    bridge = true.with_(shunt=100e3, shunt_reading=5 * 100 * wrong * output)
+    volts = 5 * 100 * wrong * bridge_output([2e-3, -3e-4], true, 2.1)
+    np.testing.assert_allclose(bridge_strain(volts, bridge, 2.1), [2e-3, -3e-4], rtol=1e-11)
 
 
 def test_drift_and_offset_are_taken_off():

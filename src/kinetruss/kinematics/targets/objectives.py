@@ -44,12 +44,15 @@ def reference_along(
 
     Raises
     ------
-    InputError : a knot out of reach.
+    InputError : a knot that is not reached.
     """
     at, found = knots_of(t), []
     for k in at:
         if (state := given.reach(parameters[0, k], state)).far > MET * given.scale:
-            raise InputError(f"At t = {t[k]:g} s the task is out of reach, so no best drives can be found there. Ask for less.")
+            raise InputError(
+                f"At t = {t[k]:g} s no drives that meet the task are found from the best ones before. Give the drives "
+                "limits, or hold some of them; the objective 'least_change' says whether the task is within reach."
+            )
         state = best_state(given, parameters[0, k], state, objective)
         found.append(state)
     values = np.stack([one.q for one in found])

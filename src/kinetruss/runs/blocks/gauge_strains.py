@@ -32,7 +32,7 @@ def gauge_strains(
 
     Raises
     ------
-    InputError : no such run or load case, no gauges. ModelError : measured times outside the run.
+    InputError : no such run or load case, no gauges, `measured` is no record. ModelError : measured times outside the run.
     """
     job = plan(model, name)
     times = job.times

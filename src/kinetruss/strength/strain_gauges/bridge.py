@@ -57,8 +57,9 @@ def bridge_strain(volts: ArrayLike, bridge: Bridge, factor: float, times: ArrayL
     Notes
     -----
     r = (V - zero)/(gain excitation). With x = k e and the arms a..d, r is a quotient of quadratics in x, solved for the root
-    that is 0 with r. The shunt then scales all strains by the one that it stands for over the one that it reads. Source:
-    Window, Strain Gauge Technology (1992); Hoffmann, An Introduction to Stress Analysis and Transducer Design (1989).
+    that is 0 with r. With a shunt, all readings are first scaled by what it should read over what it reads; it is across one
+    arm, so that is the output of a quarter bridge. Source: Window, Strain Gauge Technology (1992); Hoffmann, An Introduction
+    to Stress Analysis and Transducer Design (1989).
     """
     readings = np.asarray(volts, float)
     zero: Floats = bridge.zero
@@ -67,11 +68,14 @@ def bridge_strain(volts: ArrayLike, bridge: Bridge, factor: float, times: ArrayL
             raise InputError("The bridge has zero_end, a drifting zero: give the times of the readings.")
         t = np.asarray(times, float)
         zero = bridge.zero + (bridge.zero_end - bridge.zero) * (t - t[0]) / (t[-1] - t[0])
-    strain = _solved(readings - zero, bridge, factor)
-    if bridge.shunt is None or bridge.shunt_reading is None:
-        return strain
-    stands_for = shunt_strain(bridge.resistance or 0.0, bridge.shunt, factor)
-    return np.asarray(strain * stands_for / float(_solved(np.array(bridge.shunt_reading), bridge, factor)))
+    readings = readings - zero
+    if bridge.shunt is not None and bridge.shunt_reading is not None:
+        # the resistor changes one arm, whatever the others carry
+        alone = bridge.with_(kind="quarter")
+        stands_for = shunt_strain(bridge.resistance or 0.0, bridge.shunt, factor)
+        expected = bridge.gain * bridge.excitation * float(bridge_output(stands_for, alone, factor))
+        readings = readings * (expected / bridge.shunt_reading)
+    return _solved(readings, bridge, factor)
 
 
 def shunt_strain(resistance: float, shunt: float, factor: float) -> float:

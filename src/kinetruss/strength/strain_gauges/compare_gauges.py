@@ -8,12 +8,11 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.io import StrainHistory
 from kinetruss.results import variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from kinetruss.io import StrainHistory
 
 __all__ = ["compare_gauges", "inside"]
 
@@ -47,10 +46,10 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
     ------
     ModelError : measured times outside the simulated ones, each with file and line. InputError : columns in volts.
     """
-    if measured.volts:
-        raise InputError(f"{measured.source} is in volts. Read it by strength.measured_strains(model, file).")
     times = strains["time"].values
     inside(measured, float(times[0]), float(times[-1]))
+    if measured.volts:
+        raise InputError(f"{measured.source} is in volts. Read it by strength.measured_strains(model, file).")
     there = np.stack(list(measured.columns.values()), axis=1)
     here = np.stack([_at(times, _column(strains, name), measured.times) for name in measured.columns], axis=1)
     difference = there - here
@@ -83,7 +82,11 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
 
 
 def inside(measured: StrainHistory, first: float, last: float) -> None:
-    """ModelError with the rows of a record that lie outside first to last, s."""
+    """ModelError with the rows of a record that lie outside first to last, s; InputError for what is no record."""
+    if not isinstance(measured, StrainHistory):
+        raise InputError(
+            f"measured: {type(measured).__name__}, expected a record. Read it by strength.measured_strains(model, file)."
+        )
     slack = 1e-9 * max(abs(last - first), 1e-9)
     outside = np.flatnonzero((measured.times < first - slack) | (measured.times > last + slack))
     if not len(outside):
