@@ -20,6 +20,9 @@ from kinetruss.kernels.tasks.tape import Tape, forward
 
 __all__ = ["closed", "corrected", "matrix", "rates", "residual", "task_rows"]
 
+SAME = 3e-13
+"""Change of drives, as a share of the shortest bar, that is round-off."""
+
 
 @kernel_inline
 def _place(plan: Plan, drives: Drives, y: Room) -> None:
@@ -37,6 +40,21 @@ def closed(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, good
 
     good : there are factors from near by. Determinants of blocks keep their sign in o.sign (0: any).
     """
+    if not _positions(plan, w, drives, o, scale, good):
+        return False
+    # factors at the solution, on the same branch
+    for b in range(plan.ptr.size - 1):
+        sign = factor(plan, w, b, o.x, 0)
+        if sign == 0.0 or sign * o.sign[b] < 0.0:
+            return False
+        o.sign[b] = sign
+    scales(plan, o)
+    return True
+
+
+@kernel_inline
+def _positions(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, good: bool) -> bool:
+    """Positions o.x[0] for the drives o.q[0], from where they are; False if they do not close."""
     y = o
     _place(plan, drives, o)
     set_targets(plan, w, y.q, 0)
@@ -52,13 +70,6 @@ def closed(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, good
         for b in range(plan.ptr.size - 1):
             if not newton_block(plan, w, b, y.x, 0, 0.2 * scale):
                 return False
-    # factors at the solution, on the same branch
-    for b in range(plan.ptr.size - 1):
-        sign = factor(plan, w, b, y.x, 0)
-        if sign == 0.0 or sign * o.sign[b] < 0.0:
-            return False
-        o.sign[b] = sign
-    scales(plan, y)
     return faces(plan, w, y.x, 0)
 
 
@@ -71,7 +82,7 @@ def task_rows(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room) -> 
     for j in range(m):
         for k in range(m):
             y.s[0, k] = 1.0 if k == j else 0.0
-        gradient(plan, w, tape, y, 0, 0, drives)
+        gradient(plan, w, tape, y, 0, 0, drives, 0)
         for d in range(drives.row.size):
             o.A[j, d] = o.out[0, d]
     for j in range(m):
@@ -96,7 +107,7 @@ def matrix(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, curved
                 K[d, n + j], K[n + j, d] = -o.A[j, d], o.A[j, d]
     if curved:
         _clear_first(y)
-        gradient(plan, w, tape, y, 0, 0, drives)
+        gradient(plan, w, tape, y, 0, 0, drives, 0)
         for e in range(n):
             if drives.held[e] == 0:
                 _curvature(plan, w, drives, tape, o, e)
@@ -117,24 +128,36 @@ def _clear_first(y: Room) -> None:
 
 
 @kernel_inline
-def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, e: int) -> None:
-    """Column e of minus the second derivatives of s . c into K."""
-    y = o
-    y.q[1, e] = 1.0
-    carry(plan, w, tape, y, 1, drives)
-    forward(tape, y.x, y.p, 1, y.t)
-    gradient(plan, w, tape, y, 1, 1, drives)
-    y.q[1, e] = 0.0
-    for d in range(drives.row.size):
-        if drives.held[d] == 0:
-            o.K[d, e] -= o.out[1, d]
+def _block(plan: Plan, drives: Drives, d: int) -> int:
+    """Block of the row of a drive; the first for a coordinate that it moves."""
+    b = 0
+    while drives.row[d] >= plan.ptr[b + 1]:
+        b += 1
+    return b
 
 
 @kernel_inline
-def residual(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int) -> float:
-    """Coefficient k of the equations into o.r, from the series up to k; returns the largest of the tasks'."""
+def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, e: int) -> None:
+    """Column e of minus the second derivatives of s . c into K, from the block of e on, and its mirror image."""
+    y, start = o, _block(plan, drives, e)
+    y.q[1, e] = 1.0
+    carry(plan, w, tape, y, 1, drives, start)
+    forward(tape, y.x, y.p, 1, y.t)
+    gradient(plan, w, tape, y, 1, 1, drives, start)
+    y.q[1, e] = 0.0
+    for d in range(drives.row.size):
+        at = _block(plan, drives, d)
+        if drives.held[d] == 0 and at >= start:
+            o.K[d, e] -= o.out[1, d]
+            if at > start:
+                o.K[e, d] -= o.out[1, d]
+
+
+@kernel_inline
+def residual(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int, low: int) -> float:
+    """Coefficient k of the equations into o.r; returns the largest of the tasks'. Series are given up to k, `mu` below low."""
     y, n, largest = o, drives.row.size, 0.0
-    gradient(plan, w, tape, y, k, k, drives)
+    gradient(plan, w, tape, y, low, k, drives, 0)
     for d in range(n):
         o.r[d] = 0.0 if drives.held[d] > 0 else drives.weight[d] * (y.q[k, d] - o.ref[k, d]) - o.out[k, d]
     for j in range(tape.tasks):
@@ -180,13 +203,16 @@ def corrected(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
                 return False
             fresh = False
             forward(tape, o.x, o.p, 0, o.t)
-        miss = residual(plan, w, drives, tape, o, 0)
+        miss = residual(plan, w, drives, tape, o, 0, 0)
         size = _improved(drives, tape, o, 0)
         if not size < scale:
             return False
         if step > 0:
             left = max(1e-3, size / before)
-        if miss < 1e-4 * scale and (size * left < 1e-12 * scale or (size < 1e-9 * scale and left > 0.3)):
+        if miss < 1e-4 * scale and (size * left < 3e-14 * scale or (size < 1e-9 * scale and left > 0.3)):
+            # factors stay where they would change by round-off only
+            if size < SAME * scale:
+                return _positions(plan, w, drives, o, scale, True)
             return closed(plan, w, drives, o, scale, True)
         fresh = step > 0 and left > 0.2
         before = size
@@ -202,18 +228,18 @@ def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int)
     """
     before, left = np.inf, 0.1
     forward(tape, o.x, o.p, k - 1, o.t)
-    gradient(plan, w, tape, o, k - 1, k - 1, drives)
     for step in range(25):
-        carry(plan, w, tape, o, k, drives)
+        carry(plan, w, tape, o, k, drives, 0)
         forward(tape, o.x, o.p, k, o.t)
-        residual(plan, w, drives, tape, o, k)
+        # `mu` of the order below is new at first
+        residual(plan, w, drives, tape, o, k, k - 1 if step == 0 else k)
         size, largest = _improved(drives, tape, o, k), 1e-9
         for d in range(drives.row.size):
             largest = larger(largest, abs(o.q[k, d]))
         if step > 0:
             left = max(1e-3, size / before)
         if size * left < 1e-13 * largest or (size < 1e-8 * largest and left > 0.3):
-            carry(plan, w, tape, o, k, drives)
+            carry(plan, w, tape, o, k, drives, 0)
             return step + 1
         if step > 0 and not left < 0.7:
             return 0

@@ -14,7 +14,7 @@ from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 from kinetruss.kernels.tasks.kkt import closed, matrix, residual, task_rows
-from kinetruss.kernels.tasks.sweeps import Drives, Room
+from kinetruss.kernels.tasks.sweeps import Drives, Room, carry
 from kinetruss.kernels.tasks.tape import Tape, forward
 
 __all__ = ["MET", "NEAREST", "SLOW", "linear", "reach"]
@@ -58,11 +58,12 @@ def _undo(o: Room, n: int) -> None:
 def least_step(drives: Drives, tape: Tape, o: Room, damping: float) -> float:
     """Step of the drives that takes the misses at the end of o.r away, least by the weights, into o.step; its largest change.
 
-    (A W^-1 A^T + damping) y = -c, step = W^-1 A^T y; drives that would leave their bounds stand still.
+    (A W^-1 A^T + damping) y = -c, step = W^-1 A^T y. Drives that would leave their bounds go there, and the others do the rest.
     """
     n, m, M, A = drives.row.size, tape.tasks, o.K, o.A
     for d in range(n):
         o.out[2, d] = 0.0 if drives.held[d] == 3 else 1.0 / drives.weight[d]
+        o.step[d] = 0.0
     for _ in range(n + 1):
         trace, again = 0.0, False
         for j in range(m):
@@ -74,19 +75,25 @@ def least_step(drives: Drives, tape: Tape, o: Room, damping: float) -> float:
             trace = max(trace, M[j, j])
         for j in range(m):
             M[j, j] += damping * trace + 1e-300
-            o.kept[3, j] = -o.r[n + j]
+            total = 0.0
+            for d in range(n):
+                if o.out[2, d] == 0.0:
+                    total += A[j, d] * o.step[d]
+            o.kept[3, j] = -o.r[n + j] - total
         lu_factor(M, o.pivot, 0, m)
         lu_solve(M, o.pivot, 0, m, o.kept[3])
         size = 0.0
         for d in range(n):
-            total = 0.0
-            for j in range(m):
-                total += A[j, d] * o.kept[3, j]
-            o.step[d] = total * o.out[2, d]
-            q, edge = o.q[0, d], 1e-12
-            if (o.step[d] < 0.0 and q <= drives.lower[d] + edge) or (o.step[d] > 0.0 and q >= drives.upper[d] - edge):
-                o.out[2, d] = o.step[d] = 0.0
-                again = True
+            if o.out[2, d] > 0.0:
+                total = 0.0
+                for j in range(m):
+                    total += A[j, d] * o.kept[3, j]
+                o.step[d] = total * o.out[2, d]
+                low, high = drives.lower[d] - o.q[0, d], drives.upper[d] - o.q[0, d]
+                if o.step[d] < low - 1e-12 or o.step[d] > high + 1e-12:
+                    o.step[d] = low if o.step[d] < low else high
+                    o.out[2, d] = 0.0
+                    again = True
             size = max(size, abs(o.step[d]))
         if not again:
             break
@@ -94,13 +101,18 @@ def least_step(drives: Drives, tape: Tape, o: Room, damping: float) -> float:
 
 
 @kernel_inline
-def _go(plan: Plan, w: Workspace, drives: Drives, o: Room, share: float, scale: float) -> bool:
-    """Drives by a share of o.step, within bounds; positions follow."""
+def _go(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, share: float, scale: float) -> bool:
+    """Drives by a share of o.step, within bounds, from a closed state with its factors; positions follow."""
+    y = o
     for d in range(drives.row.size):
         q = o.kept[2, d] + share * o.step[d]
         if drives.held[d] != 3:
             q = min(max(q, drives.lower[d]), drives.upper[d])
-        o.q[0, d] = q
+        y.q[0, d], y.q[1, d] = q, q - o.kept[2, d]
+    # far nodes of a chain move much more than its drives: first along their derivatives
+    carry(plan, w, tape, y, 1, drives, 0)
+    for c in range(y.x.shape[1]):
+        y.x[0, c] += y.x[1, c]
     return closed(plan, w, drives, o, scale, False)
 
 
@@ -116,7 +128,7 @@ def _approach(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
         size = least_step(drives, tape, o, damping)
         share = min(1.0, most / max(size, 1e-300))
         _keep(o, n)
-        good = _go(plan, w, drives, o, share, scale)
+        good = _go(plan, w, drives, tape, o, share, scale)
         now = missed(tape, o) if good else np.inf
         if now < miss * (1.0 - 1e-6 * share):
             damping = max(0.1 * damping, 1e-14)
@@ -124,7 +136,7 @@ def _approach(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
             task_rows(plan, w, drives, tape, o)
         else:
             _undo(o, n)
-            closed(plan, w, drives, o, scale, False)
+            closed(plan, w, drives, o, scale, True)
             missed(tape, o)
             damping = 10.0 * max(damping, 1e-10)
             if damping > 1e8:
@@ -157,7 +169,7 @@ def _restored(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
         least_step(drives, tape, o, 0.0)
         for d in range(n):
             o.kept[2, d] = o.q[0, d]
-        if not _go(plan, w, drives, o, 1.0, scale):
+        if not _go(plan, w, drives, tape, o, 1.0, scale):
             return False
     return False
 
@@ -257,8 +269,9 @@ def _descent(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scal
         for c in range(o.x.shape[1]):
             o.x[0, c] = o.kept[1, c]
         for d in range(n):
-            o.kept[2, d], o.step[d] = start[d], step[d]
-        good = _go(plan, w, drives, o, share, scale) and _restored(plan, w, drives, tape, o, scale)
+            o.q[0, d], o.kept[2, d], o.step[d] = start[d], start[d], step[d]
+        closed(plan, w, drives, o, scale, True)
+        good = _go(plan, w, drives, tape, o, share, scale) and _restored(plan, w, drives, tape, o, scale)
         if good and _cost(drives, o) < cost + 1e-4 * share * slope + 1e-15 * cost:
             return True
         share *= 0.5
@@ -275,7 +288,7 @@ def _released(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
     """Let the drive go that its bound holds back most without need; False if there is none."""
     worst, at = 1e-9 * scale, -1
     forward(tape, o.x, o.p, 0, o.t)
-    residual(plan, w, drives, tape, o, 0)
+    residual(plan, w, drives, tape, o, 0, 0)
     for d in range(drives.row.size):
         if drives.held[d] == 1 or drives.held[d] == 2:
             pull = (o.q[0, d] - o.ref[0, d]) - o.out[0, d] / drives.weight[d]

@@ -110,27 +110,27 @@ def scales(plan: Plan, y: Room) -> None:
 
 
 @kernel_inline
-def _second(plan: Plan, y: Room, k: int, order: int) -> float:
+def _second(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> float:
     """What coefficient `order` of a length or an angle has from lower ones of the nodes, times the scale of the row."""
     if order < 2 or plan.kind[k] == SUM:
         return 0.0
-    d, e = between(y.x[0], plan.A[k], plan.B[k]), between(y.x[1], plan.A[k], plan.B[k])
-    square = dot(d, d)
-    size = math.sqrt(square)
+    e = between(y.x[1], plan.A[k], plan.B[k])
     if plan.kind[k] == LENGTH:
         # 2 L0 L2 + L1^2 = 2 d0 d2 + d1 d1
-        along = dot(d, e) / size
-        return (dot(e, e) - along * along) / (2.0 * size)
+        along = dot(w.gradient[k], e)
+        return 0.5 * w.inverse[k] * (dot(e, e) - along * along)
+    d = between(y.x[0], plan.A[k], plan.B[k])
+    square = dot(d, d)
     turn = (d[0] * e[1] - d[1] * e[0]) / square
-    return -turn * dot(d, e) / size
+    return -turn * dot(d, e) / math.sqrt(square)
 
 
 @kernel
-def carry(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Drives) -> None:
+def carry(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Drives, start: int) -> None:
     """Coefficient `order` of all nodes, y.x[order], from those of drives, y.q[order], of supports, y.moving[order], and from
     lower ones.
 
-    w : factors at y.x[0]; y.scale is given.
+    w : factors at y.x[0]; y.scale is given. start : the first block whose nodes move.
     """
     for c in range(y.x.shape[1]):
         y.x[order, c] = 0.0
@@ -142,12 +142,12 @@ def carry(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Dri
     for d in range(drives.flat.size):
         if drives.flat[d] >= 0:
             y.x[order, drives.flat[d]] = y.q[order, d]
-    for b in range(plan.ptr.size - 1):
+    for b in range(start, plan.ptr.size - 1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
         for k in range(first, last):
             d = plan.drive[k]
             wanted = y.scale[k] * y.q[order, d] if d >= 0 else 0.0
-            w.work[k - first] = wanted - _second(plan, y, k, order) - known(plan, w, k, y.x, order)
+            w.work[k - first] = wanted - _second(plan, w, y, k, order) - known(plan, w, k, y.x, order)
         if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
             if order == 2:
                 for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
@@ -192,10 +192,10 @@ def _row_force(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> Vector:
 
 
 @kernel_inline
-def _lower_orders(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int) -> None:
+def _lower_orders(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, start: int) -> None:
     """Take what lower orders of mu make of y.g[order] off it."""
     rows = y.rows
-    for k in range(plan.ptr[-1]):
+    for k in range(plan.ptr[start], plan.ptr[-1]):
         A, B = plan.A[k], plan.B[k]
         if plan.kind[k] == LENGTH:
             fx, fy, fz = _row_force(plan, w, y, k, order)
@@ -231,10 +231,10 @@ def _clear(y: F2, order: int) -> None:
 
 
 @kernel_inline
-def _back(plan: Plan, w: Workspace, y: Room, order: int) -> None:
-    """J^T mu = y.g[order] over the blocks from last to first; the rest stays at prescribed coordinates."""
+def _back(plan: Plan, w: Workspace, y: Room, order: int, start: int) -> None:
+    """J^T mu = y.g[order] over the blocks from the last to `start`; the rest stays at prescribed coordinates."""
     rest = y.g[order]
-    for b in range(plan.ptr.size - 2, -1, -1):
+    for b in range(plan.ptr.size - 2, start - 1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
         for k in range(first, last):
             w.work[k - first] = rest[plan.col[k]]
@@ -252,10 +252,11 @@ def _back(plan: Plan, w: Workspace, y: Room, order: int) -> None:
 
 
 @kernel
-def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int, drives: Drives) -> None:
+def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int, drives: Drives, start: int) -> None:
     """Derivatives of y.s . (results of tasks) by the drives, coefficients low ... order, into y.out (3, drives).
 
-    y.x, y.t up to `order`, y.mu below `low`; w : factors at y.x[0].
+    y.x, y.t up to `order`, y.mu below `low`; w : factors at y.x[0]. start : only those by drives of this block and later ones,
+    where nodes of earlier blocks do not move.
     """
     _clear(y.g, order)
     _clear(y.back, order)
@@ -265,7 +266,7 @@ def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int
     backward(tape, order, y.t, y.back, y.quotient, y.g)
     for k in range(low, order + 1):
         if k > 0:
-            _lower_orders(plan, w, tape, y, k)
-        _back(plan, w, y, k)
+            _lower_orders(plan, w, tape, y, k, start)
+        _back(plan, w, y, k, start)
         for d in range(drives.row.size):
             y.out[k, d] = y.mu[k, drives.row[d]] if drives.row[d] >= 0 else y.g[k, drives.flat[d]]

@@ -62,7 +62,7 @@ def _load(o: Room, given: Given, i: int, share: float) -> None:
 
 @kernel_inline
 def _ahead(t: F1, z: Floats, i: int, c: int, k: int) -> float:
-    """Coefficient k at sample i of the polynomial of degree 5 through samples i - 2 and i - 1 with two rates (z: Taylor)."""
+    """Coefficient k < 2 at sample i of a polynomial of degree 5 through samples i - 2 and i - 1 and two rates (z: Taylor)."""
     h, a, b = t[i - 1] - t[i - 2], i - 2, i - 1
     s = (t[i] - t[i - 1]) / h
     slope, second = h * z[1, b, c], 2.0 * h * h * z[2, b, c]
@@ -72,9 +72,23 @@ def _ahead(t: F1, z: Floats, i: int, c: int, k: int) -> float:
     third, fourth, fifth = -(0.5 * F + 4.0 * E + 10.0 * D), -(F + 7.0 * E + 15.0 * D), -(0.5 * F + 3.0 * E + 6.0 * D)
     if k == 0:
         return z[0, b, c] + s * (slope + s * (0.5 * second + s * (third + s * (fourth + s * fifth))))
-    if k == 1:
-        return (slope + s * (second + s * (3.0 * third + s * (4.0 * fourth + 5.0 * s * fifth)))) / h
-    return (0.5 * second + s * (3.0 * third + s * (6.0 * fourth + 10.0 * s * fifth))) / (h * h)
+    return (slope + s * (second + s * (3.0 * third + s * (4.0 * fourth + 5.0 * s * fifth)))) / h
+
+
+@kernel_inline
+def _second_ahead(t: F1, z: Floats, i: int, c: int, rate: float) -> float:
+    """Second coefficient at sample i by the polynomial of degree 4 of the rate: two samples with their slopes, and `rate`.
+
+    Positions would add their round-off over the square of the step. The term that `rate` adds grows like s^2 (s + 1)^2.
+    """
+    h, a, b = t[i - 1] - t[i - 2], i - 2, i - 1
+    s = (t[i] - t[i - 1]) / h
+    slope = 2.0 * h * z[2, b, c]
+    D, E = z[1, a, c] - z[1, b, c] + slope, 2.0 * h * z[2, a, c] - slope
+    second, third = E + 3.0 * D, E + 2.0 * D
+    miss = rate - (z[1, b, c] + s * (slope + s * (second + s * third)))
+    change = slope + s * (2.0 * second + 3.0 * s * third) + 2.0 * (2.0 * s + 1.0) / (s * (s + 1.0)) * miss
+    return 0.5 * change / h
 
 
 @kernel_inline
@@ -91,21 +105,21 @@ def _guess(given: Given, o: Room, out: Tracked, i: int, n: int, m: int) -> None:
 
 @kernel_inline
 def _guess_rate(given: Given, o: Room, out: Tracked, i: int, k: int, n: int, m: int) -> None:
-    """Rates of drives and factors at sample i: those of the polynomial, and what its miss of the value tells of theirs.
+    """Coefficient k of drives and factors at sample i: first rates from where the path leads on, second ones with the first.
 
-    The miss grows like s^3 (s + 1)^3 with s the distance from sample i - 1 in steps before it.
+    The polynomial misses like s^3 (s + 1)^3, with s the distance from sample i - 1 in steps before it.
     """
     y, t = o, given.t
     for c in range(n + m):
         guess = 0.0
-        if i > 1:
+        if i > 1 and k == 1:
             h = t[i - 1] - t[i - 2]
             s = (t[i] - t[i - 1]) / h
-            base = s * (s + 1.0)
-            first, second = 3.0 * (2.0 * s + 1.0) / (base * h), 3.0 * (5.0 * s * s + 5.0 * s + 1.0) / (base * base * h * h)
             value = y.q[0, c] if c < n else y.s[0, c - n]
             miss = value - _ahead(t, out.z, i, c, 0)
-            guess = _ahead(t, out.z, i, c, k) + (first if k == 1 else second) * miss
+            guess = _ahead(t, out.z, i, c, 1) + 3.0 * (2.0 * s + 1.0) / (s * (s + 1.0) * h) * miss
+        elif i > 1:
+            guess = _second_ahead(t, out.z, i, c, y.q[1, c] if c < n else y.s[1, c - n])
         elif i == 1:
             guess = out.z[k, 0, c]
         if c < n:
@@ -188,7 +202,7 @@ def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale
         return False
     at = -1
     # w (q - r) - A^T s of a drive at a bound: the sum would fall with a step inwards
-    gradient(plan, w, tape, o, 0, 0, drives)
+    gradient(plan, w, tape, o, 0, 0, drives, 0)
     worst = 1e-9 * scale
     for d in range(drives.row.size):
         if drives.held[d] == 1 or drives.held[d] == 2:
