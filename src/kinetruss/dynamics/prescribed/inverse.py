@@ -200,6 +200,6 @@ def _unbalanced(off: float, at_rest: bool) -> str:
     """The message on positions that the elastic parts do not have under these loads."""
     why = "at rest they have another shape (statics.equilibrium)" if at_rest else "the motion is not one that these loads make"
     return (
-        f"Not in balance: beams, membranes or solids in these positions leave forces of up to {off:.2g} N at free nodes; {why}. "
+        f"Not in balance: beams, membranes or solids in these positions leave up to {off:.2g} N at free nodes; {why}. "
         "Reactions and member forces are without these."
     )
