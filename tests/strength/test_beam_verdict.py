@@ -6,9 +6,11 @@ import math
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import kinetruss as kt
 from kinetruss import report
+from kinetruss.cli import main
 from kinetruss.errors import InputError
 from kinetruss.strength.verdict import strength_histories, unchecked, worst_of
 
@@ -145,3 +147,16 @@ def test_a_mission_of_poses_says_that_its_beams_are_not_checked():
     assert row_of(mission.verdict, "arm", "yield").note.startswith("not checked: the positions")
     assert "Not in balance" in next(iter(mission.findings.values()))
     assert "arm" in report.summary(mission).text.partition("Not checked")[2]
+
+
+def test_the_command_line_tells_beams(tmp_path):
+    path = tmp_path / "arm.yaml"
+    kt.write(cantilever(), path)
+    call = CliRunner().invoke
+    assert "1 beams" in call(main, ["check", str(path)]).output
+    assert "beam arm: elastic, A to B, length 2 m, rectangle, clamped at A" in call(main, ["info", str(path)]).output
+    refused = call(main, ["explain", str(path), "--member", "arm"])
+    assert refused.exit_code == 2
+    assert "strength.beams" in str(refused.output) + str(refused.exception)
+    path.write_text(path.read_text().replace("arm:", "arm:\n    damping: 0.001", 1))
+    assert call(main, ["check", str(path)]).exit_code == 2

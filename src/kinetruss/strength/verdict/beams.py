@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -70,7 +71,7 @@ def _limits(system: System) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         material = model.material_of(beam)
         known = None if material is None else material.yield_strength
         strength.append(np.nan if known is None else known / model.safety.yielding)
-        length.append(float(np.linalg.norm(np.subtract(*(model.nodes[end].at for end in beam.ends)))))
+        length.append(math.dist(*(model.nodes[end].at for end in beam.ends)))
     return np.array(strength), np.array(length)
 
 
