@@ -12,7 +12,7 @@ import xarray as xr
 
 from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
-from kinetruss.flexible._structure import Instant, Softness, instants_of, modes_of
+from kinetruss.flexible._structure import Instant, Softness, instants_of, modes_of, refuse_unloaded_beams
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model, nearest
@@ -80,6 +80,7 @@ def active_damping(
     if not 0 <= sample < count:
         raise InputError(f"sample is {sample}, but the forces have samples 0 to {count - 1}.")
     system = compile(model)
+    refuse_unloaded_beams(model, forces)
     (here,) = islice(instants_of(model, forces, Softness(stiffness=stiffness or {}, rigid=rigid)), sample, sample + 1)
     rows = _rows(system, here, actuators)
     modal = _modal(here, rows)

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.flexible._structure import Softness, instants_of, modes_of
+from kinetruss.flexible._structure import Softness, instants_of, modes_of, refuse_unloaded_beams
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
@@ -57,7 +57,8 @@ def frequencies(
 
     Raises
     ------
-    InputError : forces of another model; a structure that is not stiff, or has no elastic member; unknown members.
+    InputError : forces of another model; a structure that is not stiff, or has no elastic member; unknown members;
+        positions in which beams do not carry their loads (see docs/beams.md).
 
     Notes
     -----
@@ -68,6 +69,7 @@ def frequencies(
     if isinstance(modes, bool) or not isinstance(modes, int) or modes < 1:
         raise InputError(f"modes is {modes!r}. Give a whole number from 1.")
     system = compile(model)
+    refuse_unloaded_beams(model, forces)
     driven = np.flatnonzero((system.row_drive >= 0) & (system.row_kind == 0))
     w2, shapes, mac, share = [], [], [], []
     last: NDArray[np.float64] | None = None

@@ -32,7 +32,7 @@ from kinetruss.statics.small import flexibility, stiff_rows
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Instant", "Softness", "elastic_stiffness", "instants_of", "modes_of"]
+__all__ = ["Instant", "Softness", "elastic_stiffness", "instants_of", "modes_of", "refuse_unloaded_beams"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -134,6 +134,20 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
             f=softness.flexibility(system, here),
             load=load[i][free],
             N=N,
+        )
+
+
+def refuse_unloaded_beams(model: Model, forces: Forces) -> None:
+    """Refuse forces of positions in which elastic beams do not carry their loads: their stiffening would be missing.
+
+    Raises
+    ------
+    InputError : such forces.
+    """
+    if forces.attrs.get("not_balanced", 0) and any(beam.kind == "elastic" for beam in model.beams.values()):
+        raise InputError(
+            "In these positions beams are not deformed by their loads, so the forces that stiffen them are not known. "
+            "Give the equilibrium: statics.at_poses(model, statics.equilibrium(model).position.values[None])."
         )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.flexible._structure import Instant, Softness, elastic_stiffness, instants_of, modes_of
+from kinetruss.flexible._structure import Instant, Softness, elastic_stiffness, instants_of, modes_of, refuse_unloaded_beams
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, ends_of
 from kinetruss.mechanics.assembly import bar_laws
@@ -84,6 +84,7 @@ def vibration(
         raise InputError(f"damping is {damping}. Give a ratio from 0 to below 1.")
     still = number_of(rest, "rest", "s")
     soft = Softness(stiffness=stiffness or {}, rigid=rigid)
+    refuse_unloaded_beams(model, forces)
     course = _course(list(instants_of(model, forces, soft)), forces, still, ratio)
     found, change, steps = _converged(course, tolerance)
     result = _record(system, forces, course, found, change, steps)

@@ -95,6 +95,11 @@ def _check_name(model: Model, member: str | None, node: str | None) -> None:
     """Report a wrong name before anything is computed."""
     from kinetruss.model import nearest
 
+    if member in model.beams:
+        raise InputError(
+            f"{member!r} is a beam, and free bodies are of bars and nodes. Its end forces and section forces are those of "
+            f"strength.beams; the free body of its end: --node {model.beams[member].ends[0]}."
+        )
     for what, given, known in (("member", member, model.members), ("node", node, model.nodes)):
         if given is not None and given not in known:
             raise InputError(f"No {what} called {given!r}. {nearest(given, known)}")

@@ -83,6 +83,7 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
 
 
 def _model(path: Path, as_json: bool, max_size: int) -> None:
+    from kinetruss.cli.models.beam_lines import beam_records, beam_text
     from kinetruss.cli.models.body_lines import body_records, body_text
     from kinetruss.cli.models.joint_lines import joint_records, joint_text
     from kinetruss.io import read
@@ -106,6 +107,7 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     if as_json:
         texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
         lists = {"runs": list(model.runs), "bodies": body_records(model), "joints": joint_records(model)}
+        lists["beams"] = beam_records(model)
         lists["springs"] = list(model.springs)
         print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
@@ -116,6 +118,8 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         f"{found.degrees_of_freedom} degrees of freedom before drives, {found.undriven} after"
     )
     click.echo(str(found))
+    for one in beam_records(model):
+        click.echo(beam_text(one))
     for one in body_records(model):
         click.echo(body_text(one))
     for one in joint_records(model):

@@ -14,12 +14,17 @@ import numpy as np
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange, row_directions
-from kinetruss.mechanics.assembly import nodal_loads, structure_of, with_continua_forces
+from kinetruss.mechanics.assembly import continua_stiffness, nodal_loads, structure_of, with_continua_forces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["applied", "free_forces", "take_sum_forces"]
+__all__ = ["applied", "free_forces", "out_of_balance", "take_sum_forces"]
+
+BALANCED = 1e-4
+"""Residual, as a fraction of the largest nodal load, up to which elastic parts are in balance."""
+ROUND_OFF = 1e-12
+"""Residual, as a fraction of the stiffness times the size of the structure, that is round-off."""
 
 
 def free_forces(
@@ -41,6 +46,17 @@ def free_forces(
         np.add.at(joint[i, :, 1], system.row_member, pull)
     take_sum_forces(system, x, N, rest)
     return arrangement.not_unique
+
+
+def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDArray[np.float64]) -> float:
+    """Largest residual (times, 3 n) at free coordinates, N, where beams, membranes or solids are not in balance; else 0."""
+    if system.continua is None or not len(x):
+        return 0.0
+    largest = float(np.abs(with_continua_forces(system, loads, x).force).max(initial=0.0))
+    none = np.zeros(len(system.continua.p))
+    stiff = float(np.abs(continua_stiffness(system.continua, x[0].reshape(-1, 3), none).diagonal()).max())
+    off = float(np.abs(rest[:, system.free]).max(initial=0.0))
+    return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
 
 
 def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:

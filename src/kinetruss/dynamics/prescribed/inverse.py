@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.prescribed.bearings import with_friction
-from kinetruss.dynamics.prescribed.free import free_forces
+from kinetruss.dynamics.prescribed.free import free_forces, out_of_balance
 from kinetruss.dynamics.prescribed.tables import Read, force_arrays
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
@@ -108,6 +108,7 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
     solved["not_unique"] = arrangement.not_unique
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
+        solved["off"] = out_of_balance(system, loads, x, rest)
         return solved
     loads = with_continua_forces(system, loads, x)
     for part, used in _pieces(system, arrangement, x, values):
@@ -178,6 +179,9 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
     names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
     message = motion.message
+    if off := solved.get("off", 0.0):
+        data.attrs["not_balanced"] = off
+        message = f"{message} {_unbalanced(off, at_rest)}".strip()
     if names:
         shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
         message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
@@ -189,4 +193,13 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
         motion=motion,
         static=static,
         load_case=loads.name,
+    )
+
+
+def _unbalanced(off: float, at_rest: bool) -> str:
+    """The message on positions that the elastic parts do not have under these loads."""
+    why = "at rest they have another shape (statics.equilibrium)" if at_rest else "the motion is not one that these loads make"
+    return (
+        f"Not in balance: beams, membranes or solids in these positions leave up to {off:.2g} N at free nodes; {why}. "
+        "Reactions and member forces are without these."
     )

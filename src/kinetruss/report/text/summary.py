@@ -58,6 +58,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "time": [float(time[0]), float(time[-1])] if len(time) else [],
         "nodes": len(run.model.nodes),
         "bars": len(run.model.bars),
+        "beams": len(run.model.beams),
         "active_members": len(run.model.active),
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
@@ -136,6 +137,7 @@ def _head(run: RunResult) -> str:
     if run.message:
         lines.append(run.message)
     active = f", {len(run.model.active)} active members" if run.model.active else ""
+    active += f", {len(run.model.beams)} beams" if run.model.beams else ""
     lines.append(
         f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {quantity(run.wall_time, 's', 3)}"
     )

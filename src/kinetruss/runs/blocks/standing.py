@@ -106,7 +106,8 @@ def _resting(model: Model, place: NDArray[np.float64]) -> Motion:
 
 def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     """Forces of the stiffness method as of one pose at rest; those of drives of lengths are minus their tensions."""
-    data = _timed(found).data[["member_force", "end_force", "joint_force", "reaction"]]
+    bent = ["displacement"] if any(beam.kind == "elastic" for beam in model.beams.values()) else []
+    data = _timed(found).data[["member_force", "end_force", "joint_force", "reaction", *bent]]
     drive = np.full((1, len(model.all_drives)), np.nan)
     for k, one in enumerate(model.all_drives.values()):
         if isinstance(one, LengthDrive):

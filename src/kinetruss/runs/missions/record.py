@@ -81,6 +81,7 @@ class Envelope:
         return {
             "rods": self.members.rods,
             "members": self.members.members,
+            "beams": self.members.beams,
             "drives": self.drives.drives,
             "trains": self.drives.trains,
             "rows": np.array(self.rows, float).reshape(len(self.rows), len(NUMBERS)),
@@ -90,6 +91,8 @@ class Envelope:
     def restore(self, arrays: Mapping[str, Any]) -> None:
         """The same from its arrays."""
         self.members.rods, self.members.members = np.array(arrays["rods"]), np.array(arrays["members"])
+        if "beams" in arrays:
+            self.members.beams = np.array(arrays["beams"])
         self.drives.drives, self.drives.trains = np.array(arrays["drives"]), np.array(arrays["trains"])
         self.rows = [tuple(row) for row in np.asarray(arrays["rows"]).tolist()]
         self.findings = [str(text) for text in arrays["findings"]]
@@ -99,6 +102,7 @@ class Envelope:
         dims = {
             "rods": ("measure", "rod", "column"),
             "members": ("rule", "whole", "column"),
+            "beams": ("of_beam", "beam", "column"),
             "drives": ("drive", "quantity", "of_drive"),
             "trains": ("active", "of_train", "of_drive"),
             "rows": ("pair", "number"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 import xarray as xr
@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.assembly import Loads
+from kinetruss.mechanics.assembly import Loads, continua_stiffness
 from kinetruss.mechanics.freedom import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
@@ -23,6 +23,8 @@ from kinetruss.statics.small.weights import loads_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.mechanics import Continua
 
 __all__ = ["Deflection", "deflection", "loads_of", "nodal_forces"]
 
@@ -80,8 +82,18 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     elongation[:, held.row_member[bars]] = e[:, bars]
     stored = 0.5 * stiffness * e**2
     energy[:, held.row_member[bars]] = stored[:, bars]
+    whole = stored.sum(axis=1)
+    if system.continua is not None:
+        whole = whole + [_bent(system, place, moved) for place, moved in zip(x, u, strict=True)]
     work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
-    return _record(system, forces, u, elongation, length, (energy, stored.sum(axis=1), work), said)
+    return _record(system, forces, u, elongation, length, (energy, whole, work), said)
+
+
+def _bent(system: System, x: NDArray[np.float64], u: NDArray[np.float64]) -> float:
+    """Strain energy u^T K u/2, J, of beams, membranes and solids at x (3 n,), of displacements u (3 n,)."""
+    found = cast("Continua", system.continua)
+    K = continua_stiffness(found, x.reshape(-1, 3), np.zeros(len(found.p)))
+    return float(0.5 * u @ (K @ u))
 
 
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:

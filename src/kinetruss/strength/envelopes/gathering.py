@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,23 +13,31 @@ from kinetruss.model import Model
 from kinetruss.results import Forces
 from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.beams import BEAM_QUANTITIES, beam_histories, beam_limits, beam_parts
 from kinetruss.strength.verdict.buckling import end_condition
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["Gathering"]
 
 
 class Gathering:
     """The envelope of a model over pairs; ``rods`` (tension, compression, bending, stress; parts; columns) and
-    ``members`` (buckling, beam-column; members; columns), see `kernels.sections.envelope`.
+    ``members`` (buckling, beam-column; members; columns), see `kernels.sections.envelope`; ``beams`` (quantities of
+    `beam_histories`; beams; columns). In ``top``, which tells parts by their number, beams follow the parts.
     """
 
     def __init__(self, model: Model) -> None:
         parts = parts_of(model)
-        self.part_names = parts.names
         self._parts = {name: k for k, name in enumerate(parts.names)}
         self._members = {name: k for k, name in enumerate(model.members)}
         self.rods = np.full((4, len(self._parts), COLUMNS), np.nan)
         self.members = np.full((2, len(self._members), COLUMNS), np.nan)
+        self._beams = {name: k for k, name in enumerate(beam_parts(model))}
+        self.part_names = (*parts.names, *self._beams)
+        self.beams = np.full((len(BEAM_QUANTITIES), len(self._beams), COLUMNS), np.nan)
+        self.beams[:, :, 0] = -math.inf
         self.rods[:3, :, 0] = -math.inf  # a tension may be negative, a bending moment zero
         self.rods[3, :, 0] = self.members[:, :, 0] = -1.0
         self.top = np.zeros(4)
@@ -47,6 +56,25 @@ class Gathering:
         buckling, combined = self.members
         found = Kept(tension, compression, bending, stress, buckling, combined, self.top)
         envelope(self._rules(model), given.members, given.histories, ends, times, given.allocate(1), found, float(pair))
+
+        if self._beams:
+            self._bend(model, forces, times, float(pair))
+
+    def _bend(self, model: Model, forces: Forces, times: NDArray[np.float64], pair: float) -> None:
+        """Take beams into account."""
+        allowed, length = beam_limits(model)
+        found = beam_histories(model, forces)
+        for row, (what, (values, place)) in zip(self.beams, found.items(), strict=True):
+            for k, name in enumerate(beam_parts(model)):
+                if np.isnan(values[:, k]).all():
+                    continue
+                at, own = int(np.nanargmax(values[:, k])), self._beams[name]
+                limit = float(allowed[k]) if what == "stress" else math.nan
+                score = values[at, k] if math.isnan(limit) else values[at, k] / limit
+                if score > row[own, 0]:
+                    row[own] = score, values[at, k], limit, times[at], place[at, k] * length[k], pair, 0.0
+                if not math.isnan(limit) and score > self.top[0]:
+                    self.top[:] = score, len(self._parts) + own, YIELD, times[at]
 
     def _rules(self, model: Model) -> Rules:
         parts = parts_of(model)

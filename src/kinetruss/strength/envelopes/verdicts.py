@@ -13,6 +13,7 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Status, Verdict, provenance, variable
 from kinetruss.strength.envelopes.gathering import Gathering
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.beams import beam_notes, beam_parts
 from kinetruss.strength.verdict.notes import notes
 from kinetruss.strength.verdict.utilisation import RULES, axes_of_verdict, subjects
 
@@ -33,13 +34,19 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
     has_rod, has_whole = rod >= 0, whole >= 0
     table[has_rod, 0] = found.rods[3, rod[has_rod]]
     table[has_whole, 1:] = found.members[:, whole[has_whole]].swapaxes(0, 1)
+    bent = np.full((found.beams.shape[1], len(RULES), table.shape[2]), np.nan)
+    bent[:, 0], bent[:, 1] = found.beams[3], found.beams[1]
+    bent[:, 1, 1] = np.where(bent[:, 1, 1] < 0, 0.0, bent[:, 1, 1])
+    table = np.concatenate([table, bent])
     value, limit, time, position, pair = (table[:, :, k] for k in (1, 2, 3, 4, 5))
     johnson = np.nan_to_num(table[:, 1, 6]) > 0
     utilisation = value / limit
     with np.errstate(divide="ignore"):
         margin = 1 / utilisation - 1
-    said = notes(parts, rod, whole, value[:, 1], johnson, "weaker")
+    bars = len(names)
+    said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker")
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""
+    said = np.concatenate([said, beam_notes(model, value[bars:, 0], value[bars:, 1])])
     over = ("part", "rule")
     data = {
         "value": variable(over, value, "", "demand, in the rule's unit"),
@@ -65,7 +72,7 @@ def extremes_of(model: Model, found: Gathering, labels: Sequence[str]) -> xr.Dat
 
     A tension or compression below zero is never reached: the other sign holds throughout.
     """
-    table = found.rods[: len(EXTREMES)].swapaxes(0, 1).copy()
+    table = np.concatenate([found.rods[: len(EXTREMES)], found.beams[: len(EXTREMES)]], axis=1).swapaxes(0, 1).copy()
     table[~np.isfinite(table[:, :, 0])] = np.nan
     over = ("part", "quantity")
     return xr.Dataset(
@@ -77,7 +84,7 @@ def extremes_of(model: Model, found: Gathering, labels: Sequence[str]) -> xr.Dat
             "label": variable(over, _labelled(table[:, :, 5], labels), "", "governing pair: motion, condition, load case"),
         },
         coords={
-            "part": np.array(parts_of(model).names, dtype=object).astype(str),
+            "part": np.array((*parts_of(model).names, *beam_parts(model)), dtype=object).astype(str),
             "quantity": list(EXTREMES),
             "unit": ("quantity", list(EXTREMES.values())),
         },

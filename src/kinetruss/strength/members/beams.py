@@ -12,7 +12,7 @@ from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.assembly import case_loads
 from kinetruss.mechanics.beams import section_forces
 from kinetruss.model import Model
-from kinetruss.results import Result, variable
+from kinetruss.results import Forces, Result, variable
 from kinetruss.strength.members.elements import positions_of
 from kinetruss.strength.members.sections import fractions_of
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import BeamElements
 
-__all__ = ["beams"]
+__all__ = ["beams", "known_positions"]
 
 
 def beams(
@@ -46,7 +46,8 @@ def beams(
 
     Raises
     ------
-    InputError : no elastic beams, positions of another model, an unknown load case.
+    InputError : no elastic beams, positions of another model, an unknown load case; forces of positions that are not in balance
+        (poses, in which beams are not deformed: take the equilibrium).
 
     Notes
     -----
@@ -66,33 +67,62 @@ def beams(
     elements = None if system.continua is None else system.continua.beams
     if elements is None:
         raise InputError("The model has no elastic beams. Give it some: beams={'arm': ('A', 'B')}.")
-    x, timed = positions_of(system, result)
-    xi, dim = fractions_of(stations), model.dim
     data = _data(result)
+    x, timed = positions_of(system, result if data is None else cast("Result", result).with_(data=data, **_no_motion(result)))
+    xi, dim = fractions_of(stations), model.dim
     linear = data is not None and "position" not in data
-    case = load_case if load_case is not None else None if data is None else _case_of(model, data)
-    load = case_loads(system, np.zeros(1), case).gravity - _accelerations(system, data, x)
+    case = load_case if load_case is not None else _case_of(model, result)
+    load = _gravity(system, result, case, load_case is None) - _accelerations(system, result, data, x)
     found = section_forces(elements, x, system.x0, load, xi, linear)
     values = _sections(found, dim) | _stresses(model, elements, found) | _ends(found, dim)
     return _dataset(values if timed else {name: array[0] for name, array in values.items()}, timed, data, elements, xi, dim)
 
 
+def known_positions(forces: Forces) -> bool:
+    """False for forces of positions that are not in balance: poses, in which beams are not deformed by their loads."""
+    return not forces.attrs.get("not_balanced", 0)
+
+
 def _data(result: Any) -> xr.Dataset | None:
-    """The data of a result that has the positions."""
+    """The data of a result that has the positions; of the stiffness method the displacements."""
     if not isinstance(result, Result):
         return None
-    return cast("Result", getattr(result, "motion", None) or result).data
+    if isinstance(result, Forces) and not known_positions(result):
+        raise InputError(
+            "The positions of these forces are not in balance: in a pose beams are not deformed by their loads. Give the "
+            "result of statics.linear, statics.equilibrium or dynamics.simulate."
+        )
+    if isinstance(result, Forces) and "displacement" not in result.arrays:
+        return result.motion.data
+    return cast("Result", (None if isinstance(result, Forces) else getattr(result, "motion", None)) or result).data
 
 
-def _case_of(model: Model, data: xr.Dataset) -> str | None:
-    name = data.attrs.get("load_case")
+def _no_motion(result: Any) -> dict[str, Any]:
+    """The change that lets the data of a result count before those of its motion."""
+    return {"motion": None} if hasattr(result, "motion") else {}
+
+
+def _case_of(model: Model, result: Any) -> str | None:
+    name = getattr(result, "load_case", None) or (result.attrs.get("load_case") if isinstance(result, Result) else None)
     return name if name in model.load_cases else None
 
 
-def _accelerations(system: System, data: xr.Dataset | None, x: NDArray[np.float64]) -> NDArray[np.float64]:
+def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArray[np.float64]:
+    """Of the forces themselves if they tell it, else of the load case, (3,)."""
+    found = case_loads(system, np.zeros(1), case).gravity
+    if own and isinstance(result, Forces):
+        if result.attrs.get("weight", "all") != "all":
+            return np.zeros_like(found)
+        if (told := result.attrs.get("gravity")) is not None:
+            found = np.zeros_like(found)
+            found[..., : system.dim] = told
+    return found
+
+
+def _accelerations(system: System, result: Any, data: xr.Dataset | None, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Accelerations (times, n, 3); 0 at rest."""
-    found = np.zeros_like(x)
-    if data is not None and "acceleration" in data:
+    found, still = np.zeros_like(x), isinstance(result, Forces) and result.attrs.get("at_rest", 0)
+    if data is not None and "acceleration" in data and not still:
         found[..., : system.dim] = data["acceleration"].values
     return found
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.results.records import NOT_CHECKED
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.beams import beam_parts, chord_of
 from kinetruss.strength.verdict.notes import missing
 from kinetruss.strength.verdict.utilisation import utilised
 
@@ -54,6 +55,10 @@ def unchecked(model: Model) -> dict[str, str]:
         bar = model.bars.get(member)
         if (bar is None or not bar.brace) and (what := missing(parts, r)):
             found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
+    for name in beam_parts(model):
+        material = model.material_of(model.beams[name])
+        if material is None or material.yield_strength is None:
+            found.setdefault(chord_of(name), []).append("yield: no yield strength")
     return {member: "; ".join(words) for member, words in found.items()}
 
 
@@ -69,6 +74,7 @@ def _by_member(
 ) -> dict[str, NDArray[np.float64]]:
     """Over (times, members), of values and utilisations over (times, parts, rules)."""
     rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.members)}
+    index |= {name: index[chord_of(name)] for name in beam_parts(model)}
     of = np.array([index[str(name)] for name in data["member"].values], np.int64)
     stress, buckling = rules.index("yield"), rules.index("buckling")
     count = len(model.members)

@@ -12,6 +12,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, row_text, variable
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.verdict.beams import beam_notes, beam_parts
 from kinetruss.strength.verdict.not_held import add_to_notes, not_held, sentences
 from kinetruss.strength.verdict.notes import notes
 from kinetruss.strength.verdict.utilisation import RULES, Options, axes_of_verdict, subjects, utilised
@@ -56,7 +57,8 @@ def check(
     ``station``, ``position`` m from end A, ``load_case``, ``note``, of poses at rest
     their name ``pose``; coordinates ``member`` and ``unit``. ``.table()`` gives
     rows, worst first; parts without a section, a material or a yield strength are at its end with a note. Braces of a
-    body (`Bar.brace`) represent the body, so they have no rows. ``message``, and ``data.attrs["not_held"]`` as a list,
+    body (`Bar.brace`) represent the body, so they have no rows.
+    Elastic beams follow the bars, see `strength.beams`. ``message``, and ``data.attrs["not_held"]`` as a list,
     name actions that may bend bars but are not in their section forces; ``note`` repeats this for their entries.
 
     Raises
@@ -72,22 +74,25 @@ def check(
     cases = _cases(forces)
     parts = parts_of(model)
     names, members, rod, whole = subjects(parts)
-    shape = (len(names), len(RULES))
+    bars = len(names)
+    shape = (bars + len(beam_parts(model)), len(RULES))
     worst = {key: np.full(shape, np.nan) for key in _NUMBERS}
     case_of, pose_of, johnson = (
         np.full(shape, "", dtype=object),
         np.full(shape, "", dtype=object),
-        np.zeros(len(names), np.bool_),
+        np.zeros(shape[0], np.bool_),
     )
     for name, one in cases:
         poses = one.arrays["pose"].values if "pose" in one.arrays else None
         _take_worst(utilised(model, one, options).columns, name, worst, (case_of, pose_of, johnson), poses)
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
-    said = notes(parts, rod, whole, worst["value"][:, list(RULES).index("buckling")], johnson, active_section)
+    pushed = worst["value"][:, list(RULES).index("buckling")]
+    said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section)
     left = not_held(model, [one.load_case for _, one in cases])
     add_to_notes(left, members, worst["utilisation"], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
+    said = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:])])
     data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
     data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
     if pose_of.any():
@@ -97,20 +102,10 @@ def check(
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, {"kind": "verdict", "not_held": sentences(left)}).later,
         status=Status.COMPLETED if bad is None else bad.status,
-        message=" ".join(["" if bad is None else bad.message, *sentences(left), _beams_left(model)]).strip(),
+        message=" ".join(["" if bad is None else bad.message, *sentences(left)]).strip(),
         provenance=provenance(
             model, load_cases=[name for name, _ in cases], moment_factor=moment_factor, active_section=active_section
         ),
-    )
-
-
-def _beams_left(model: Model) -> str:
-    """What the verdict says of beams, which it does not check."""
-    found = [name for name, beam in model.beams.items() if beam.kind == "elastic"]
-    return (
-        f"Beams ({', '.join(found[:3])}{', ..' if len(found) > 3 else ''}) are not checked here: strength.beams."
-        if found
-        else ""
     )
 
 

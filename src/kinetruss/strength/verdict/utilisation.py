@@ -17,6 +17,7 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Axes, Forces, variable
 from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import Parts, parts_of
+from kinetruss.strength.verdict.beams import beam_histories, beam_limits, beam_parts
 from kinetruss.strength.verdict.buckling import amplification, critical_load, end_condition, euler_load
 
 if TYPE_CHECKING:
@@ -67,6 +68,7 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     Notes
     -----
     yield: largest von Mises stress along the part over yield strength/`Safety.yielding`.
+    Beams follow the bars: ``yield`` by `strength.beams` at 97 sections or more, the demand of ``buckling`` without a limit.
     buckling: P, the largest compression along the member (0 if it is in tension everywhere), over P_cr/`Safety.buckling`,
     P_cr by Euler or Johnson for the member's length of that instant, its end conditions and its smallest second moment.
     beam-column: where P > 0, P n_b/P_cr + sum Cm M/((1 - n_b P/P_e) M_allow) with the largest bending moment along the
@@ -87,7 +89,7 @@ def utilised(model: Model, forces: Forces, options: Options | None = None) -> Ar
         cut = slice(start, start + BATCH)
         batch = _Batch(given.polynomials(cut), parts, length[cut], max(SPANS, chosen.stations - 1))
         _judge(model, batch, chosen, found, cut)
-    return _arrays(model, forces, length, found)
+    return _arrays(model, forces, length, found, beam_histories(model, forces, chosen.stations))
 
 
 class _Found:
@@ -186,8 +188,10 @@ def _weaker(parts: Parts, values: NDArray[np.float64], second: NDArray[np.int64]
     return found
 
 
-def _arrays(model: Model, forces: Forces, length: NDArray[np.float64], found: _Found) -> Arrays:
-    """Rules side by side; subjects are bars, and whole, base and tube of active members."""
+def _arrays(
+    model: Model, forces: Forces, length: NDArray[np.float64], found: _Found, bent: dict[str, tuple[NDArray[np.float64], ...]]
+) -> Arrays:
+    """Rules side by side; subjects are bars, whole, base and tube of active members, and beams with what `bent` tells."""
     parts, (names, _, rod, whole) = parts_of(model), subjects(parts_of(model))
     shape = (len(length), len(names), len(RULES))
     value, limit, position = np.full(shape, np.nan), np.full(shape, np.nan), np.full(shape, np.nan)
@@ -206,23 +210,43 @@ def _arrays(model: Model, forces: Forces, length: NDArray[np.float64], found: _F
     span = np.where(has_rod, parts.lengths(length)[:, rods], length[:, np.maximum(whole, 0)])
     johnson = np.zeros(shape[:2], np.bool_)
     johnson[:, has_whole] = found.johnson[:, k]
+    station = (position - start[..., None]) / span[..., None]
+    if len(beam_parts(model)):
+        more = _beam_rows(model, bent)
+        value, limit, position, station = (
+            np.concatenate(pair, axis=1) for pair in zip((value, limit, position, station), more, strict=True)
+        )
+        johnson = np.concatenate([johnson, np.zeros(more[0].shape[:2], np.bool_)], axis=1)
     over = ("time", "part", "rule")
     data = {
         "value": variable(over, value, "", "demand, in the rule's unit"),
         "limit": variable(over, limit, "", "allowed, in the rule's unit"),
         "utilisation": variable(over, value / limit, "", "demand over capacity"),
         "position": variable(over, position, "m", "distance of the governing section from end A"),
-        "station": variable(over, (position - start[..., None]) / span[..., None], "", "the same as a fraction of the part"),
+        "station": variable(over, station, "", "the same as a fraction of the part"),
         "johnson": variable(("time", "part"), johnson, "", "Johnson's load governs buckling"),
     }
     attrs = {"kind": "utilisation", "load_case": forces.load_case}
     return Arrays(axes_of_verdict(compile(model)), forces.arrays["time"].values, data, attrs)
 
 
+def _beam_rows(model: Model, bent: dict[str, tuple[NDArray[np.float64], ...]]) -> tuple[NDArray[np.float64], ...]:
+    """Value, limit, position and station of beams by every rule, (times, beams, rules)."""
+    (stress, stress_at), (push, push_at) = bent["stress"], bent["compression"]
+    allowed, length = beam_limits(model)
+    found = np.full((4, *stress.shape, len(RULES)), np.nan)
+    found[0, :, :, 0], found[1, :, :, 0], found[3, :, :, 0] = stress, allowed, stress_at
+    found[0, :, :, 1], found[3, :, :, 1] = np.where(push < 0, 0.0, push), push_at
+    found[2] = found[3] * length[:, None]
+    return tuple(found)
+
+
 @kept()
 def axes_of_verdict(system: System) -> Axes:
     """What is judged, and the rules."""
     names, members, _, _ = subjects(parts_of(system.model))
+    beams = list(beam_parts(system.model))
+    names, members = names + beams, members + beams
     return Axes(
         {
             "part": np.array(names, dtype=object).astype(str),
