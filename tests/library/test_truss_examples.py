@@ -5,7 +5,7 @@ import pytest
 
 import kinetruss as kt
 
-NAMES = ("facade", "mast", "opposed_trusses", "planar_crane", "serpentine_arm", "slewing_experiments")
+NAMES = ("facade", "mast", "opposed_trusses", "planar_crane", "serpentine_arm", "slewing_experiments", "space_crane")
 
 
 def example(name):
