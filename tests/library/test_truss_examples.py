@@ -5,7 +5,16 @@ import pytest
 
 import kinetruss as kt
 
-NAMES = ("facade", "mast", "opposed_trusses", "planar_crane", "serpentine_arm", "slewing_experiments", "wind_tower")
+NAMES = (
+    "facade",
+    "mast",
+    "opposed_trusses",
+    "planar_crane",
+    "serpentine_arm",
+    "slewing_experiments",
+    "space_crane",
+    "wind_tower",
+)
 
 
 def example(name):
