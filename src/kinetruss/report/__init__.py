@@ -15,12 +15,12 @@ if TYPE_CHECKING:
     from kinetruss.report.pictures.picture import picture
     from kinetruss.report.pictures.plot import plot
     from kinetruss.report.pictures.quantities import curves
+    from kinetruss.report.run_text.summary import summary
     from kinetruss.report.text.beside import beside
     from kinetruss.report.text.compare import compare
     from kinetruss.report.text.explain import explain
     from kinetruss.report.text.gauges import gauges, gauges_picture
     from kinetruss.report.text.joints import joints
-    from kinetruss.report.text.summary import summary
     from kinetruss.report.text.variants import variants
 
 __all__ = [
@@ -44,7 +44,7 @@ __getattr__, __dir__ = late(
         "text.explain": "explain",
         "text.gauges": "gauges gauges_picture",
         "text.joints": "joints",
-        "text.summary": "summary",
+        "run_text.summary": "summary",
         "text.variants": "variants",
     },
 )

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.report.document.parts.checks import closure, mobility_record
 from kinetruss.report.document.parts.envelope import drive_spans, envelopes, reactions
 from kinetruss.report.document.parts.warnings import warnings
-from kinetruss.report.text.drives import drive_loads
-from kinetruss.report.text.summary import checks, largest_forces, motors, summary_record, worst_rows
-from kinetruss.report.text.trains import exceeded, trains
+from kinetruss.report.run_text.drives import drive_loads
+from kinetruss.report.run_text.summary import checks, largest_forces, motors, summary_record, worst_rows
+from kinetruss.report.run_text.trains import exceeded, trains
 
 if TYPE_CHECKING:
     from kinetruss.results import Row

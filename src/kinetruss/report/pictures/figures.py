@@ -10,7 +10,7 @@ import numpy as np
 
 from kinetruss.display import instant
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
-from kinetruss.report.text.summary import worst_rows
+from kinetruss.report.run_text.summary import worst_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

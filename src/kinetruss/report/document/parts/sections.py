@@ -10,8 +10,8 @@ from kinetruss.report.document._bars import span_bar
 from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
-from kinetruss.report.text.drives import drive_cells
-from kinetruss.report.text.statics import statics_lines
+from kinetruss.report.run_text.drives import drive_cells
+from kinetruss.report.run_text.statics import statics_lines
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

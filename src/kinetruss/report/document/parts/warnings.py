@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kinetruss.display import instant, number, quantity
-from kinetruss.report.text.summary import checks
-from kinetruss.report.text.trains import exceeded
+from kinetruss.report.run_text.summary import checks
+from kinetruss.report.run_text.trains import exceeded
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

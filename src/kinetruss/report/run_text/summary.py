@@ -12,11 +12,11 @@ from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
 from kinetruss.report._page import Page
 from kinetruss.report.missions import mission_record, mission_text
-from kinetruss.report.text.drives import drive_loads, drives_text, pose_at
-from kinetruss.report.text.simulation import simulation_lines, simulation_record
-from kinetruss.report.text.springs import spring_loads, springs_text
-from kinetruss.report.text.statics import statics_lines, statics_record
-from kinetruss.report.text.trains import MOST, exceeded, trains, trains_text
+from kinetruss.report.run_text.drives import drive_loads, drives_text, pose_at
+from kinetruss.report.run_text.simulation import simulation_lines, simulation_record
+from kinetruss.report.run_text.springs import spring_loads, springs_text
+from kinetruss.report.run_text.statics import statics_lines, statics_record
+from kinetruss.report.run_text.trains import MOST, exceeded, trains, trains_text
 from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
