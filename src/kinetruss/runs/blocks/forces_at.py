@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss import dynamics, kinematics
-from kinetruss.errors import InputError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model
 from kinetruss.runs.blocks.conditioned import followed
-from kinetruss.runs.blocks.planned import SIMULATED, Plan, plan
+from kinetruss.runs.blocks.planned import SIMULATED, STATIC, Plan, plan
+from kinetruss.runs.blocks.standing import along, standing
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -57,10 +59,7 @@ def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, 
     forces = _forces(job, job.times[::every], load_case)
     shown = forces.data["member_force"].sel(member=list(members) or list(model.members))
     k = int(np.argmax(np.abs(shown.values).max(axis=1, initial=0.0)))
-    here = {"time": slice(k, k + 1)}
-    static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(here))
-    motion = forces.motion.with_(data=forces.motion.data.isel(here))
-    return forces.with_(data=forces.data.isel(here), motion=motion, static=static)
+    return _only(forces, np.array([k]))
 
 
 def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
@@ -75,9 +74,26 @@ def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
     return dynamics.inverse(model, kinematics.from_arrays(model, [0.0], position[None], still, still), load_case)
 
 
+def _only(forces: Forces, samples: NDArray[np.int64]) -> Forces:
+    """Some of the samples, with their motion and static forces."""
+    here = {"time": samples}
+    static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(here))
+    motion = forces.motion.with_(data=forces.motion.data.isel(here))
+    return forces.with_(data=forces.data.isel(here), motion=motion, static=static)
+
+
 def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
-    """Forces at the instants t; those of a simulation come from its integration."""
+    """Forces at the instants t; those of a simulation come from its integration, those of a static run are without inertia."""
     case = _case(job, load_case)
+    if job.run.analysis in STATIC and job.run.analysis != "statics.deflection":
+        one = replace(job, cases=(case,))
+        if job.given is not None or job.run.trajectory is not None:
+            return next(iter(along(one, _motion(job, t)).forces.values()))
+        found = standing(one)
+        if not found.forces:
+            raise AnalysisError(found.motion.message, found.motion)
+        nearest = np.unique(np.abs(job.times[:, None] - t).argmin(axis=0))
+        return _only(next(iter(found.forces.values())), nearest)
     if job.run.analysis != SIMULATED:
         return dynamics.inverse(job.model, _motion(job, t), case)
     from kinetruss.runs.blocks.simulated import simulated_at
