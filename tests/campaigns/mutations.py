@@ -62,11 +62,18 @@ SHAPES: list[Any] = [
 NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(.*)", re.DOTALL)
 
 
+def _with_nothing(tree: Any) -> Any:
+    """A tree of texts with None for ``null`` and ``~``, which take an entry out of a library model."""
+    if isinstance(tree, dict):
+        return {key: _with_nothing(value) for key, value in tree.items()}
+    return None if tree in ("null", "~") else tree
+
+
 def bases() -> dict[str, Any]:
     """Name -> tree of every shipped example file, and of some models written out in full."""
     found, models = {}, {}
     for name, paths in kt.library.example_files().items():
-        found[name] = yaml.load(paths[0].read_text("utf-8"), yaml.BaseLoader)
+        found[name] = _with_nothing(yaml.load(paths[0].read_text("utf-8"), yaml.BaseLoader))
         models[name] = kt.read(paths[0])
     plate = kt.library.meshes.rectangle(width=2.0, height=0.5, columns=3, rows=2, six_nodes=True)
     models["plate"] = kt.Model(

@@ -9,6 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.special import ellipj
 
+from reference.beam_forms import beams, conditions
 from reference.joint_forms import joints
 from reference.spring_forms import springs
 
@@ -390,4 +391,6 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     flexible,
     joints,
     springs,
+    beams,
+    conditions,
 )

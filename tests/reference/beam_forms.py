@@ -1,0 +1,54 @@
+"""Beams and conditions: closed forms of `kinetruss verify`, groups members and structures."""
+
+from __future__ import annotations
+
+import math
+
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
+
+__all__ = ["beams", "conditions"]
+
+
+def elastica(load: float) -> tuple[float, float]:
+    """Deflection and shortening over L of a cantilever under P L^2/(E I) = load: elliptic integrals, slope a at the tip.
+
+    With m = p^2 = (1 + sin a)/2 and sin(b) = 1/(p sqrt 2): sqrt(load) = K(m) - F(b, m), which gives a. The tip has moved by
+    1 - 2 (E(m) - E(b, m))/sqrt(load) across the beam, and reaches to sqrt(2 sin(a)/load) along it.
+    """
+    def left(m: float) -> float:
+        return float(ellipk(m) - ellipkinc(math.asin(1 / math.sqrt(2 * m)), m)) - math.sqrt(load)
+
+    m = brentq(left, 0.5 + 1e-12, 1 - 1e-12, xtol=1e-15)
+    part = float(ellipe(m) - ellipeinc(math.asin(1 / math.sqrt(2 * m)), m))
+    return 1 - 2 * part / math.sqrt(load), 1 - math.sqrt(2 * (2 * m - 1) / load)
+
+
+def beams() -> dict[str, float]:
+    """Expected values by the names of the cases; loads and moments are over those of Euler and Bernoulli."""
+    found = {f"beams.cantilever.{dim}d.{name}": 1.0 for dim in (2, 3) for name in ("clamp", "deflection")}
+    found |= {f"beams.cantilever.{dim}d.middle": 0.5 for dim in (2, 3)}  # P (L - L/2)
+    # w L^2/2 at the clamp, w L^2/8 in the middle, over themselves
+    found |= {f"beams.cantilever.{dim}d.weight.{name}": 1.0 for dim in (2, 3) for name in ("clamp", "middle")}
+    found |= {"beams.cantilever.twist": 1.0, "beams.buckling.factor": 1.0, "beams.circle.turn": 1.0}
+    for load in (5, 10):
+        down, short = elastica(load)
+        found |= {f"beams.elastica.{load}.deflection": down, f"beams.elastica.{load}.shortening": short}
+    free = brentq(lambda b: math.cos(b) * math.cosh(b) + 1, 1.5, 2.5, xtol=1e-15)
+    both = brentq(lambda b: math.cos(b) * math.cosh(b) - 1, 4.0, 5.5, xtol=1e-15)
+    found |= {"beams.frequencies.clamped_free": free**2}
+    found |= {"beams.frequencies.clamped_clamped": both**2, "beams.frequencies.free_free": both**2}
+    k = 3.0 / 4.0  # I h/(I L)
+    found |= {"beams.portal.foot": (3 * k + 1) / (2 * (6 * k + 1)), "beams.portal.head": 3 * k / (2 * (6 * k + 1))}
+    return found
+
+
+def conditions() -> dict[str, float]:
+    """Warm and accelerated structures: shifts over a dT, the force of a clamped bar over E A a dT, m a of a pushed mass."""
+    stretch = 12e-6 * 45.0
+    return {
+        "missions.conditions.shift_C_x": 1.0,
+        "missions.conditions.shift_C_y": 1.5,
+        "missions.conditions.clamped": -1 / (1 + stretch),
+        "missions.conditions.pushed": -2.0 * 3.0,
+    }
