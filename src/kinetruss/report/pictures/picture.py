@@ -80,7 +80,7 @@ def picture(
     model, time, position = shown.model, shown.time, shown.position
     instants = [float(one) for one in ([at] if isinstance(at, (int, float)) else at)]
     colouring, values = _coloured(shown, colour, case)
-    frames = _frames(time, instants)
+    frames = _frames(time, instants, timed=bool(shown.forces) or len(time) > 1)
     index = {name: k for k, name in enumerate(model.nodes)}
     figure = Drawing(
         title=title,
@@ -121,10 +121,10 @@ def width_of(width: str | float) -> float:
     return float(width)
 
 
-def _frames(time: Array, instants: Sequence[float]) -> list[int]:
+def _frames(time: Array, instants: Sequence[float], *, timed: bool) -> list[int]:
     apart = 1e-9 * float(time[-1] - time[0])
     for at in instants:
-        if len(time) < 2:
+        if not timed:
             raise InputError("A model at rest has no instants. Give a run or a motion, or omit `at`.")
         if not time[0] - apart <= at <= time[-1] + apart:
             raise InputError(f"at={at:g} s: the run goes from {time[0]:g} to {time[-1]:g} s.")
