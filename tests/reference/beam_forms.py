@@ -16,6 +16,7 @@ def elastica(load: float) -> tuple[float, float]:
     With m = p^2 = (1 + sin a)/2 and sin(b) = 1/(p sqrt 2): sqrt(load) = K(m) - F(b, m), which gives a. The tip has moved by
     1 - 2 (E(m) - E(b, m))/sqrt(load) across the beam, and reaches to sqrt(2 sin(a)/load) along it.
     """
+
     def left(m: float) -> float:
         return float(ellipk(m) - ellipkinc(math.asin(1 / math.sqrt(2 * m)), m)) - math.sqrt(load)
 
