@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Floats, Record, record
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, Measure, part_tension, part_top
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, Measure, largest_parabola, part_tension, part_top
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import member_polynomials
 from kinetruss.kernels.sections.stress import ROUND
@@ -120,17 +120,6 @@ def _length(members: Members, histories: Histories, i: int, k: int) -> float:
 
 
 @kernel_inline
-def _parabola(c0: float, c1: float, c2: float, lo: float, hi: float) -> float:
-    """Largest |c0 + c1 x + c2 x^2| over [lo, hi]."""
-    best = max(abs(c0 + lo * (c1 + lo * c2)), abs(c0 + hi * (c1 + hi * c2)))
-    if c2 != 0.0:
-        x = -0.5 * c1 / c2
-        if lo < x < hi:
-            best = max(best, abs(c0 + 0.5 * c1 * x))
-    return best
-
-
-@kernel_inline
 def _cubic(c: Any, n: int, lo: float, hi: float) -> float:
     """Largest |c_n + c_n+1 x + c_n+2 x^2 + c_n+3 x^3| over [lo, hi]."""
     c0, c1, c2, c3 = c[n], c[n + 1], c[n + 2], c[n + 3]
@@ -166,7 +155,7 @@ def _rod_bounds(given: Polynomials, part: int, overhang: bool) -> _Bounds:
         if j > 0 and lo >= 1.0:
             break
         c = given.coef[0, part, j]
-        V = max(V, math.hypot(_parabola(c[3], c[4], c[5], lo, hi), _parabola(c[6], c[7], c[8], lo, hi)))
+        V = max(V, math.hypot(largest_parabola(c[3], c[4], c[5], lo, hi), largest_parabola(c[6], c[7], c[8], lo, hi)))
         M = max(M, math.hypot(_cubic(c, 9, lo, hi), _cubic(c, 13, lo, hi)))
     return _Bounds(tension, compression, V, M)
 

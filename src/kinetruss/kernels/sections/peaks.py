@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import Flags, Floats, Ints
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import von_mises
@@ -18,6 +18,7 @@ __all__ = [
     "MOMENT_RESULTANT",
     "MOMENT_SUM",
     "Measure",
+    "largest_parabola",
     "least_tension",
     "part_least_tension",
     "part_tension",
@@ -206,3 +207,14 @@ def least_tension(given: Polynomials, overhang: Flags, value: Floats, place: Flo
     for i in range(given.coef.shape[0]):
         for part in range(given.coef.shape[1]):
             place[i, part], value[i, part] = part_least_tension(given, i, part, overhang[part])
+
+
+@kernel_inline
+def largest_parabola(c0: float, c1: float, c2: float, lo: float, hi: float) -> float:
+    """Largest |c0 + c1 x + c2 x^2| over [lo, hi]."""
+    best = max(abs(c0 + lo * (c1 + lo * c2)), abs(c0 + hi * (c1 + hi * c2)))
+    if c2 != 0.0:
+        x = -0.5 * c1 / c2
+        if lo < x < hi:
+            best = max(best, abs(c0 + 0.5 * c1 * x))
+    return best

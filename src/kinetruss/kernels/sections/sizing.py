@@ -14,9 +14,9 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F0, F1, I1, Floats, Ints, Record, record
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, Measure, part_least_tension, part_top
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, Measure, largest_parabola, part_least_tension, part_top
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.stress import ROUND
 
@@ -67,17 +67,6 @@ class Demand(NamedTuple):
     L: float
 
 
-@kernel_inline
-def _largest(c0: float, c1: float, c2: float, lo: float, hi: float) -> float:
-    """Largest |c0 + c1 x + c2 x^2| over [lo, hi]."""
-    best = max(abs(c0 + lo * (c1 + lo * c2)), abs(c0 + hi * (c1 + hi * c2)))
-    if c2 != 0.0:
-        x = -0.5 * c1 / c2
-        if lo < x < hi:
-            best = max(best, abs(c0 + 0.5 * c1 * x))
-    return best
-
-
 @kernel_bare
 def _critical(euler: float, squash: float) -> float:
     """Johnson's load of a stocky member, else Euler's."""
@@ -95,8 +84,8 @@ def _demand(sized: Sized, k: int, given: Polynomials, length: Floats, i: int) ->
         if lo >= 1.0:
             break
         c = coef[i, part, j]
-        T = max(T, _largest(c[0], c[1], c[2], lo, hi))
-        V = max(V, math.sqrt(_largest(c[3], c[4], c[5], lo, hi) ** 2 + _largest(c[6], c[7], c[8], lo, hi) ** 2))
+        T = max(T, largest_parabola(c[0], c[1], c[2], lo, hi))
+        V = max(V, math.sqrt(largest_parabola(c[3], c[4], c[5], lo, hi) ** 2 + largest_parabola(c[6], c[7], c[8], lo, hi) ** 2))
     _, M = part_top(Measure(MOMENT_RESULTANT, 0.0, 1.0, 1.0, 0.0), given, i, part, False, _SPANS)
     _, least = part_least_tension(given, i, part, False)
     if base >= 0:

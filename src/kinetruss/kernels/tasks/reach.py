@@ -14,7 +14,7 @@ from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 from kinetruss.kernels.tasks.kkt import closed, matrix, residual, task_rows
-from kinetruss.kernels.tasks.sweeps import Drives, Room, carry
+from kinetruss.kernels.tasks.sweeps import Drives, Room, carry, let_go
 from kinetruss.kernels.tasks.tape import Tape, forward
 
 __all__ = ["MET", "NEAREST", "SLOW", "linear", "reach"]
@@ -286,18 +286,9 @@ def _descent(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scal
 @kernel
 def _released(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float) -> bool:
     """Let the drive go that its bound holds back most without need; False if there is none."""
-    worst, at = 1e-9 * scale, -1
     forward(tape, o.x, o.p, 0, o.t)
     residual(plan, w, drives, tape, o, 0, 0)
-    for d in range(drives.row.size):
-        if drives.held[d] == 1 or drives.held[d] == 2:
-            pull = (o.q[0, d] - o.ref[0, d]) - o.out[0, d] / drives.weight[d]
-            pull = -pull if drives.held[d] == 1 else pull
-            if pull > worst:
-                worst, at = pull, d
-    if at >= 0:
-        drives.held[at] = 0
-    return at >= 0
+    return let_go(drives, o, scale)
 
 
 @kernel

@@ -17,7 +17,7 @@ from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
 from kinetruss.kernels.sweep.blocks import Workspace, known, solve, solve_transposed
 from kinetruss.kernels.tasks.tape import Tape, backward, forward
 
-__all__ = ["Drives", "Room", "carry", "gradient", "room_of", "scales"]
+__all__ = ["Drives", "Room", "carry", "gradient", "let_go", "room_of", "scales"]
 
 
 @record
@@ -270,3 +270,22 @@ def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int
         _back(plan, w, y, k, start)
         for d in range(drives.row.size):
             y.out[k, d] = y.mu[k, drives.row[d]] if drives.row[d] >= 0 else y.g[k, drives.flat[d]]
+
+
+@kernel
+def let_go(drives: Drives, o: Room, scale: float) -> bool:
+    """Let the drive go that its bound holds back most without need; False if there is none.
+
+    o.out[0] : A^T s, the gradient of the tasks' factors by the drives. w (q - r) - A^T s of a drive at a bound: the sum would
+    fall with a step inwards.
+    """
+    worst, at = 1e-9 * scale, -1
+    for d in range(drives.row.size):
+        if drives.held[d] == 1 or drives.held[d] == 2:
+            pull = (o.q[0, d] - o.ref[0, d]) - o.out[0, d] / drives.weight[d]
+            pull = -pull if drives.held[d] == 1 else pull
+            if pull > worst:
+                worst, at = pull, d
+    if at >= 0:
+        drives.held[at] = 0
+    return at >= 0

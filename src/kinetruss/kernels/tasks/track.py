@@ -11,7 +11,7 @@ from kinetruss.kernels.compiled.record import F1, Floats
 from kinetruss.kernels.structure.plan import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.tasks.kkt import corrected, matrix, rates
-from kinetruss.kernels.tasks.sweeps import Drives, Room, gradient
+from kinetruss.kernels.tasks.sweeps import Drives, Room, gradient, let_go
 from kinetruss.kernels.tasks.tape import Tape
 
 __all__ = ["DONE", "FAST", "STUCK", "Given", "Tracked", "track"]
@@ -200,20 +200,8 @@ def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale
             at = d
     if at < 0:
         return False
-    at = -1
-    # w (q - r) - A^T s of a drive at a bound: the sum would fall with a step inwards
     gradient(plan, w, tape, o, 0, 0, drives, 0)
-    worst = 1e-9 * scale
-    for d in range(drives.row.size):
-        if drives.held[d] == 1 or drives.held[d] == 2:
-            pull = (y.q[0, d] - o.ref[0, d]) - o.out[0, d] / drives.weight[d]
-            pull = -pull if drives.held[d] == 1 else pull
-            if pull > worst:
-                worst, at = pull, d
-    if at >= 0:
-        drives.held[at] = 0
-        return True
-    return False
+    return let_go(drives, o, scale)
 
 
 @kernel
