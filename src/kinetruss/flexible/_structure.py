@@ -16,14 +16,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import diags_array
+from scipy.sparse import csr_array, diags_array
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, mass_matrix
-from kinetruss.mechanics.freedom import flat_positions
+from kinetruss.mechanics.freedom import flat_positions, mode_stiffness
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces
 from kinetruss.statics.poses import loads_of, nodal_forces
@@ -117,7 +117,8 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
         times = np.full(len(x), float(forces.data.attrs["load_time"]))
     for i, (here, rate, second) in enumerate(zip(x.reshape(shape), v.reshape(shape), a.reshape(shape), strict=True)):
         balance = replace(balance_of(system, case, None, float(times[i])), gravity=gravity)
-        N = balanced_rows(balance, here, load[i])
+        stiff, push = _of_shapes(system, forces, i, here)
+        N = balanced_rows(balance, here, load[i] + push)
         _, L, u = ends_of(system, here)
         moving = not still and (np.any(rate) or np.any(second))
         Ld = np.einsum("mc,mc->m", u, rate[system.q] - rate[system.p]) if moving else np.zeros_like(L)
@@ -129,12 +130,21 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
             x=here,
             M=M[free][:, free],
             C=C[free][:, free],
-            K=K[free][:, free],
+            K=(K + stiff)[free][:, free],
             G=constraint_jacobian(system, here)[:, free],
             f=softness.flexibility(system, here),
             load=load[i][free],
             N=N,
         )
+
+
+def _of_shapes(system: System, forces: Forces, i: int, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:
+    """Geometric stiffness (3 n, 3 n), N/m, and forces (3 n,), N, of beams that keep their shape in sample i at x (n, 3)."""
+    if "mode_force" not in forces.arrays:
+        return csr_array((x.size, x.size)), np.zeros(x.size)
+    found: Any = system.continua
+    stiff = mode_stiffness(found.beams, np.nan_to_num(forces.arrays["mode_force"].values[i]), len(x))
+    return stiff, -(stiff @ x.reshape(-1))
 
 
 def refuse_unloaded_beams(model: Model, forces: Forces) -> None:
@@ -146,8 +156,8 @@ def refuse_unloaded_beams(model: Model, forces: Forces) -> None:
     """
     if forces.attrs.get("not_balanced", 0) and any(beam.kind == "elastic" for beam in model.beams.values()):
         raise InputError(
-            "In these positions beams are not deformed by their loads, so the forces that stiffen them are not known. "
-            "Give the equilibrium: statics.at_poses(model, statics.equilibrium(model).position.values[None])."
+            "In these positions beams are not deformed by their loads, and balance alone does not decide the forces that "
+            "stiffen them. Give the equilibrium: statics.at_poses(model, statics.equilibrium(model).position.values[None])."
         )
 
 

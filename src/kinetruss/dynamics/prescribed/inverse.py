@@ -15,6 +15,7 @@ from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, kept, rearrange
 from kinetruss.mechanics.assembly import Loads, case_loads, nodal_loads, structure_of, with_continua_forces
+from kinetruss.mechanics.freedom import HeldShapes, held_shapes
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
 
@@ -100,6 +101,10 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
     constraints whose force is not unique, at drive values (times, drives); with the states.
     """
     x, arrangement = states.x, arrange(system)
+    held = None if arrangement.plan is not None else held_shapes(system)
+    # beams that keep their shape carry what rigid ones would, if balance alone decides that
+    if held is not None and held.determinate and held.undeformed(x.reshape(len(x), -1, 3)):
+        return _solve_held(held, values, loads, states)
     values = np.ascontiguousarray(values)
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
@@ -126,6 +131,14 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
         )
         solved["not_unique"] = solved["not_unique"] | used.not_unique
     return solved
+
+
+def _solve_held(held: HeldShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
+    """`solve` of beams that keep their shape, with the forces of their modes, ``mode_force`` (times, beams, s), N m."""
+    solved = solve(held.system, values, loads, states)
+    found = held.mode_forces(states.x.reshape(len(states.x), -1, 3), solved["N"], values)
+    own = {"N": solved["N"][:, held.rows], "joint": np.ascontiguousarray(solved["joint"][:, held.members])}
+    return solved | own | {"not_unique": solved["not_unique"][held.rows], "mode_force": found}
 
 
 def _pieces(
@@ -198,7 +211,9 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
 
 def _unbalanced(off: float, at_rest: bool) -> str:
     """The message on positions that the elastic parts do not have under these loads."""
-    why = "at rest they have another shape (statics.equilibrium)" if at_rest else "the motion is not one that these loads make"
+    why = "at rest they have another shape (statics.equilibrium)"
+    if not at_rest:
+        why = "the motion is not one that these loads make, or balance alone does not decide how they share them"
     return (
         f"Not in balance: beams, membranes or solids in these positions leave up to {off:.2g} N at free nodes; {why}. "
         "Reactions and member forces are without these."

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
@@ -26,11 +26,14 @@ from kinetruss.kernels.sweep.forces import energies
 from kinetruss.kinematics.path import Passed, refined
 from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.assembly import bar_laws, nodal_loads, refuse_turns, spring_motions, strain_balance, structure_of
+from kinetruss.mechanics.beams import MODES
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.mechanics import BeamElements, Continua
 
 __all__ = ["Carried", "Read", "carried", "force_arrays"]
 
@@ -117,11 +120,14 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         turns = slice(2, 3) if dim == 2 else slice(0, 3)
         couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"
         data["bearing_couple"] = variable(("time", "bearing", "rotation"), couples, "N m", words)
+    if "mode_force" in solved:
+        words = "force of the deformation mode of a beam that keeps its shape"
+        data["mode_force"] = variable(("time", "beam", "mode"), solved["mode_force"], "N m", words)
     data |= action_variables(system, acting) | _interfaces(system, loads, solved, found, acting)
     if not at_rest:
         data |= _power(system, read, loads, solved, every.drive_force)
     attrs = {"gravity": loads.gravity[:dim].tolist()}
-    return Arrays(_axes(system, loads.name), motion.arrays["time"].values, data, attrs)
+    return Arrays(_axes(system, loads.name, "mode_force" in solved), motion.arrays["time"].values, data, attrs)
 
 
 @kept()
@@ -182,13 +188,16 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 
 
 @kept()
-def _axes(system: System, case: str) -> Axes:
+def _axes(system: System, case: str, shaped: bool) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
     if system.springs:
         couplings["spring"] = list(system.springs)
     if system.model.bearings:
         couplings["bearing"] = list(system.model.bearings)
+    if shaped:
+        beams = cast("BeamElements", cast("Continua", system.continua).beams)
+        couplings |= {"beam": list(beams.names), "mode": list(MODES[system.dim])}
     return Axes(
         couplings
         | action_coordinates(system, actions_of(system, case))

@@ -14,7 +14,7 @@ from kinetruss.kernels.sweep.follow import continuation
 from kinetruss.kinematics.path.redundant import AGREE, LEAST, Path, contradicts, misses, walked
 from kinetruss.mechanics import System, arrange, compile, kept
 from kinetruss.mechanics.configuration import number_of, row_values, shortest
-from kinetruss.mechanics.freedom import underdriven
+from kinetruss.mechanics.freedom import shaped, underdriven
 from kinetruss.model import Model
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArra
     >>> kt.kinematics.assemble(two, {"a": 2.5, "b": 2.5})[2].round(9).tolist()
     [2.0, 1.5]
     """
-    system = compile(model)
+    system = shaped(compile(model))
     wanted = system.row_value.copy()
     wanted[system.row_drive >= 0] = system.drive_start[system.row_drive[system.row_drive >= 0]]
     for name, value in given_lengths(lengths).items():

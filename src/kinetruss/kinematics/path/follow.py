@@ -22,7 +22,7 @@ from kinetruss.kinematics.path.sample import Sampled, check_trajectory, sample
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration import POSE, departs, number_of, pose_values, positions_of
-from kinetruss.mechanics.freedom import mobility_at, underdriven
+from kinetruss.mechanics.freedom import held_shapes, mobility_at, shaped, underdriven
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
 
@@ -30,6 +30,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["follow"]
+
+BENT = (
+    "In a motion of drives beams keep their shape. If the motion bends them, it follows from forces: dynamics.simulate, "
+    "statics.equilibrium."
+)
 
 
 def follow(
@@ -82,7 +87,17 @@ def follow(
         motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
-    return with_note(motion, table_notes(model, trajectory))
+    return with_note(with_note(motion, table_notes(model, trajectory)), _of_shapes(system))
+
+
+def _of_shapes(system: System) -> str:
+    """The note on beams that keep their shape."""
+    held = held_shapes(system)
+    if held is None:
+        return ""
+    names = [held.system.continua.beams.names[k] for k in held.beams]  # type: ignore[union-attr]
+    shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
+    return f"Beams keep their shape: {shown}. Their deflection under load: statics.deflection, flexible.vibration."
 
 
 def with_note(motion: Motion, note: str) -> Motion:
@@ -216,7 +231,17 @@ def follow_path(system: System, path: Path, space: str, *, start: ArrayLike | No
 
 
 def sweep_path(system: System, path: Path, *, start: ArrayLike | None = None, least: float = LEAST) -> Swept:
-    """The histories from which `follow_path` makes a Motion."""
+    """The histories from which `follow_path` makes a Motion; loose beams keep their shape."""
+    solved = shaped(system)
+    try:
+        return _swept(solved, path, start, least)
+    except InputError as error:
+        if solved is system:
+            raise
+        raise InputError(f"{error} {BENT}") from None
+
+
+def _swept(system: System, path: Path, start: ArrayLike | None, least: float) -> Swept:
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)

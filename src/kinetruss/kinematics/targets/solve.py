@@ -19,7 +19,7 @@ from kinetruss.kinematics.path.redundant import Path
 from kinetruss.kinematics.targets.programs import Tasks, measure_of, tasks_of
 from kinetruss.mechanics import System, arrange
 from kinetruss.mechanics.configuration import drive_places, shortest
-from kinetruss.mechanics.freedom import underdriven
+from kinetruss.mechanics.freedom import shaped, underdriven
 from kinetruss.model import Active, LengthDrive
 
 if TYPE_CHECKING:
@@ -146,6 +146,7 @@ def problem(system: System, targets: Any, choice: Any) -> Problem:
     ------
     InputError : drives that leave freedoms, or none; more tasks than drives.
     """
+    system = shaped(system)
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)

@@ -46,14 +46,27 @@ def beam_forces(
 
 
 def section_forces(
-    found: BeamElements, x: NDArray[np.float64], x0: NDArray[np.float64], load: Floats, xi: Floats, linear: bool = False
+    found: BeamElements,
+    x: NDArray[np.float64],
+    x0: NDArray[np.float64],
+    load: Floats,
+    xi: Floats,
+    *,
+    linear: bool = False,
+    given: Floats = None,
 ) -> dict[str, NDArray[np.float64]]:
     """Section forces at the shares xi (s,) of beams, along x (times, n, 3); load (times, n, 3) m/s^2 is g - x''.
+
+    given : (times, k, modes) forces of the modes of beams that keep their shape, N m, NaN of the others.
 
     force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
     (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
     """
     stress = beam_forces(found, x, x0, linear)
+    bent = np.ones(stress["axial"].shape)
+    if given is not None:
+        stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
+        bent = np.isnan(given[..., 0]).astype(float)
     l = found.length[:, None]
     frame = _frames(found, x0[None] if linear else x)
     frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
@@ -68,7 +81,7 @@ def section_forces(
     first, second = {}, {}
     for axis, D, S, EI in ((1, D2, S2, found.rigidity[:, -3]), (2, D3, S3, found.rigidity[:, 1])):
         f_p, f_q = 0.5 * (S / 3 - D) / EI, 0.5 * (S / 3 + D) / EI
-        slopes = 0.0 if linear else stress["axial"] / 30
+        slopes = 0.0 if linear else bent * stress["axial"] / 30
         first[axis], second[axis] = S - D + slopes * (4 * f_p - f_q), S + D + slopes * (4 * f_q - f_p)
     turn_p, turn_q = _turning(found, load, frame)
     force_p = (

@@ -16,11 +16,22 @@ if TYPE_CHECKING:
         frames,
         rigid_beams,
         rigid_groups,
+        shape_bars,
     )
 
-__all__ = ["axes_of_beam", "carriers_of", "chords", "expanded", "frame_of", "frames", "rigid_beams", "rigid_groups"]
+__all__ = [
+    "axes_of_beam",
+    "carriers_of",
+    "chords",
+    "expanded",
+    "frame_of",
+    "frames",
+    "rigid_beams",
+    "rigid_groups",
+    "shape_bars",
+]
 
 __getattr__, __dir__ = late(
     __name__,
-    {"framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups"},
+    {"framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups shape_bars"},
 )

@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.model.motion.drives import CoordinateDrive, CosineCoordinate, Coupling
 from kinetruss.model.parts.bodies import Body
+from kinetruss.model.parts.bracing import braces_of_each
 from kinetruss.model.parts.joints import GROUND
 from kinetruss.model.parts.members import Bar, Node
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
 
     from kinetruss.model._data import ModelData
@@ -28,6 +31,7 @@ __all__ = [
     "rigid_beams",
     "rigid_groups",
     "rotations",
+    "shape_bars",
 ]
 
 SHARE = 0.3
@@ -119,6 +123,15 @@ def rigid_groups(model: ModelData) -> dict[str, Body]:
             whole = next((part for part in parts if len(part) > 1), nodes)
             found[name if name not in found else f"{name}.beam"] = Body(nodes=nodes, carriers=whole)
     return found
+
+
+def shape_bars(model: ModelData, names: Iterable[str]) -> dict[str, dict[str, Bar]]:
+    """By elastic beam the rigid bars without mass that hold it in its shape, called ``BEAM.shape.N1-N2``."""
+    every, bodies = frames(model), {}
+    for name in names:
+        first, second = (every[frame_of(name, model.beams[name], end)].all for end in model.beams[name].ends)
+        bodies[f"{name}.shape"] = Body(nodes=tuple(dict.fromkeys((*first, *second))), carriers=first)
+    return braces_of_each(model, rigid_groups(model), bodies)
 
 
 def chords(model: ModelData) -> dict[str, Bar]:

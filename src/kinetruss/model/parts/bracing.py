@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body
 
-__all__ = ["braced", "braces", "rigid_pairs"]
+__all__ = ["braced", "braces", "braces_of_each", "rigid_pairs"]
 
 INDEPENDENT = 1e-6
 """Least norm of the new part of the gradient of a bar that counts as independent."""
@@ -41,6 +41,23 @@ def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] =
     Rigid bars, distances in previous bodies and distances between fixed nodes are kept. Then come the edges of the carriers,
     then for every further node the bars with the most independent gradients; a dependent bar is left out.
     """
+    return _grown(model, groups, faulty)[0]
+
+
+def braces_of_each(model: ModelData, groups: Mapping[str, Body], more: Mapping[str, Body]) -> dict[str, dict[str, Bar]]:
+    """The braces of each of `more` bodies, as if the others were not there: rigid loops stay redundant."""
+    _, pairs, clusters = _grown(model, groups, ())
+    found: dict[str, dict[str, Bar]] = {}
+    for name, body in more.items():
+        missing = _missing(model, body, pairs, clusters)
+        found[name] = {_name(model, {}, f"{name}.{one}-{two}"): Bar(ends=(one, two), mass=0.0) for one, two in missing}
+    return found
+
+
+def _grown(
+    model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]
+) -> tuple[dict[str, Bar], set[Pair], list[set[str]]]:
+    """`braces` of bodies, then all pairs of nodes with a rigid bar, and the sets of nodes of rigid parts."""
     skip = set(faulty)
     axes = "xyz"[: model.dim]
     odd = {name for name, node in model.nodes.items() if len(node.at) != model.dim}
@@ -56,7 +73,7 @@ def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] =
                 found[_name(model, found, f"{name}.{one}-{two}")] = Bar(ends=(one, two), brace=True)
                 pairs.add(frozenset((one, two)))
         clusters = _joined(model, clusters, set(body.nodes))
-    return found
+    return found, pairs, clusters
 
 
 def _name(model: ModelData, found: dict[str, Bar], name: str) -> str:

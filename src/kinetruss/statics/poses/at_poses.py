@@ -16,7 +16,7 @@ from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics.path import Course, assembled, motion_of, start_values
 from kinetruss.mechanics import System, arrange, compile, kept
 from kinetruss.mechanics.configuration import number_of, row_values, shortest
-from kinetruss.mechanics.freedom import flat_positions
+from kinetruss.mechanics.freedom import flat_positions, shaped
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable
 from kinetruss.statics.large.saddle import weakest_block
@@ -136,8 +136,9 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
     """
     x = np.empty((len(values), system.x0.size))
     good, stopped, moved = len(values), "", np.zeros(len(values), np.bool_)
+    solved = shaped(system)
     for i, value in enumerate(values):
-        found, share = _geometry(system, value.tobytes())
+        found, share = _geometry(solved, value.tobytes())
         moved[i] = not np.array_equal(found, system.x0)
         if share < 1:
             good = i
@@ -146,7 +147,7 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
                 "Give values nearer to it."
             )
             break
-        _refuse_contradiction(system, found, _rows(system, value), names[i])
+        _refuse_contradiction(solved, found, _rows(solved, value), names[i])
         x[i] = found.reshape(-1)
     still = np.zeros((good, system.x0.size))
     drives = (values[:good], np.zeros((good, values.shape[1])), np.zeros((good, values.shape[1])))
@@ -178,7 +179,7 @@ def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, na
     Positions closed from lengths are good to eps/s, forces at given positions to eps/s, s the smallest singular value of a
     block of the Jacobian.
     """
-    if arrange(system).plan is None:
+    if arrange(system := shaped(system)).plan is None:
         return ""
     x = flat_positions(system, motion.arrays["position"].values).reshape(-1, *system.x0.shape)
     worst, at = 0.0, 0

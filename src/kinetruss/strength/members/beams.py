@@ -46,13 +46,13 @@ def beams(
 
     Raises
     ------
-    InputError : no elastic beams, positions of another model, an unknown load case; forces of positions that are not in balance
-        (poses, in which beams are not deformed: take the equilibrium).
+    InputError : no elastic beams, positions of another model, an unknown load case; forces of positions that are not in balance.
 
     Notes
     -----
     Closed form: the deformation modes of each beam give its forces without load between its ends; weight and inertia, spread
-    along it as its mass is, add those of a beam clamped at both ends (`mechanics.beams.forces`). Bending by an axial force is
+    along it as its mass is, add those of a beam clamped at both ends (`mechanics.beams.forces`). In forces of a motion of drives,
+    or of a pose, beams keep their shape; those that are statically determinate have the forces of a rigid beam. Bending by an axial force is
     counted between the ends of beams only as far as their nodes move: divide a slender beam under compression.
 
     >>> import kinetruss as kt
@@ -73,7 +73,8 @@ def beams(
     linear = data is not None and "position" not in data
     case = load_case if load_case is not None else _case_of(model, result)
     load = _gravity(system, result, case, load_case is None) - _accelerations(system, result, data, x)
-    found = section_forces(elements, x, system.x0, load, xi, linear)
+    given = result.arrays["mode_force"].values if isinstance(result, Forces) and "mode_force" in result.arrays else None
+    found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given)
     values = _sections(found, dim) | _stresses(model, elements, found) | _ends(found, dim)
     return _dataset(values if timed else {name: array[0] for name, array in values.items()}, timed, data, elements, xi, dim)
 
@@ -89,8 +90,8 @@ def _data(result: Any) -> xr.Dataset | None:
         return None
     if isinstance(result, Forces) and not known_positions(result):
         raise InputError(
-            "The positions of these forces are not in balance: in a pose beams are not deformed by their loads. Give the "
-            "result of statics.linear, statics.equilibrium or dynamics.simulate."
+            "The positions of these forces are not in balance: beams are not deformed by their loads, and balance alone does "
+            "not decide their forces. Give the result of statics.linear, statics.equilibrium or dynamics.simulate."
         )
     if isinstance(result, Forces) and "displacement" not in result.arrays:
         return result.motion.data
