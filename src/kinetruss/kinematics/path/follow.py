@@ -95,7 +95,7 @@ def _of_shapes(system: System) -> str:
     held = held_shapes(system)
     if held is None:
         return ""
-    names = [held.system.continua.beams.names[k] for k in held.beams]  # type: ignore[union-attr]
+    names = [held.elements.names[k] for k in held.beams]
     shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
     return f"Beams keep their shape: {shown}. Their deflection under load: statics.deflection, flexible.vibration."
 

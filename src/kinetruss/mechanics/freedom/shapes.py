@@ -39,11 +39,12 @@ STRAIGHT = 1e-8
 class HeldShapes:
     """A system whose loose beams are held in their shape.
 
-    system : with the bars that hold them. beams (k,) indices of these beams; members (m,) and rows (r,) of the model's own
+    system : with the bars that hold them. elements : all elastic beams. beams (k,) indices of these beams; members (m,) and rows (r,) of the model's own
     members and rows in `system`; bars : by beam the rows of its bars.
     """
 
     system: System
+    elements: BeamElements
     beams: NDArray[np.int64]
     members: NDArray[np.int64]
     rows: NDArray[np.int64]
@@ -52,13 +53,13 @@ class HeldShapes:
     @property
     def determinate(self) -> bool:
         """True if the forces of all bars that hold beams follow from balance alone."""
-        found, modes = arrange(self.system), self.system.continua.beams.modes.shape[1]  # type: ignore[union-attr]
+        found, modes = arrange(self.system), self.elements.modes.shape[1]
         # a rigid bar beside a beam shares its force: one bar fewer than modes
         return found.plan is not None and all(len(rows) == modes and not found.not_unique[rows].any() for rows in self.bars)
 
     def undeformed(self, x: NDArray[np.float64]) -> bool:
         """True if the held beams have their shape at all positions x (times, n, 3)."""
-        found: Any = self.system.continua.beams  # type: ignore[union-attr]
+        found = self.elements
         p, q = (ends[self.beams] for ends in _pairs(found))
         d0, d = self.system.x0[q] - self.system.x0[p], x[:, q] - x[:, p]
         change = np.einsum("tkwc,tkwc->tkw", d, d) - np.einsum("kwc,kwc->kw", d0, d0)
@@ -70,8 +71,7 @@ class HeldShapes:
 
         x (times, n, 3); N (times, rows) row forces of `system`; values (times, drives).
         """
-        system, found = self.system, self.system.continua.beams  # type: ignore[union-attr]
-        assert found is not None
+        system, found = self.system, self.elements
         out = np.full((len(x), *found.rigidity.shape), np.nan)
         for i, place in enumerate(x):
             pull = N[i][:, None] * row_directions(system, place, values[i])
@@ -136,6 +136,7 @@ def held_shapes(system: System) -> HeldShapes | None:
             row_drive=np.concatenate([system.row_drive, none]),
             row_value=np.concatenate([system.row_value, held.row_value[len(own) :]]),
         ),
+        elements=found,
         beams=loose,
         members=np.array([place[name] for name in system.members], np.int64),
         rows=np.arange(len(own)),
