@@ -157,10 +157,7 @@ def test_tasks_of_the_tip_move_the_drives():
     wanted = kt.kinematics.inverse(model, kt.Quintic(moves={"T.x": (0.7, 0.9), "T.y": (2.5, 2.51)}, duration=1.0), samples=5)
     np.testing.assert_allclose(wanted.position.sel(node="T").values[-1], [0.9, 2.51], atol=1e-9)
     assert wanted.length.sel(member="arm.chord").values == pytest.approx(LONG, abs=1e-10)
-    ends = {
-        name: (START if name == "left" else START, float(wanted.drive_position.sel(drive=name)[-1]))
-        for name in ("left", "right")
-    }
+    ends = {name: (START, float(wanted.drive_position.sel(drive=name)[-1])) for name in ("left", "right")}
     again = kt.kinematics.follow(model, kt.Quintic(moves=ends, duration=1.0), samples=3)
     np.testing.assert_allclose(again.position.sel(node="T").values[-1], [0.9, 2.51], atol=1e-9)
 

@@ -39,8 +39,8 @@ STRAIGHT = 1e-8
 class HeldShapes:
     """A system whose loose beams are held in their shape.
 
-    system : with the bars that hold them. elements : all elastic beams. beams (k,) indices of these beams; members (m,) and rows (r,) of the model's own
-    members and rows in `system`; bars : by beam the rows of its bars.
+    system : with the bars that hold them. elements : all elastic beams. beams (k,) indices of the held ones; members (m,) and
+    rows (r,) of the model's own members and rows in `system`; bars : by beam the rows of its bars.
     """
 
     system: System

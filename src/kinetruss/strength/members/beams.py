@@ -46,13 +46,13 @@ def beams(
 
     Raises
     ------
-    InputError : no elastic beams, positions of another model, an unknown load case; forces of positions that are not in balance.
+    InputError : no elastic beams, positions of another model, an unknown load case; forces that are not in balance.
 
     Notes
     -----
     Closed form: the deformation modes of each beam give its forces without load between its ends; weight and inertia, spread
-    along it as its mass is, add those of a beam clamped at both ends (`mechanics.beams.forces`). In forces of a motion of drives,
-    or of a pose, beams keep their shape; those that are statically determinate have the forces of a rigid beam. Bending by an axial force is
+    along it as its mass is, add those of a beam clamped at both ends (`mechanics.beams.forces`). In a pose, and along a motion
+    of drives, beams keep their shape; statically determinate ones have the forces of rigid beams. Bending by an axial force is
     counted between the ends of beams only as far as their nodes move: divide a slender beam under compression.
 
     >>> import kinetruss as kt
