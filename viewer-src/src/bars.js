@@ -46,7 +46,7 @@ export class Bars {
     const rods = scene.arrays.rods.data;
     this.pieces.forEach(([member, role], k) => {
       const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
-      const r = radius[member];
+      const r = scene.shows(member) ? radius[member] : 0;
       if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
       else if (role === "tube") placeAlong(this.rods, k, along(q, p, Math.min(rods[6 * member + 4], distance(p, q))), q, 1.5 * r);
       else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" || role === "cable" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);
@@ -60,7 +60,8 @@ export class Bars {
     });
     points.forEach((point, k) => placeSphere(this.balls, k, point, this.ball * this.small[k]));
     const line = this.lines.geometry.attributes.position;
-    scene.ends.forEach((node, k) => line.array.set(points[node], 3 * k));
+    // a bar of a frame is a line without length
+    scene.ends.forEach((node, k) => line.array.set(points[scene.shows(k >> 1) ? node : scene.ends[k & ~1]], 3 * k));
     line.needsUpdate = true;
     [this.rods, this.collars, this.balls].forEach(moved);
   }
@@ -96,6 +97,7 @@ export class Bars {
 function smallNodes(scene) {
   const found = new Float32Array(scene.nodes.length).fill(1), joined = new Set(scene.ends), mesh = new Set(scene.skin);
   for (const node of mesh) if (!joined.has(node)) found[node] = mesh.size > 300 ? 0 : 0.6;
+  for (const node of scene.directors) found[node] = 0;
   return found;
 }
 

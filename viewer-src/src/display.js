@@ -9,5 +9,5 @@ export const DIVERGING = ["#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279",
 export const SEQUENTIAL = ["#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"];
 export const MISSING = "#8a8a8a";
 export const OVER = "#e5007d";
-export const KINDS = {"rigid": "#7f93a8", "driven": "#009e73", "active": "#009e73", "elastic": "#cc79a7", "cable": "#d99a00", "free": "#b0b7bf"};
+export const KINDS = {"rigid": "#7f93a8", "driven": "#009e73", "active": "#009e73", "elastic": "#cc79a7", "beam": "#cc79a7", "cable": "#d99a00", "free": "#b0b7bf", "frame": "#b0b7bf"};
 export const SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"};

@@ -16,7 +16,8 @@ export class Names {
     if (this.node.hidden) return;
     const { scene, now } = this.view;
     if (!this.tags) {
-      this.tags = [...scene.nodes.map((name) => el("span", { class: "of-node" }, name)), ...scene.members.map((name) => el("span", {}, name))];
+      this.tags = [...scene.nodes.map((name, k) => el("span", { class: "of-node", hidden: scene.directors.has(k) }, name)),
+        ...scene.members.map((name, k) => el("span", { hidden: !scene.shows(k) }, name))];
       fill(this.node, this.tags);
     }
     const middles = scene.members.map((_, k) => {

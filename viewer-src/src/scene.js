@@ -95,6 +95,7 @@ export class Scene {
     this.members = header.members;
     this.ends = arrays.ends.data;
     this.active = new Set(header.two_rods);
+    this.directors = new Set(header.directors || []);
     this.partsOf = this.members.map(() => []);
     arrays.part_member.data.forEach((member, part) => this.partsOf[member].push(part));
     this.skin = arrays.skin ? arrays.skin.data : new Int32Array(0);
@@ -104,6 +105,11 @@ export class Scene {
     this.ranges = {};
     this.kept = {};
     this.sure();
+  }
+
+  /** Whether pictures show a member: bars of the frames of beams are left out. */
+  shows(member) {
+    return this.header.kinds[member] !== "frame";
   }
 
   /** Members whose force is not unique. */
@@ -251,6 +257,7 @@ function extentOf(data, dim) {
 }
 
 function typicalLength(scene) {
-  const lengths = scene.members.map((_, member) => scene.length(0, member)).sort((a, b) => a - b);
+  const seen = scene.members.map((_, member) => member).filter((member) => scene.shows(member));
+  const lengths = seen.map((member) => scene.length(0, member)).sort((a, b) => a - b);
   return lengths[lengths.length >> 1] || scene.extent.size / 4;
 }

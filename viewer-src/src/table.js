@@ -38,7 +38,7 @@ export class Table {
     const heading = (id, label) => el("th", { scope: "col", "aria-sort": this.order.id === id ? (this.order.down ? "descending" : "ascending") : "none" },
       el("button", { type: "button", class: "link", onclick: () => this.sort(id) }, label));
     fill(this.head, el("tr", {}, heading("name", "member"), columns.map((one) => heading(one.id, one.label))));
-    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members))];
+    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members.filter((_, k) => scene.shows(k))))];
     const wanted = this.filter.value.trim().toLowerCase();
     const rows = members.map((name) => ({ name })).filter(({ name }) => name.toLowerCase().includes(wanted));
     const by = columns.find((one) => one.id === this.order.id);

@@ -28,8 +28,10 @@ KINDS = {
     "driven": "#009e73",
     "active": "#009e73",
     "elastic": "#cc79a7",
+    "beam": "#cc79a7",
     "cable": "#d99a00",
     "free": "#b0b7bf",
+    "frame": "#b0b7bf",
 }
 """Colours of bars without a value, by kind."""
 SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"}

@@ -18,8 +18,10 @@ if TYPE_CHECKING:
         rigid_groups,
         shape_bars,
     )
+    from kinetruss.model.beams.shown import FRAME, shown_kinds
 
 __all__ = [
+    "FRAME",
     "axes_of_beam",
     "carriers_of",
     "chords",
@@ -29,9 +31,13 @@ __all__ = [
     "rigid_beams",
     "rigid_groups",
     "shape_bars",
+    "shown_kinds",
 ]
 
 __getattr__, __dir__ = late(
     __name__,
-    {"framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups shape_bars"},
+    {
+        "framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups shape_bars",
+        "shown": "FRAME shown_kinds",
+    },
 )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
+from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
 
@@ -74,24 +75,27 @@ def _of_case(name: str, case: str, run: RunResult, drawn: Histories | None) -> I
 def _shape(run: RunResult) -> Shape:
     model, position = run.model, run.motion.data["position"].values
     time = run.motion.data["time"].values
-    index = {name: k for k, name in enumerate(model.nodes)}
+    # nodes and bars of the frames of beams are left out
+    seen = np.array([not node.director for node in model.nodes.values()], bool)
+    index = {name: k for k, name in enumerate(name for name, node in model.nodes.items() if not node.director)}
     chosen = sorted({0, len(time) // 2, len(time) - 1})
-    driven = tuple(_driven(model))
+    members = [name for name, kind in shown_kinds(model).items() if kind != FRAME]
+    driven = tuple(_driven(model, members))
     words = ["shape", *["driven members green"] * any(driven), *["supports as triangles"] * bool(model.fixed)]
     return Shape(
         name="shape",
         title=f"{model.title or run.name}: {', '.join(words)}",
-        nodes=tuple(model.nodes),
-        ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in model.members.values()),
+        nodes=tuple(index),
+        ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in map(model.members.__getitem__, members)),
         driven=driven,
-        held=tuple(index[name] for name in model.fixed),
-        poses=tuple(Pose(caption=f"t = {instant(time[k])}", position=position[k]) for k in chosen),
+        held=tuple(index[name] for name in model.fixed if name in index),
+        poses=tuple(Pose(caption=f"t = {instant(time[k])}", position=position[k][seen]) for k in chosen),
     )
 
 
-def _driven(model: Model) -> Iterator[bool]:
+def _driven(model: Model, members: list[str]) -> Iterator[bool]:
     named = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    for name in model.members:
+    for name in members:
         yield name in named
 
 

@@ -11,7 +11,8 @@ import numpy as np
 from kinetruss.display import instant
 from kinetruss.errors import InputError
 from kinetruss.mechanics.structure import body_faces, skin_of
-from kinetruss.model import Active, Bar, HingeDrive, Model, nearest
+from kinetruss.model import Bar, HingeDrive, Model, nearest
+from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.pictures.draw import SUFFIXES
 from kinetruss.report.pictures.pictured import Pictured, pictured
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
@@ -81,19 +82,23 @@ def picture(
     instants = [float(one) for one in ([at] if isinstance(at, (int, float)) else at)]
     colouring, values = _coloured(shown, colour, case)
     frames = _frames(time, instants, timed=bool(shown.forces) or len(time) > 1)
-    index = {name: k for k, name in enumerate(model.nodes)}
+    # nodes and bars of the frames of beams are left out
+    seen = np.array([not node.director for node in model.nodes.values()], bool)
+    index = {name: k for k, name in enumerate(name for name, node in model.nodes.items() if not node.director)}
+    kinds = {name: kind for name, kind in _kinds(model).items() if kind != FRAME}
+    position = position[:, seen]
     figure = Drawing(
         title=title,
         width=width_of(width),
-        nodes=tuple(model.nodes),
-        ends=tuple((index[one.ends[0]], index[one.ends[1]]) for one in model.members.values()),
-        kinds=tuple(_kinds(model)),
+        nodes=tuple(index),
+        ends=tuple((index[one.ends[0]], index[one.ends[1]]) for one in map(model.members.__getitem__, kinds)),
+        kinds=tuple(kinds.values()),
         joined=_joined(model, index),
-        held=tuple(index[node] for node, axes in model.fixed.items() if len(axes) == model.dim),
-        guided=tuple(index[node] for node, axes in model.fixed.items() if len(axes) < model.dim),
+        held=tuple(index[node] for node, axes in model.fixed.items() if len(axes) == model.dim and node in index),
+        guided=tuple(index[node] for node, axes in model.fixed.items() if len(axes) < model.dim and node in index),
         stands=tuple(_stands(shown, frames, case, values, view, loads, colour)),
         colouring=colouring,
-        unsure=tuple(k for k, name in enumerate(model.members) if colour is not None and name in shown.not_unique),
+        unsure=tuple(k for k, name in enumerate(kinds) if colour is not None and name in shown.not_unique),
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
@@ -162,10 +167,11 @@ def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array
         if colour != "force":
             raise InputError(f"There is no {colour} of a state at rest. Colour it by force.")
         return np.asarray(what.member_force, float)[None], None
+    from kinetruss.strength.verdict import middle_forces, strength_histories
+
     forces = what.forces[case or next(iter(what.forces))]
     if colour == "force":
-        return np.asarray(forces.data["member_force"].values, float), None
-    from kinetruss.strength.verdict import strength_histories
+        return middle_forces(what.model, forces), None
 
     found = strength_histories(what.model, forces)
     faces = _stress(what.model, what.position) if colour == "stress" else None
@@ -182,6 +188,8 @@ def _stands(
     size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
     largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
     skin = skin_of(model)
+    seen = np.array([not node.director for node in model.nodes.values()], bool)
+    drawn = np.array([kind != FRAME for kind in _kinds(model).values()], bool)
     stress = _stress(model, position) if colour == "stress" else None
     arrows = force * (0.16 * size / largest if largest else 0.0)
     for k in frames:
@@ -193,8 +201,8 @@ def _stands(
             hinges=projected(_hinges(model, x), view),
             face_values=None if stress is None else stress[k][order],
             caption=f"t = {instant(time[k])}" if len(time) > 1 else "",
-            points=projected(x, view),
-            values=None if values is None else values[k],
+            points=projected(x[seen], view),
+            values=None if values is None else values[k][drawn],
             bodies=projected(_bodies(model, x), view),
             loads=tuple(
                 (projected(x[n], view), projected(x[n] + arrow, view))
@@ -259,13 +267,12 @@ def _hinges(model: Model, x: Array) -> Array:
 def _joined(model: Model, index: dict[str, int]) -> tuple[int, ...]:
     """Nodes of members and bodies: all except those of meshes only."""
     told = [*(one.ends for one in model.members.values()), *(one.nodes for one in model.bodies.values())]
-    return tuple(sorted({index[node] for nodes in told for node in nodes}))
+    return tuple(sorted({index[node] for nodes in told for node in nodes if node in index}))
 
 
-def _kinds(model: Model) -> Iterator[str]:
+def _kinds(model: Model) -> dict[str, str]:
     turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    for name, one in model.members.items():
-        yield "active" if isinstance(one, Active) else "driven" if name in turned else one.kind
+    return {name: "driven" if kind != "active" and name in turned else kind for name, kind in shown_kinds(model).items()}
 
 
 def _known(name: str, index: dict[str, int]) -> str:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.strength.verdict.beams import middle_forces
     from kinetruss.strength.verdict.by_member import highest, strength_histories, unchecked, worst_of
 
-__all__ = ["highest", "strength_histories", "unchecked", "worst_of"]
+__all__ = ["highest", "middle_forces", "strength_histories", "unchecked", "worst_of"]
 
-__getattr__, __dir__ = late(__name__, {"by_member": "highest strength_histories unchecked worst_of"})
+__getattr__, __dir__ = late(__name__, {"beams": "middle_forces", "by_member": "highest strength_histories unchecked worst_of"})

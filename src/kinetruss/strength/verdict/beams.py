@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Forces
 
-__all__ = ["BEAM_QUANTITIES", "beam_histories", "beam_limits", "beam_notes", "beam_parts", "chord_of"]
+__all__ = ["BEAM_QUANTITIES", "beam_histories", "beam_limits", "beam_notes", "beam_parts", "chord_of", "middle_forces"]
 
 SECTIONS = 97
 """Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
@@ -55,6 +55,16 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     M = np.linalg.norm(found["section_M"].values, axis=-1)
     along = dict(zip(BEAM_QUANTITIES, (T, -T, M, found["von_mises"].values), strict=True))
     return {name: _largest(values, xi) for name, values in along.items()}
+
+
+def middle_forces(model: Model, forces: Forces) -> NDArray[np.float64]:
+    """Axial forces (times, members), N; on the chords of elastic beams those in their middle, NaN where they are not known."""
+    found, names = np.array(forces.arrays["member_force"].values, float), beam_parts(model)
+    if names:
+        columns = [list(model.members).index(chord_of(name)) for name in names]
+        known = known_positions(forces)
+        found[:, columns] = beams(model, forces, stations=[0.5])["section_T"].values[:, :, 0] if known else np.nan
+    return found
 
 
 def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

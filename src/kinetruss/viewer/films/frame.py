@@ -28,6 +28,7 @@ KIND_WORDS = {
     "driven": "driven",
     "active": "active",
     "elastic": "elastic",
+    "beam": "elastic beam",
     "cable": "cable",
     "free": "free sensor",
 }

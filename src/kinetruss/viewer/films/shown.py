@@ -34,7 +34,7 @@ SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
 )
 PRESSURE = 0.3
 """Length of pressure arrows as a fraction of other arrows, since many are next to each other."""
-THIN = {"free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
+THIN = {"frame": 0.0, "free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
 RING = np.column_stack([np.cos(np.arange(25) * np.pi / 12), np.sin(np.arange(25) * np.pi / 12), np.zeros(25)])
 
 
@@ -118,7 +118,8 @@ class Subject:
     def usual(self) -> float:
         """Median length of a member, m."""
         p, q = self.places[0][self.ends.T]
-        lengths = np.sort(np.linalg.norm(q - p, axis=1))
+        seen = [kind != "frame" for kind in self.scene.header["kinds"]]
+        lengths = np.sort(np.linalg.norm(q - p, axis=1)[seen])
         return float(lengths[len(lengths) // 2]) if len(lengths) and lengths[len(lengths) // 2] else self.size / 4
 
     @cached_property
@@ -173,6 +174,7 @@ class Subject:
         found: Array = np.full(len(self.scene.header["nodes"]), self.ball)
         mesh = np.unique(self.skin)
         found[np.setdiff1d(mesh, self.ends)] *= 0.0 if len(mesh) > 300 else 0.6
+        found[self.scene.header.get("directors", [])] = 0.0
         return found
 
     def colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
@@ -351,7 +353,8 @@ class Subject:
         fine = 0.001 * self.size
         if self.look.ghost:
             edges = np.sort(self.skin[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-            p, q = self.places[0][np.concatenate([self.ends, np.unique(edges, axis=0)]).T]
+            seen = [kind != "frame" for kind in self.scene.header["kinds"]]
+            p, q = self.places[0][np.concatenate([self.ends[seen], np.unique(edges, axis=0)]).T]
             found.append(copies(p, q, fine, GHOST))
         for node in self.look.paths:
             way = self.places[:, node]

@@ -10,6 +10,7 @@ import numpy as np
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import body_faces, orientation, skin_of
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, turns
+from kinetruss.model.beams import shown_kinds
 from kinetruss.model.parts import placed
 from kinetruss.strength.members import parts_of
 
@@ -33,8 +34,11 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     header: dict[str, Any] = {
         "nodes": list(model.nodes),
         "members": list(members),
-        "kinds": ["active" if isinstance(one, Active) else one.kind for one in members.values()],
-        "supports": [{"node": index[node], "axes": axes} for node, axes in model.fixed.items()],
+        "kinds": list(shown_kinds(model).values()),
+        "directors": [k for k, node in enumerate(model.nodes.values()) if node.director],
+        "supports": [
+            {"node": index[node], "axes": axes} for node, axes in model.fixed.items() if not model.nodes[node].director
+        ],
         "drives": [
             _drive(name, drive, index, list(members), [one.ends for one in members.values()])
             for name, drive in model.all_drives.items()
@@ -112,7 +116,7 @@ def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
     """Nodes of all triangles of rigid bars, which move as one face."""
     near: dict[int, set[int]] = {}
     for bar in model.bars.values():
-        if bar.kind == "rigid":
+        if bar.kind == "rigid" and not any(model.nodes[end].director for end in bar.ends):
             a, b = sorted(index[end] for end in bar.ends)
             near.setdefault(a, set()).add(b)
     return [[a, b, c] for a in sorted(near) for b in sorted(near[a]) for c in sorted(near[a] & near.get(b, set()))]
