@@ -95,7 +95,7 @@ def _settled(system: System, here: Instant) -> NDArray[np.float64]:
 
 
 def _soft_model(system: System, model: Model, f: NDArray[np.float64], delay: float) -> Model:
-    """The model with elastic bars in place of rigid ones."""
+    """The model with elastic bars in place of rigid ones, and with the damping of beams."""
     bars = dict(model.bars)
     for r in np.flatnonzero((system.row_kind == LENGTH) & (system.row_drive < 0) & (f > 0)):
         name = system.members[system.row_member[r]]
@@ -103,7 +103,10 @@ def _soft_model(system: System, model: Model, f: NDArray[np.float64], delay: flo
         mass = None if bar.body is not None else bar.mass
         changes = {"kind": "elastic", "length": None, "natural_length": float(system.row_value[r]), "stiffness": k}
         bars[name] = Bar(**(dict(bar) | changes | {"damping": delay * k, "mass": mass}))
-    return model.with_(bars=bars)
+    beams = {
+        name: beam.with_(damping=beam.damping + delay) if beam.kind == "elastic" else beam for name, beam in model.beams.items()
+    }
+    return model.with_(bars=bars, beams=beams)
 
 
 class _Springs:

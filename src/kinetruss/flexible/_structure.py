@@ -22,8 +22,9 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, mass_matrix
-from kinetruss.mechanics.freedom import flat_positions, mode_stiffness
+from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, continua_stiffness, mass_matrix
+from kinetruss.mechanics.beams import mode_stiffness
+from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces
 from kinetruss.statics.poses import loads_of, nodal_forces
@@ -77,8 +78,8 @@ class Softness:
 class Instant:
     """The structure at an instant, on its free coordinates (n,).
 
-    x (nodes, 3) m. M, C, K sparse (n, n); G sparse (rows, n); f (rows,) m/N; load (n,) N, f_nodes - M a; N (rows,) N, the row
-    forces of the rigid structure.
+    x (nodes, 3) m. M, C, K sparse (n, n), of which B (n, n) is what membranes, solids and beams resist with; G sparse (rows,
+    n); f (rows,) m/N; load (n,) N, f_nodes - M a; N (rows,) N, the row forces of the rigid structure.
     """
 
     balance: Balance
@@ -86,6 +87,7 @@ class Instant:
     M: Any
     C: Any
     K: Any
+    B: Any
     G: Any
     f: NDArray[np.float64]
     load: NDArray[np.float64]
@@ -131,11 +133,19 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
             M=M[free][:, free],
             C=C[free][:, free],
             K=(K + stiff)[free][:, free],
+            B=_bodily(system, here)[free][:, free],
             G=constraint_jacobian(system, here)[:, free],
             f=softness.flexibility(system, here),
             load=load[i][free],
             N=N,
         )
+
+
+def _bodily(system: System, x: NDArray[np.float64]) -> Any:
+    """Material stiffness (3 n, 3 n), N/m, of membranes, solids and beams at x (n, 3)."""
+    if system.continua is None:
+        return csr_array((x.size, x.size))
+    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
 
 
 def _of_shapes(system: System, forces: Forces, i: int, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:

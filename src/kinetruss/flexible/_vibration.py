@@ -211,7 +211,7 @@ def _dense(here: Instant, delay: float) -> tuple[NDArray[np.float64], ...]:
     """M, C, K, G, f as arrays; C with damping that is proportional to the stiffness."""
     G, K, C = here.G.toarray(), here.K.toarray(), here.C.toarray()
     if delay:
-        C = C + delay * elastic_stiffness(here)
+        C = C + delay * (elastic_stiffness(here) + here.B.toarray())
     return here.M.toarray(), C, K, G, here.f
 
 

@@ -37,6 +37,7 @@ __all__ = [
     "Count",
     "Current",
     "Damping",
+    "Delay",
     "Density",
     "Flag",
     "Force",
@@ -307,6 +308,7 @@ PositiveLength = Annotated[float, Of("length", positive)]
 Mass = Annotated[float, Of("mass", _not_negative)]
 LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]
+Delay = Annotated[float, Of("time", _not_negative)]
 PositiveTime = Annotated[float, Of("time", positive)]
 Span = Annotated[float, Of("time", positive, endless=True)]
 """A time that only matters as a multiple of another: the end of a run, a step."""

@@ -23,6 +23,7 @@ from kinetruss.mechanics.assembly import (
     turning_inertia,
     turning_members,
 )
+from kinetruss.mechanics.beams import damping_forces
 from kinetruss.mechanics.configuration import number_of, positions_of, vectors_of
 from kinetruss.mechanics.constraints import held_rows
 from kinetruss.model import AngleDrive, GivenForce, LengthDrive, Model, turns
@@ -100,6 +101,8 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
     found = balance.applied(x).reshape(-1, 3)
     if not np.any(v):
         return found.reshape(-1)
+    if system.continua is not None and (beams := system.continua.beams) is not None and beams.damping.any():
+        found += damping_forces(beams, x[None], v[None])[0]
     if system.springs:
         found += (spring_forces(system, x, v) - spring_forces(system, x)).reshape(-1, 3)
     _, L, u = ends_of(system, x)

@@ -69,5 +69,5 @@ def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float6
 
 def applied(system: System, loads: Any, states: States, ends: EndForces) -> None:
     """Fill `rest` of the ends with f - M a, N, and `joint` with inertia, weight and elastic forces of members."""
-    loads = with_continua_forces(system, loads, states.x)
+    loads = with_continua_forces(system, loads, states.x, states.v)
     gather(structure_of(system), nodal_loads(loads), states, ends)

@@ -115,7 +115,7 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
         solved["off"] = out_of_balance(system, loads, x, rest)
         return solved
-    loads = with_continua_forces(system, loads, x)
+    loads = with_continua_forces(system, loads, x, states.v)
     for part, used in _pieces(system, arrangement, x, values):
         given = nodal_loads(loads)._replace(force=loads.force[part])
         plan: Any = used.plan

@@ -25,7 +25,15 @@ from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.kinematics.path import Passed, refined
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly import bar_laws, nodal_loads, refuse_turns, spring_motions, strain_balance, structure_of
+from kinetruss.mechanics.assembly import (
+    bar_laws,
+    beam_losses,
+    nodal_loads,
+    refuse_turns,
+    spring_motions,
+    strain_balance,
+    structure_of,
+)
 from kinetruss.mechanics.beams import MODES
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
@@ -292,6 +300,7 @@ def _power(
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
         energy[:, :2] += strain_balance(system.continua, x, v)
+        energy[:, 2] += beam_losses(system.continua, x, v)
     power = np.einsum("td,td->t", drive_force, read.drive_velocity)
     if len(loads.node):
         nodal = v.reshape(len(v), len(system.nodes), 3)
@@ -302,6 +311,7 @@ def _power(
     power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
     time = ("time",)
     resists = system.damping.any() or system.friction.any() or system.spring_law[:, 2:4].any() or "bearing" in solved
+    resists = resists or (system.continua is not None and system.continua.damped)
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

@@ -78,6 +78,7 @@ def _conserved(problem: Problem) -> bool:
         and not len(problem.z0)
         and not np.any(problem.eq.law[:, 2])
         and not problem.eq.pin.size
+        and not problem.eq.damp_six.size + problem.eq.damp_eight.size
         and not np.any(problem.eq.spring[:, 2:4])
     )
 

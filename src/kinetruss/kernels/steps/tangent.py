@@ -12,7 +12,7 @@ from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 from kinetruss.kernels.constraints.springs import add_springs
 from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
-from kinetruss.kernels.structure.continua import add_continua
+from kinetruss.kernels.structure.continua import add_continua, add_damping
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_slopes, law_tension, length_rate
 from kinetruss.kernels.structure.pins import add_pins
@@ -111,6 +111,8 @@ def tangent_fill(
     _add_rows(eq.kind, ws.u, ws.target, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)
+    if eq.damp_six_edge.size + eq.damp_eight_edge.size:
+        add_damping(eq, record.edge_at, x, gamma, value)
     if eq.sum_row.size:
         sum_entries(ws, record.sum_at, value)
 

@@ -16,7 +16,7 @@ from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.constraints.springs import apply_springs
 from kinetruss.kernels.constraints.terms import term_gradient
 from kinetruss.kernels.structure import equations as e
-from kinetruss.kernels.structure.continua import add_continua_forces
+from kinetruss.kernels.structure.continua import add_continua_forces, add_damping_forces
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.followers import followers
 from kinetruss.kernels.structure.laws import add_law_forces
@@ -148,5 +148,7 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
         followers(eq, t, x, f)
     if eq.edge_A.size:
         add_continua_forces(eq, x, f)
+    if eq.damp_six_edge.size + eq.damp_eight_edge.size:
+        add_damping_forces(eq, x, v, f)
     if user != 0:
         call_at(user, t, x, v, f)

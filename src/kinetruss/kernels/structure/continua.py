@@ -7,6 +7,8 @@ the upper triangle of 2 G by rows.
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
 +-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.
+
+Beams with a damping time b (Kelvin and Voigt) have the further densities q = b 2 G s' with s' = 2 d . d'; `damp` is b 2 G.
 """
 
 from __future__ import annotations
@@ -23,6 +25,8 @@ Tables = tuple[Ints, F2, Ints, F2, Ints, F2, Ints, F2]
 
 __all__ = [
     "add_continua",
+    "add_damping",
+    "add_damping_forces",
     "continua_energy",
     "edge_blocks",
     "edge_densities",
@@ -139,6 +143,28 @@ def add_continua_forces(eq: Equations, x: F1, f: F1) -> None:
     A, B = eq.edge_A, eq.edge_B
     s, q = np.empty(A.size), np.empty(A.size)
     edge_forces(A, B, eq.edge_rest, _tables(eq), x, s, q, f)
+
+
+@kernel_bare
+def _damping(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2, I2, F2]:
+    three, four = eq.triangle_edge[:0], eq.tetrahedron_edge[:0]
+    none_3, none_4 = eq.triangle_stiffness[:0], eq.tetrahedron_stiffness[:0]
+    return three, none_3, four, none_4, eq.damp_six_edge, eq.damp_six, eq.damp_eight_edge, eq.damp_eight
+
+
+@kernel_late(allocates=True)
+def add_damping_forces(eq: Equations, x: F1, v: F1, f: F1) -> None:
+    """Add the forces of the damping of beams at x, v (3 n,) to f (3 n,), N."""
+    A, B = eq.edge_A, eq.edge_B
+    s, q = np.empty(A.size), np.empty(A.size)
+    # s' = 2 d . d'
+    for i in range(A.size):
+        a, b, rate = A[i], B[i], 0.0
+        for c in range(3):
+            rate += (x[b + c] - x[a + c]) * (v[b + c] - v[a + c])
+        s[i] = 2.0 * rate
+    edge_densities(_damping(eq), s, q)
+    _add_edge_forces(A, B, q, x, f)
 
 
 @kernel_late(allocates=True)
@@ -313,8 +339,23 @@ def add_continua(eq: Equations, at: I2, x: F1, beta: float, value: F1) -> None:
     _stretches(A, B, eq.edge_rest, x, s)
     edge_densities(tables, s, q)
     edge_blocks(A, B, q, tables, x, blocks)
+    _add_blocks(at, blocks, beta, value)
+
+
+@kernel_late(allocates=True)
+def add_damping(eq: Equations, at: I2, x: F1, gamma: float, value: F1) -> None:
+    """Add gamma C of beams at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
+    A, B = eq.edge_A, eq.edge_B
+    q, blocks = np.zeros(A.size), np.empty((A.size, 9))
+    # C has the form of the material part of K
+    edge_blocks(A, B, q, _damping(eq), x, blocks)
+    _add_blocks(at, blocks, gamma, value)
+
+
+@kernel_bare
+def _add_blocks(at: I2, blocks: F2, beta: float, value: F1) -> None:
     # beta K: K_pq between the ends, minus its symmetric part at each end
-    for k in range(A.size):
+    for k in range(blocks.shape[0]):
         for c in range(3):
             for d in range(3):
                 entry = beta * blocks[k, 3 * c + d]

@@ -38,7 +38,8 @@ class Equations(Structure):
     Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),
     follower_vector (p, 4) (mechanics.assembly.followers); amounts in time as those of given forces.
     Membranes, solids and beams: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
-    tetrahedron_*, six_*, eight_* : edges of each element and what they resist with (kernels.structure.continua).
+    tetrahedron_*, six_*, eight_* : edges of each element and what they resist with (kernels.structure.continua); damp_* :
+    beams with damping, in the plane six, in space eight.
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
@@ -120,6 +121,10 @@ class Equations(Structure):
     six_stiffness: F2
     eight_edge: I2
     eight_stiffness: F2
+    damp_six_edge: I2
+    damp_six: F2
+    damp_eight_edge: I2
+    damp_eight: F2
     sum_row: I1
     sum_ptr: I1
     term_kind: I1

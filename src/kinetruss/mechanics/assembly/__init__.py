@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     )
     from kinetruss.mechanics.assembly.cases import Loads, case_loads
     from kinetruss.mechanics.assembly.continua import (
+        beam_losses,
         continua_arrays,
         continua_geometric,
         continua_stiffness,
@@ -55,6 +56,7 @@ __all__ = [
     "body_masses",
     "body_and_continua_mass",
     "case_loads",
+    "beam_losses",
     "continua_arrays",
     "continua_geometric",
     "continua_mass",
@@ -90,7 +92,7 @@ __getattr__, __dir__ = late(
         "balance": "Balance balance_of balanced_rows row_tensions measure_forces sum_stiffness",
         "cases": "Loads case_loads",
         "continua": (
-            "continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
+            "beam_losses continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
             "resting_forces strain_balance"
         ),
         "followers": "Follower history_of unit_loads_of",

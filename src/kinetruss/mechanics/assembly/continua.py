@@ -9,6 +9,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
+from kinetruss.mechanics.beams import damping_forces, mode_rates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.assembly.cases import Loads
 
 __all__ = [
+    "beam_losses",
     "continua_arrays",
     "continua_energy",
     "continua_forces",
@@ -28,6 +30,9 @@ __all__ = [
     "squared_changes",
     "strain_balance",
 ]
+
+DAMPED = ["damp_six_edge", "damp_six", "damp_eight_edge", "damp_eight"]
+"""Arrays of beams with damping."""
 
 
 def _ends(found: Continua) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -115,10 +120,33 @@ def continua_arrays(system: System) -> dict[str, Any]:
     found = system.continua
     if found is None:
         whole = np.zeros((0, 1), np.int64)
+        names += DAMPED
         empty = {name: whole if name.endswith("edge") else np.zeros((0, 1)) for name in names}
         return {"edge_A": whole[:, 0], "edge_B": whole[:, 0], "edge_rest": np.zeros(0)} | empty
     A, B = _ends(found)
-    return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | dict(zip(names, found.tables, strict=True))
+    tables = dict(zip(names, found.tables, strict=True))
+    return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | tables | _damped(found)
+
+
+def beam_losses(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Power (times,), W, that the damping of beams takes, sum b R m'^2, along x, v (times, 3 n)."""
+    if found.beams is None or not found.beams.damping.any():
+        return np.zeros(len(x))
+    rates = mode_rates(found.beams, x.reshape(len(x), -1, 3), np.broadcast_to(v, x.shape).reshape(len(x), -1, 3))
+    return np.asarray(np.einsum("k,ks,tks->t", found.beams.damping, found.beams.rigidity, rates**2))
+
+
+def _damped(found: Continua) -> dict[str, Any]:
+    """Edges, and the damping b 2 G, of beams with a damping time b."""
+    arrays: list[Any] = []
+    for v in (6, 8):
+        edge, stiff = found.tables[4:6] if v == 6 else found.tables[6:]
+        delay = np.zeros(len(edge))
+        if found.beams is not None and found.beams.nodes.shape[1] == v:
+            delay[len(edge) - len(found.beams.names) :] = found.beams.damping  # beams are the last elements
+        chosen = delay > 0
+        arrays += [edge[chosen], stiff[chosen] * delay[chosen, None]]
+    return dict(zip(DAMPED, arrays, strict=True))
 
 
 def strain_balance(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -127,13 +155,17 @@ def strain_balance(found: Continua, x: NDArray[np.float64], v: NDArray[np.float6
     return np.stack([energy, -np.einsum("tc,tc->t", v, continua_forces(found, x))], axis=1)
 
 
-def with_continua_forces(system: System, loads: Loads, x: NDArray[np.float64]) -> Loads:
-    """The loads plus the forces of membranes and solids along x (times, 3 n), one more load at each of their nodes."""
+def with_continua_forces(system: System, loads: Loads, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> Loads:
+    """The loads plus the forces of membranes, solids and beams along x, v (times, 3 n), one more load at each of their nodes;
+    v : at rest if it is not given, or one row for all times.
+    """
     found = system.continua
     if found is None:
         return loads
     n = len(system.nodes)
     push = continua_forces(found, x).reshape(len(x), n, 3)
+    if found.beams is not None and found.beams.damping.any() and v is not None and np.any(v):
+        push += damping_forces(found.beams, x.reshape(push.shape), np.broadcast_to(v, x.shape).reshape(push.shape))
     nodes = np.union1d(found.p, found.q)
     return replace(
         loads,

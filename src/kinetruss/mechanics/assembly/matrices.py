@@ -22,6 +22,7 @@ from kinetruss.mechanics.assembly.friction import friction_tangents
 from kinetruss.mechanics.assembly.laws import bar_laws
 from kinetruss.mechanics.assembly.springs import spring_laws, spring_tangents
 from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
+from kinetruss.mechanics.beams import damping_tangents
 from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
 
@@ -127,7 +128,13 @@ def tangents(
     if system.springs:
         resisting = spring_tangents(system, x, v, spring_laws(system, x, v) if springs is None else springs)
         K, C = K + resisting[0], C + resisting[1]
-    return K if system.continua is None else K + continua_stiffness(system.continua, x), C
+    if system.continua is None:
+        return K, C
+    K = K + continua_stiffness(system.continua, x)
+    if (beams := system.continua.beams) is not None and beams.damping.any():
+        lagging = damping_tangents(beams, x, v)
+        K, C = K + lagging[0], C + lagging[1]
+    return K, C
 
 
 def turning_members(system: System) -> NDArray[np.int64]:

@@ -52,7 +52,7 @@ class BeamElements:
     names; nodes (k, v) indices: origin and axes of the first frame, then of the second; length (k,) m, without stress;
     axes (k, dim, v) coefficients of the nodes that give the local axes at the first end (rows 1, 2 (, 3)), and ends (k, dim,
     v) at the second; modes (k, s, w) of the pairs (0, 1), (0, 2), ... of nodes, 1/m^2; rigidity (k, s): E A l0, E I3/l0,
-    3 E I3/l0, .., N m; line (k,) kg/m; rotary (k, 2): rho I3, rho I2, kg m.
+    3 E I3/l0, .., N m; line (k,) kg/m; rotary (k, 2): rho I3, rho I2, kg m; damping (k,) s.
     """
 
     names: tuple[str, ...]
@@ -64,6 +64,7 @@ class BeamElements:
     rigidity: NDArray[np.float64]
     line: NDArray[np.float64]
     rotary: NDArray[np.float64]
+    damping: NDArray[np.float64]
 
     def stiffness(self) -> NDArray[np.float64]:
         """2 G (k, w, w) by pairs of nodes: the energy is (c - c0)^T G (c - c0)/2 for squared distances c."""
@@ -127,6 +128,7 @@ def beam_elements(model: Model, index: dict[str, int], x0: NDArray[np.float64]) 
         rigidity=rigidity,
         line=line,
         rotary=rotary,
+        damping=np.array([beam.damping for beam in elastic.values()]),
     )
 
 

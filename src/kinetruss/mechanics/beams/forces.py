@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.mechanics.beams.elements import MODES, BeamElements, hermite
+from kinetruss.mechanics.beams.modes import mode_rates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,15 +55,27 @@ def section_forces(
     *,
     linear: bool = False,
     given: Floats = None,
+    v: Floats = None,
 ) -> dict[str, NDArray[np.float64]]:
     """Section forces at the shares xi (s,) of beams, along x (times, n, 3); load (times, n, 3) m/s^2 is g - x''.
 
-    given : (times, k, modes) forces of the modes of beams that keep their shape, N m, NaN of the others.
+    given : (times, k, modes) forces of the modes of beams that keep their shape, N m, NaN of the others. v : velocities
+    (times, n, 3), m/s, of which beams with damping have further forces.
 
     force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
     (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
     """
     stress = beam_forces(found, x, x0, linear)
+    EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
+    # rotations from the chord, f_p and f_q
+    none = np.zeros(stress["axial"].shape)
+    slope = {}
+    for axis, EI in ((2, EI2), (3, EI3)):
+        D, S = (stress.get(f"{name}{axis}", none) / EI for name in "DS")
+        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D)
+    if v is not None and found.damping.any():
+        lag = found.damping[:, None] * found.rigidity * mode_rates(found, x0[None] if linear else x, v)
+        stress = {name: own + lag[..., s] for s, (name, own) in enumerate(stress.items())}
     bent = np.ones(stress["axial"].shape)
     if given is not None:
         stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
@@ -75,12 +88,11 @@ def section_forces(
     q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
     # carried to the nodes: int q H1 ds, int q l H2 ds
     nodal, couple, other = (_weighted(q, h) * l ** (1 if h == 0 else 2) for h in (0, 1, 3))
-    none = np.zeros(stress["axial"].shape)
     D3, S3, D2, S2 = (stress.get(name, none) for name in ("D3", "S3", "D2", "S2"))
     # moments at both ends by the modes: of bending, and of the axial force on the slopes, which are f from the chord
     first, second = {}, {}
-    for axis, D, S, EI in ((1, D2, S2, found.rigidity[:, -3]), (2, D3, S3, found.rigidity[:, 1])):
-        f_p, f_q = 0.5 * (S / 3 - D) / EI, 0.5 * (S / 3 + D) / EI
+    for axis, D, S in ((1, D2, S2), (2, D3, S3)):
+        f_p, f_q = slope[axis + 1]
         slopes = 0.0 if linear else bent * stress["axial"] / 30
         first[axis], second[axis] = S - D + slopes * (4 * f_p - f_q), S + D + slopes * (4 * f_q - f_p)
     turn_p, turn_q = _turning(found, load, frame)

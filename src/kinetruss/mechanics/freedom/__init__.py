@@ -26,7 +26,7 @@ if TYPE_CHECKING:
         released,
         second_order_of,
     )
-    from kinetruss.mechanics.freedom.shapes import HeldShapes, held_shapes, mode_density, mode_stiffness, shaped
+    from kinetruss.mechanics.freedom.shapes import HeldShapes, held_shapes, shaped
     from kinetruss.mechanics.freedom.transfer import contradicted, displacements, flat_positions, transfers
 
 __all__ = [
@@ -49,8 +49,6 @@ __all__ = [
     "derivatives_of",
     "mobility",
     "mobility_at",
-    "mode_density",
-    "mode_stiffness",
     "released",
     "row_of",
     "second_order_of",
@@ -65,7 +63,7 @@ __getattr__, __dir__ = late(
         "named": "Coordinate coordinate_gradients coordinate_rows coordinate_values coordinates is_prescribed row_of",
         "rank": "Mobility mobility mobility_at underdriven",
         "rows": "Basis chosen_dofs dof_basis first_order_of derivatives_of released second_order_of",
-        "shapes": "HeldShapes held_shapes mode_density mode_stiffness shaped",
+        "shapes": "HeldShapes held_shapes shaped",
         "transfer": "contradicted displacements flat_positions transfers",
     },
 )

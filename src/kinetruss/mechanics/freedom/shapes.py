@@ -16,9 +16,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import coo_array, csr_array
 
 from kinetruss.mechanics import System, arrange, compile, kept, row_directions
+from kinetruss.mechanics.beams import pairs_of
 from kinetruss.mechanics.freedom.rank import mobility_at
 from kinetruss.model.beams import shape_bars
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import BeamElements
 
-__all__ = ["HeldShapes", "held_shapes", "mode_density", "mode_stiffness", "shaped"]
+__all__ = ["HeldShapes", "held_shapes", "shaped"]
 
 BENDS = 1e-6
 """Change of a mode, over that of the nodes by the length, from which on a freedom of a structure deforms a beam."""
@@ -60,7 +60,7 @@ class HeldShapes:
     def undeformed(self, x: NDArray[np.float64]) -> bool:
         """True if the held beams have their shape at all positions x (times, n, 3)."""
         found = self.elements
-        p, q = (ends[self.beams] for ends in _pairs(found))
+        p, q = (ends[self.beams] for ends in pairs_of(found))
         d0, d = self.system.x0[q] - self.system.x0[p], x[:, q] - x[:, p]
         change = np.einsum("tkwc,tkwc->tkw", d, d) - np.einsum("kwc,kwc->kw", d0, d0)
         modes = np.einsum("ksw,tkw->tks", found.modes[self.beams], change)
@@ -155,34 +155,13 @@ def _loose(system: System, found: BeamElements) -> NDArray[np.int64]:
     flat = mobility_at(system, system.x0).mechanisms
     u = np.zeros((len(flat), *system.x0.shape))
     u[:, :, : system.dim] = flat
-    p, q = _pairs(found)
+    p, q = pairs_of(found)
     d = system.x0[q] - system.x0[p]
     rates = np.einsum("ksw,tkw->tks", found.modes, 2 * np.einsum("kwc,tkwc->tkw", d, u[:, q] - u[:, p]))
     return np.flatnonzero(np.abs(rates).max(axis=(0, 2), initial=0.0) * found.length > BENDS)
-
-
-def _pairs(found: BeamElements) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Nodes (k, w) of the pairs of every beam."""
-    i, j = np.triu_indices(found.nodes.shape[1], 1)
-    return found.nodes[:, i], found.nodes[:, j]
 
 
 def _keys(system: System) -> list[tuple[str, int, int]]:
     """Names of the rows of a system."""
     columns = zip(system.row_member.tolist(), system.row_kind.tolist(), system.row_measure.tolist(), strict=True)
     return [("" if m >= 0 else system.members[i], kind, m) for i, kind, m in columns]
-
-
-def mode_density(found: BeamElements, forces: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Force densities (k, w), N/m, of the pairs of nodes of each beam from its mode forces (k, s): q = 2 sum S_s m_sw."""
-    return np.asarray(2 * np.einsum("ks,ksw->kw", forces, found.modes))
-
-
-def mode_stiffness(found: BeamElements, forces: NDArray[np.float64], count: int) -> csr_array:
-    """Geometric stiffness K (3 count, 3 count), N/m, of mode forces (k, s): the forces on the nodes are -K x."""
-    p, q = (nodes.reshape(-1) for nodes in _pairs(found))
-    density = mode_density(found, forces).reshape(-1)
-    rows, columns = np.concatenate([p, q, p, q]), np.concatenate([p, q, q, p])
-    values = np.concatenate([density, density, -density, -density])
-    at = ((3 * rows[:, None] + np.arange(3)).reshape(-1), (3 * columns[:, None] + np.arange(3)).reshape(-1))
-    return csr_array(coo_array((np.repeat(values, 3), at), shape=(3 * count, 3 * count)))

@@ -65,6 +65,11 @@ class Continua:
     patches: tuple[Patch, ...]
     beams: BeamElements | None
 
+    @property
+    def damped(self) -> bool:
+        """True if a beam has damping."""
+        return self.beams is not None and bool(self.beams.damping.any())
+
     @cached_property
     def tables(self) -> tuple[NDArray[Any], ...]:
         """edge, stiff of elements with 3, 4, 6 and 8 nodes, for kernels."""

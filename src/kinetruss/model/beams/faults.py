@@ -31,6 +31,11 @@ def beam_faults(model: ModelData, dim: int) -> Iterator[Fault]:
         good = yield from _ends(model, beam, path)
         yield from _matter(model, beam, path, dim)
         yield from _release(beam, path, dim)
+        yield from _hinges(model, beam, path, dim)
+        if beam.kind == "rigid" and beam.damping:
+            yield Fault(
+                (*path, "damping"), "is given for a rigid beam, which does not deform.", "Leave it out, or kind: elastic."
+            )
         yield from _rotation(model, beam, path, dim)
         if good and beam.orientation is not None:
             yield from _orientation(model, beam, path, dim)
@@ -85,9 +90,33 @@ def _release(beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
         if end not in beam.ends:
             mend = f"Name {beam.ends[0]} or {beam.ends[1]}."
             yield Fault((*path, "release", k), f"{end!r} is no end of the beam.", mend, about=((*path, "ends"),))
-    if dim == 3 and beam.kind == "elastic" and set(beam.ends) <= set(beam.release):
+    free = {*beam.release, *(end for end, about in beam.hinges.items() if about == 1)}
+    if dim == 3 and beam.kind == "elastic" and set(beam.ends) <= free:
         mend = "Make it an elastic bar, or release one end only."
-        yield Fault((*path, "release"), "leaves the beam free to spin about its own axis.", mend, about=(("nodes",),))
+        place = (*path, "release" if beam.release else "hinges")
+        yield Fault(place, "leaves the beam free to spin about its own axis.", mend, about=(("nodes",),))
+
+
+def _hinges(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+    """A hinge is at an end, in space, about a direction, against something that has a rotation."""
+    for end, about in beam.hinges.items():
+        place = (*path, "hinges", end)
+        if end not in beam.ends:
+            mend = f"Name {beam.ends[0]} or {beam.ends[1]}."
+            yield Fault(place, f"{end!r} is no end of the beam.", mend, about=((*path, "ends"),))
+        elif dim == 2:
+            yield Fault(place, "is given in a planar model.", f"A pin in the plane: release: [{end}].", about=(("nodes",),))
+        elif end in beam.release:
+            yield Fault(
+                place, f"{end!r} is released about all axes too.", "Name it in one of both.", about=((*path, "release"),)
+            )
+        elif not isinstance(about, int) and len(about) != dim:
+            yield from components(about, dim, place)
+        elif not isinstance(about, int) and not any(about):
+            yield Fault(place, "is the zero vector.", "Give a direction, or 1, 2, 3 for an axis of the beam.")
+        elif end in model.nodes and end not in frames(model):
+            mend = "Clamp the node, or let another beam share its rotation; a ball joint is release."
+            yield Fault(place, f"{end!r} has no rotation that the hinge could hold.", mend, about=(("beams",), ("clamped",)))
 
 
 def _rotation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:

@@ -36,6 +36,8 @@ __all__ = [
 
 SHARE = 0.3
 """Distance of the nodes of a frame from its origin, as a fraction of the shortest beam there."""
+AWAY = 0.6
+"""Distance of a node on the axis of a hinge from the origin, as a fraction of that of the nodes of the frame."""
 STEEP = 0.95
 """Cosine of a beam with global z from which on its default orientation is global x."""
 
@@ -56,7 +58,7 @@ class Axes:
 
 def frame_of(name: str, beam: Beam, end: str) -> str:
     """Name of the frame at an end of a beam: that of the node, or the beam's own if the end is released."""
-    return f"{name}.{end}" if end in beam.release else end
+    return f"{name}.{end}" if end in beam.release or end in beam.hinges else end
 
 
 def frames(model: ModelData) -> dict[str, Axes]:
@@ -68,13 +70,41 @@ def frames(model: ModelData) -> dict[str, Axes]:
         length = _length(model, beam)
         for end in beam.ends:
             frame = frame_of(name, beam, end)
-            origin[frame] = end
-            size[frame] = min(SHARE * length, size.get(frame, math.inf))
-            # a rigid beam needs a frame only where another beam or a clamp holds its rotation
-            rigid[frame] = rigid.get(frame, 0) + (1 if beam.kind == "rigid" else 2)
+            hinged = end in beam.hinges
+            for one in {frame: 0, end: 0} if hinged else (frame,):
+                origin[one] = end
+                size[one] = min(SHARE * length, size.get(one, math.inf))
+            # a rigid beam needs a frame only where another beam, a clamp or a hinge holds its rotation
+            rigid[frame] = rigid.get(frame, 0) + (1 if beam.kind == "rigid" and not hinged else 2)
+            rigid[end] = rigid.get(end, 0) + hinged
     wanted = [frame for frame, count in rigid.items() if count > 1 or frame in model.clamped]
     axes = [f"d{k + 1}" for k in range(model.dim)]
     return {frame: Axes(origin[frame], size[frame], tuple(f"{frame}.{axis}" for axis in axes)) for frame in wanted}
+
+
+@dataclass(frozen=True)
+class Hinge:
+    """A hinge between the frames of a beam and of its node: their names, and a node on its axis besides the origin."""
+
+    own: str
+    base: str
+    node: str
+    at: tuple[float, ...]
+
+
+def hinges(model: ModelData) -> list[Hinge]:
+    """The hinges of beams."""
+    found, every = [], frames(model)
+    for name, beam in _sound(model):
+        for end, about in beam.hinges.items():
+            own = frame_of(name, beam, end)
+            if end not in beam.ends or end not in every or own not in every or model.dim != 3:
+                continue  # a fault
+            axis = axes_of_beam(model, beam)[about - 1] if isinstance(about, int) else about
+            reach = AWAY * every[own].size / math.hypot(*axis)
+            at = tuple(float(v + reach * u) for v, u in zip(model.nodes[end].at, axis, strict=True))
+            found.append(Hinge(own, end, f"{own}.axis", at))
+    return found
 
 
 def expanded(model: ModelData) -> dict[str, Any]:
@@ -92,6 +122,11 @@ def expanded(model: ModelData) -> dict[str, Any]:
                 nodes[axis] = Node(at=place, coincident=True, director=True)
         if model.clamped.get(name) == GROUND:
             fixed |= dict.fromkeys(frame.all, every)
+    for hinge in hinges(model):
+        if hinge.node not in own:
+            nodes[hinge.node] = Node(at=hinge.at, coincident=True, director=True)
+        if model.clamped.get(hinge.base) == GROUND:
+            fixed[hinge.node] = every
     for name, beam in rotations(model).items():
         couplings |= _turning(model, name, beam)
     return {"nodes": {**own, **nodes}, "fixed": fixed, "couplings": couplings}
@@ -108,14 +143,16 @@ def carriers_of(model: ModelData, name: str) -> tuple[str, ...] | None:
 def rigid_groups(model: ModelData) -> dict[str, Body]:
     """Bodies of the model, with the frames clamped to them, and rigid beams and frames as further ones without mass."""
     found = dict(model.bodies)
-    every = frames(model)
+    every, pins = frames(model), hinges(model)
     for name, frame in every.items():
         to = model.clamped.get(name)
+        # a node on the axis of a hinge belongs to both frames
+        on = tuple(hinge.node for hinge in pins if name in (hinge.own, hinge.base))
         if to in found:
             body = found[to]
-            found[to] = body.with_(nodes=(*body.nodes, *frame.nodes), carriers=body.carried_by(model.dim), brace=True)
+            found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(model.dim), brace=True)
         elif to is None:
-            found[name if name not in found else f"{name}.frame"] = Body(nodes=frame.all, carriers=frame.all)
+            found[name if name not in found else f"{name}.frame"] = Body(nodes=(*frame.all, *on), carriers=frame.all)
     for name, beam in _sound(model):
         if beam.kind == "rigid" and beam.rotation is None:
             parts = [every[key].all if (key := frame_of(name, beam, end)) in every else (end,) for end in beam.ends]

@@ -6,7 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.model._record import Mass, Name, Number, Record, Series, short_form
+from kinetruss.model._record import Delay, Mass, Name, Number, Record, Series, short_form
+from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.parts.sections import MaterialOrName, SectionOrName
 
 __all__ = ["Beam"]
@@ -26,7 +27,11 @@ class Beam(Record):
         length; spread evenly, with the rotary inertia of the section.
     orientation : in space a node, or a vector, that spans the plane of local axes 1 and 2 with the beam; by default global z
         (global x for a beam within 18 degrees of z). Axis 1 points from the first to the second end, 3 along 1 x orientation.
+    hinges : in space, by end the one axis about which the beam turns freely against the node: a local axis of the beam (1
+        along it, 2, 3), or a vector in global axes. The other rotations are shared.
     release : ends whose rotation the beam does not share with the node: a pin in the plane, a ball joint in space.
+    damping : s; every stress of an elastic beam is E (strain + damping x rate of strain) (Kelvin and Voigt), G alike: a mode of
+        angular frequency w in which only beams of this damping deform has the damping ratio w damping/2.
     rotation : of a rigid beam in the plane, a scalar node that is its angle from +x, rad, unwrapped: a coordinate like any
         other, and the beam two constraints x_Q - x_P = l (cos, sin) instead of one.
 
@@ -51,7 +56,9 @@ class Beam(Record):
     mass: Mass | None = None
     orientation: Name | Vector | None = None
     release: Annotated[tuple[Name, ...], Series] = ()
+    hinges: Table[Name, Literal[1, 2, 3] | Vector] = ReadOnly()
     rotation: Name | None = None
+    damping: Delay = 0.0
 
     @model_validator(mode="before")
     @classmethod

@@ -72,9 +72,10 @@ def beams(
     xi, dim = fractions_of(stations), model.dim
     linear = data is not None and "position" not in data
     case = load_case if load_case is not None else _case_of(model, result)
-    load = _gravity(system, result, case, load_case is None) - _accelerations(system, result, data, x)
+    load = _gravity(system, result, case, load_case is None) - _history(system, result, data, x, "acceleration")
     given = result.arrays["mode_force"].values if isinstance(result, Forces) and "mode_force" in result.arrays else None
-    found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given)
+    v = _history(system, result, data, x, "velocity") if elements.damping.any() else None
+    found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given, v=v)
     values = _sections(found, dim) | _stresses(model, elements, found) | _ends(found, dim)
     return _dataset(values if timed else {name: array[0] for name, array in values.items()}, timed, data, elements, xi, dim)
 
@@ -120,11 +121,11 @@ def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArra
     return found
 
 
-def _accelerations(system: System, result: Any, data: xr.Dataset | None, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Accelerations (times, n, 3); 0 at rest."""
+def _history(system: System, result: Any, data: xr.Dataset | None, x: NDArray[np.float64], name: str) -> NDArray[np.float64]:
+    """Velocities or accelerations (times, n, 3); 0 at rest."""
     found, still = np.zeros_like(x), isinstance(result, Forces) and result.attrs.get("at_rest", 0)
-    if data is not None and "acceleration" in data and not still:
-        found[..., : system.dim] = data["acceleration"].values
+    if data is not None and name in data and not still:
+        found[..., : system.dim] = data[name].values
     return found
 
 

@@ -150,3 +150,76 @@ def motion() -> dict[str, float]:
         values = run.data[name].values.reshape(11, -1)
         found[name] = float(np.abs(values - values[0]).max() / np.abs(values).max())
     return found
+
+
+def damped(dim: int) -> dict[str, float]:
+    """Damping ratios of the first modes of a cantilever over w b/2; work that its damping takes over the energy it loses."""
+    delay, axes = 1e-4, slice(dim)
+    names = ("N0", "N1", "N2")
+    base = row(line(2, dim), material=STEEL, section=SQUARE)
+    beams = {f"b{i}": kt.Beam(ends=(names[i], names[i + 1]), damping=delay) for i in range(2)}
+    model = kt.Model(**base | {"beams": beams})
+    modes = kt.dynamics.linearise(model)
+    ratio = modes.modal_damping.values[:3] / (math.pi * modes.frequency.values[:3] * delay)
+    start = {name: (0.0, 1.0, 0.5)[axes] for name in model.nodes if name.startswith("N2")}
+    run = kt.dynamics.simulate(model.with_(velocities=start), 2e-3, samples=401)
+    taken = np.asarray(kt.dynamics.inverse(model, run.motion).dissipation.values)
+    step = float(run.data["time"].values[1])
+    work = step / 3 * (taken[0] + taken[-1] + 4 * taken[1:-1:2].sum() + 2 * taken[2:-1:2].sum())
+    energy = run.energy.values
+    return {"ratio": float(np.abs(ratio - 1).max() + 1), "energy": float(work / (energy[0] - energy[-1]))}
+
+
+def hinged() -> dict[str, float]:
+    """Deflection in the middle of a beam, clamped but for a hinge about axis 2 at one end, over P L^3/(E I): along 2 and 3."""
+    section = kt.Rectangle(width=0.02, height=0.03)
+    found = {}
+    for axis, I in zip((1, 2), reversed(section.second_moments), strict=True):
+        force = np.eye(3)[axis] * LOAD
+        model = kt.Model(
+            nodes={"A": (0.0, 0.0, 0.0), "M": (0.5, 0.0, 0.0), "B": (1.0, 0.0, 0.0)},
+            beams={
+                "a": kt.Beam(ends=("A", "M"), orientation=(0.0, 1.0, 0.0)),
+                "b": kt.Beam(ends=("M", "B"), orientation=(0.0, 1.0, 0.0), hinges={"B": 2}),
+            },
+            clamped=["A", "B"],
+            material=STEEL,
+            section=section,
+            loads={"P": kt.NodalForce(node="M", force=tuple(force))},
+        )
+        moved = kt.statics.linear(model).displacement.sel(node="M").values[axis]
+        found[("along_2", "along_3")[axis - 1]] = float(moved * STEEL.E * I / LOAD)
+    return found
+
+
+def driven() -> dict[str, float]:
+    """A beam without mass on a crank that turns half around: its moment at the crank over that of the mass at its tip."""
+    mass, gravity = 2.0, np.array([0.0, -9.81])
+    model = kt.Model(
+        nodes={"O": (0.0, 0.0), "C": (0.5, 0.0), "D": (0.5, 0.2), "T": kt.Node(at=(1.5, 0.0), mass=mass)},
+        fixed=["O"],
+        bars={"crank": ("O", "C")},
+        bodies={"hub": kt.Body(nodes=("O", "C", "D"))},
+        beams={"arm": kt.Beam(ends=("C", "T"), mass=0.0)},
+        clamped={"C": "hub"},
+        drives={"turn": kt.AngleDrive(bar="crank")},
+        gravity=tuple(gravity),
+        material=STEEL,
+        section=SQUARE,
+    )
+    motion = kt.kinematics.follow(model, kt.Quintic(moves={"turn": (0.0, math.pi)}, duration=0.4), samples=21)
+    forces = kt.dynamics.inverse(model, motion)
+    moment = kt.strength.beams(model, forces, stations=[0.0]).section_M.sel(beam="arm", moment="3", station=0.0).values
+    angle, rate, second = (motion.data[f"drive_{name}"].values[:, 0] for name in ("position", "velocity", "acceleration"))
+    along, across = np.stack([np.cos(angle), np.sin(angle)], axis=1), np.stack([-np.sin(angle), np.cos(angle)], axis=1)
+    radius = 1.5
+    push = mass * (gravity - radius * second[:, None] * across + radius * rate[:, None] ** 2 * along)
+    exact = along[:, 0] * push[:, 1] - along[:, 1] * push[:, 0]
+    light = model.with_(gravity=(0.0, 0.0))
+    still = kt.dynamics.inverse(light, motion).static
+    shaken = kt.flexible.frequencies(light, still, rigid=("crank",), modes=1).frequency.values[:, 0]
+    I = SQUARE.second_moments[1]
+    return {
+        "moment": float(np.abs(moment - exact).max() / np.abs(exact).max()),
+        "frequency": float((2 * math.pi * shaken[-1]) ** 2 * mass / (3 * STEEL.E * I)),
+    }
