@@ -41,6 +41,9 @@ def beams() -> dict[str, float]:
     found |= {"beams.frequencies.clamped_clamped": both**2, "beams.frequencies.free_free": both**2}
     k = 3.0 / 4.0  # I h/(I L)
     found |= {"beams.portal.foot": (3 * k + 1) / (2 * (6 * k + 1)), "beams.portal.head": 3 * k / (2 * (6 * k + 1))}
+    found |= {f"beams.damped.{dim}d.{name}": 1.0 for dim in (2, 3) for name in ("ratio", "energy")}
+    # P L^3/(E I) of a force in the middle: clamped at both ends, and with one of them on a hinge
+    found |= {"beams.hinged.along_2": 1 / 192, "beams.hinged.along_3": 7 / 768, "beams.driven.frequency": 1.0}
     return found
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from kinetruss.display import quantity
 from kinetruss.model import Model
+from kinetruss.model.beams import frame_of
 
 __all__ = ["beam_records", "beam_text"]
 
@@ -24,7 +25,8 @@ def beam_records(model: Model) -> list[dict[str, Any]]:
                 "length": math.dist(*(model.nodes[end].at for end in beam.ends)),
                 "section": None if section is None else section.kind,
                 "release": list(beam.release),
-                "clamped": [end for end in beam.ends if end in model.clamped and end not in beam.release],
+                "hinges": dict(beam.hinges),
+                "clamped": [end for end in beam.ends if end in model.clamped and frame_of(name, beam, end) == end],
             }
         )
     return found
@@ -34,5 +36,6 @@ def beam_text(one: dict[str, Any]) -> str:
     """The line of a beam."""
     told = [f"beam {one['name']}: {one['kind']}, {one['ends'][0]} to {one['ends'][1]}, length {quantity(one['length'], 'm')}"]
     told += [one["section"]] if one["section"] else []
+    told += [f"hinged at {', '.join(one['hinges'])}"] if one["hinges"] else []
     told += [f"{word} at {', '.join(one[key])}" for key, word in (("release", "released"), ("clamped", "clamped")) if one[key]]
     return ", ".join(told)

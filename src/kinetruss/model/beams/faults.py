@@ -107,9 +107,8 @@ def _hinges(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Faul
         elif dim == 2:
             yield Fault(place, "is given in a planar model.", f"A pin in the plane: release: [{end}].", about=(("nodes",),))
         elif end in beam.release:
-            yield Fault(
-                place, f"{end!r} is released about all axes too.", "Name it in one of both.", about=((*path, "release"),)
-            )
+            message = f"{end!r} is released about all axes too."
+            yield Fault(place, message, "Name it in one of both.", about=((*path, "release"),))
         elif not isinstance(about, int) and len(about) != dim:
             yield from components(about, dim, place)
         elif not isinstance(about, int) and not any(about):

@@ -98,7 +98,7 @@ def hinges(model: ModelData) -> list[Hinge]:
     for name, beam in _sound(model):
         for end, about in beam.hinges.items():
             own = frame_of(name, beam, end)
-            if end not in beam.ends or end not in every or own not in every or model.dim != 3:
+            if end not in beam.ends or not {end, own} <= set(every) or not _directed(model, beam, about):
                 continue  # a fault
             axis = axes_of_beam(model, beam)[about - 1] if isinstance(about, int) else about
             reach = AWAY * every[own].size / math.hypot(*axis)
@@ -237,6 +237,16 @@ def _sound(model: ModelData) -> list[tuple[str, Beam]]:
         and model.nodes[beam.ends[0]].at != model.nodes[beam.ends[1]].at
         and (beam.rotation is None or (beam.rotation in model.nodes and model.nodes[beam.rotation].scalar))
     ]
+
+
+def _directed(model: ModelData, beam: Beam, about: Any) -> bool:
+    """False if a hinge has no direction in space: a fault."""
+    if model.dim != 3 or not isinstance(about, int):
+        return model.dim == 3 and len(about) == 3 and any(about)
+    given = beam.orientation
+    if isinstance(given, str):
+        return given in model.nodes and len(model.nodes[given].at) == 3 and given not in beam.ends
+    return given is None or (len(given) == 3 and any(given))
 
 
 def _length(model: ModelData, beam: Beam) -> float:
