@@ -170,5 +170,5 @@ def test_the_command_line_tells_beams(tmp_path):
     refused = call(main, ["explain", str(path), "--member", "arm"])
     assert refused.exit_code == 2
     assert "strength.beams" in str(refused.output) + str(refused.exception)
-    path.write_text(path.read_text().replace("arm:", "arm:\n    damping: 0.001", 1))
+    path.write_text(path.read_text().replace("arm:", "arm:\n    stiffening: 0.001", 1))
     assert call(main, ["check", str(path)]).exit_code == 2
