@@ -164,7 +164,8 @@ def refuse_unloaded_beams(model: Model, forces: Forces) -> None:
     ------
     InputError : such forces.
     """
-    if forces.attrs.get("not_balanced", 0) and any(beam.kind == "elastic" for beam in model.beams.values()):
+    unknown = forces.attrs.get("not_balanced", 0) or forces.attrs.get("undecided", ())
+    if unknown and any(beam.kind == "elastic" for beam in model.beams.values()):
         raise InputError(
             "In these positions beams are not deformed by their loads, and balance alone does not decide the forces that "
             "stiffen them. Give the equilibrium: statics.at_poses(model, statics.equilibrium(model).position.values[None])."

@@ -7,7 +7,8 @@ from pathlib import Path
 from kinetruss.errors import Fault, ModelError
 from kinetruss.io import MAX_SIZE, placed, read
 from kinetruss.io import check as data_faults
-from kinetruss.mechanics.freedom import mobility
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.freedom import mobility_at, shaped
 from kinetruss.model import Model, plausibility
 
 __all__ = ["check", "notes"]
@@ -69,7 +70,10 @@ def _freedoms(model: Model) -> list[Fault]:
         for name, run in model.runs.items()
         if (run.trajectory or run.targets) is not None and run.analysis != "dynamics.simulate"
     ]
-    if not driven or not (found := mobility(model)).undriven:
+    if not driven:
+        return []
+    system = shaped(compile(model))
+    if not (found := mobility_at(system, system.x0)).undriven:
         return []
     count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
     moves = "; ".join(found.mechanism_texts(3))

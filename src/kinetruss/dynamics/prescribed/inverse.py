@@ -22,7 +22,7 @@ from kinetruss.results import Forces, Motion, provenance
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["at_rest", "inverse", "solve"]
+__all__ = ["at_rest", "inverse", "solve", "unbalanced"]
 
 
 def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
@@ -102,8 +102,8 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
     """
     x, arrangement = states.x, arrange(system)
     held = None if arrangement.plan is not None else held_shapes(system)
-    # beams that keep their shape carry what rigid ones would, if balance alone decides that
-    if held is not None and held.determinate and held.undeformed(x.reshape(len(x), -1, 3)):
+    # beams that keep their shape carry what rigid ones would
+    if held is not None and held.undeformed(x.reshape(len(x), -1, 3)):
         return _solve_held(held, values, loads, states)
     values = np.ascontiguousarray(values)
     count = len(x)
@@ -134,11 +134,16 @@ def solve(system: System, values: NDArray[np.float64], loads: Any, states: State
 
 
 def _solve_held(held: HeldShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
-    """`solve` of beams that keep their shape, with the forces of their modes, ``mode_force`` (times, beams, s), N m."""
+    """`solve` of beams that keep their shape, with the forces of their modes, ``mode_force`` (times, beams, s), N m; or, where
+    balance alone does not decide these, with the names of the beams, ``undecided``.
+    """
     solved = solve(held.system, values, loads, states)
-    found = held.mode_forces(states.x.reshape(len(states.x), -1, 3), solved["N"], values)
     own = {"N": solved["N"][:, held.rows], "joint": np.ascontiguousarray(solved["joint"][:, held.members])}
-    return solved | own | {"not_unique": solved["not_unique"][held.rows], "mode_force": found}
+    if undecided := held.undecided(solved["not_unique"]):
+        own["undecided"] = undecided
+    else:
+        own["mode_force"] = held.mode_forces(states.x.reshape(len(states.x), -1, 3), solved["N"], values)
+    return solved | own | {"not_unique": solved["not_unique"][held.rows]}
 
 
 def _pieces(
@@ -194,7 +199,13 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
     message = motion.message
     if off := solved.get("off", 0.0):
         data.attrs["not_balanced"] = off
-        message = f"{message} {_unbalanced(off, at_rest)}".strip()
+        message = f"{message} {unbalanced(off, at_rest)}".strip()
+    if undecided := solved.get("undecided", ()):
+        data.attrs["undecided"] = list(undecided)
+        message = (
+            f"{message} Balance alone does not decide the forces of the beams {', '.join(undecided[:8])}, nor those of "
+            "supports that they stand on (statics.equilibrium, dynamics.simulate)."
+        ).strip()
     if names:
         shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
         message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
@@ -209,11 +220,11 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
     )
 
 
-def _unbalanced(off: float, at_rest: bool) -> str:
+def unbalanced(off: float, at_rest: bool) -> str:
     """The message on positions that the elastic parts do not have under these loads."""
     why = "at rest they have another shape (statics.equilibrium)"
     if not at_rest:
-        why = "the motion is not one that these loads make, or balance alone does not decide how they share them"
+        why = "the motion is not one that these loads make"
     return (
         f"Not in balance: beams, membranes or solids in these positions leave up to {off:.2g} N at free nodes; {why}. "
         "Reactions and member forces are without these."

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.prescribed.bearings import with_friction
-from kinetruss.dynamics.prescribed.inverse import solve
+from kinetruss.dynamics.prescribed.inverse import solve, unbalanced
 from kinetruss.dynamics.prescribed.tables import Carried, Read, carried
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
@@ -154,6 +154,10 @@ class PreparedModel:
         """The forces of members, supports and drives along a motion of this model: the arrays of `dynamics.inverse`.
 
         static : the forces of the same poses at rest instead. The motion is not checked.
+
+        Raises
+        ------
+        InputError : beams whose forces balance alone does not decide.
         """
         system, count = self._system, len(places.t)
         x, v, a = (y.reshape(count, -1) for y in places[1:4])
@@ -167,6 +171,8 @@ class PreparedModel:
         solved = with_friction(
             system, read, loads, states, lambda pushed: solve(system, places.drive_position, pushed, states), at_rest=static
         )
+        if off := solved.get("off", 0.0):
+            raise InputError(unbalanced(off, static))
         return carried(system, read, loads, solved, static)[0]
 
 

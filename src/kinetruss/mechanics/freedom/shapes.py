@@ -50,12 +50,12 @@ class HeldShapes:
     rows: NDArray[np.int64]
     bars: tuple[NDArray[np.int64], ...]
 
-    @property
-    def determinate(self) -> bool:
-        """True if the forces of all bars that hold beams follow from balance alone."""
-        found, modes = arrange(self.system), self.elements.modes.shape[1]
+    def undecided(self, not_unique: NDArray[np.bool_]) -> tuple[str, ...]:
+        """Names of held beams whose forces balance alone does not decide; not_unique : mask of the rows of `system`."""
+        modes = self.elements.modes.shape[1]
         # a rigid bar beside a beam shares its force: one bar fewer than modes
-        return found.plan is not None and all(len(rows) == modes and not found.not_unique[rows].any() for rows in self.bars)
+        pairs = zip(self.beams, self.bars, strict=True)
+        return tuple(self.elements.names[k] for k, rows in pairs if len(rows) < modes or not_unique[rows].any())
 
     def undeformed(self, x: NDArray[np.float64]) -> bool:
         """True if the held beams have their shape at all positions x (times, n, 3)."""

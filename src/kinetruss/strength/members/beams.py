@@ -81,8 +81,10 @@ def beams(
 
 
 def known_positions(forces: Forces) -> bool:
-    """False for forces of positions that are not in balance: poses, in which beams are not deformed by their loads."""
-    return not forces.attrs.get("not_balanced", 0)
+    """False for forces of positions in which beams are not deformed by their loads, and balance alone does not decide what they
+    carry.
+    """
+    return not (forces.attrs.get("not_balanced", 0) or forces.attrs.get("undecided", ()))
 
 
 def _data(result: Any) -> xr.Dataset | None:
