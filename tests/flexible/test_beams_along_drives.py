@@ -199,6 +199,7 @@ def test_missions_have_beams_along_motions_of_drives(tmp_path):
             "all": kt.Run(analysis="mission", motions=("tilt",), conditions=("laden",)),
         },
     )
+    assert kt.check(model) == []
     mission = kt.run(model, "all", tmp_path / "out")
     laden = kt.under(model, "laden")
     forces = kt.dynamics.inverse(laden, kt.kinematics.follow(laden, "slew", samples=21))
