@@ -88,12 +88,12 @@ def kernel(x, v, a, force, gravity, rods, two, xi, orient=-1, third_node=None):
     V, M = np.empty((1, parts, len(xi), across)), np.empty((1, parts, len(xi), across))
     members = Members.of({
         "segments": 2, "p": p, "q": q, "orient": [orient], "two_rods": [two], "acting": np.zeros(2), "spread": np.zeros(0),
-        "clamped_ptr": np.zeros(2), "clamped": np.zeros((0, 2)),
+        "clamped_ptr": np.zeros(3), "clamped": np.zeros((0, 2)),
         "rods": np.array([rods]), "reference": start_references(stack[0], p, q), "gravity": [*gravity, *[0.0] * (3 - dim)],
     })  # fmt: skip
     motion = (np.ascontiguousarray(y[None]) for y in stack)
     histories = Histories(*motion, np.ascontiguousarray(force[None, None]), np.zeros((1, 0, 2, dim)), np.zeros((1, 0)))
-    scratch = Polynomials(np.empty((1, parts, 2, COEFFICIENTS)), np.empty((1, parts, 2)))
+    scratch = Polynomials(np.empty((1, parts, 2, COEFFICIENTS)), np.empty((1, parts, 2)), np.empty((1, parts)))
     section_forces(members, histories, scratch, xi, T, V, M)
     return T[0], V[0], M[0]
 

@@ -97,7 +97,7 @@ def test_maxima_along_a_part_are_located_not_sampled(measure):
     scale = np.array([[[1.0, 4.0, 3.0, 0.7]]])
     value, place = np.empty((60, 1)), np.empty((60, 1))
     moment = measure >= MOMENT_RESULTANT
-    peaks(Polynomials(coef, ends_of(nut)), np.array([measure], np.int64), scale, np.array([moment]), 12, value, place)
+    peaks(Polynomials(coef, ends_of(nut), nut), np.array([measure], np.int64), scale, np.array([moment]), 12, value, place)
     xi = np.linspace(0, 1, 4001)
     for i in range(60):
         T, V2, V3, M2, M3 = values(coef[i, 0], nut[i, 0], xi, path=moment)
@@ -116,7 +116,7 @@ def test_least_tension_in_closed_form():
     rng = np.random.default_rng(8)
     coef, nut = polynomials(rng, 200)
     value, place = np.empty((200, 1)), np.empty((200, 1))
-    least_tension(Polynomials(coef, ends_of(nut)), np.array([True]), value, place)
+    least_tension(Polynomials(coef, ends_of(nut), nut), np.array([True]), value, place)
     xi = np.linspace(0, 1, 4001)
     for i in range(200):
         T = values(coef[i, 0], nut[i, 0], xi, path=True)[0]

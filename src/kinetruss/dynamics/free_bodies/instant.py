@@ -36,7 +36,7 @@ class Rod:
 
     start, length : where it begins, from end A of its member, and how long it is, m. mass : kg. acceleration : (dim,) of its
     centre of mass, m/s^2. swing : (dim,) N m; u x swing is the rate of its angular momentum about its centre of mass.
-    place : of the centre of a body or of a base with masses on it, along the bar from end A and to its left, m; None of a rod
+    place : of the centre of a body or of a rod with masses on it, along the bar from end A and to its left, m; None of a rod
     whose centre is its middle.
     """
 
@@ -223,13 +223,14 @@ class Instant:
         if system.is_body[i]:
             return (self._body(i, bend),)
         m, l, rotary, m_tube, l_tube, rotary_tube = system.rods[i]
+        own_base, own_tube = map(float, system.own_rods[i, [1, 4]])
         if not system.two_rods[i]:
             swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
             return (Rod(name=name, start=0.0, length=L, mass=m, acceleration=(self.a[A] + self.a[B]) / 2, swing=swing),)
         base = Rod(
             name=f"{name}.base",
             start=0.0,
-            length=float(system.base[i, 1]),
+            length=own_base,
             place=(l / 2, 0.0),
             mass=m,
             acceleration=self.a[A] + l / 2 * bend,
@@ -237,8 +238,9 @@ class Instant:
         )
         tube = Rod(
             name=f"{name}.tube",
-            start=L - l_tube,
-            length=l_tube,
+            start=L - own_tube,
+            length=own_tube,
+            place=(L - l_tube / 2, 0.0),
             mass=m_tube,
             acceleration=self.a[B] - l_tube / 2 * bend,
             swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,

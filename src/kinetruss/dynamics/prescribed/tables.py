@@ -270,7 +270,8 @@ def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarAc
     x = solved["x"]
     axes = local_axes(system, x.reshape(len(x), len(system.nodes), 3)[:, :, : system.dim], active)
     force, moment = (np.empty((len(x), len(active), 3)) for _ in range(2))
-    actives = Actives.of({"member": active, "p": system.p[active], "q": system.q[active], "rods": system.rods[active]})
+    ends = {"p": system.p[active], "q": system.q[active]}
+    actives = Actives.of({"member": active, **ends, "tube": system.own_rods[active, 4], "rods": system.rods[active]})
     states = States(x, solved["v"], solved["a"])
     interface(actives, states, solved["joint"], loads.gravity, axes, force, moment)
     column = {int(i): k for k, i in enumerate(active)}

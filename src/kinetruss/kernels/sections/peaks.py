@@ -133,13 +133,13 @@ def _segment(measure: Measure, c: Any, start: float, end: float, spans: int) -> 
 
 @kernel_bare
 def part_top(measure: Measure, given: Polynomials, i: int, part: int, path: bool, spans: int) -> Any:
-    """Place and value of the largest measure over the segments of a part; with `path` over the first one alone."""
-    coef, ends = given
+    """Place and value of the largest measure over the segments of a part; with `path` up to the nut."""
+    coef, ends, nut = given
     value, place = math.nan, math.nan
     # each segment has its own polynomial
     for j in range(coef.shape[2]):
         start, end = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1]), min(1.0, ends[i, part, j])
-        if j > 0 and (start >= 1.0 or path):
+        if j > 0 and (start >= 1.0 or (path and ends[i, part, j - 1] >= nut[i, part])):
             break
         if end < start:
             continue
@@ -158,7 +158,7 @@ def peaks(given: Polynomials, measure: Ints, scale: Floats, overhang: Flags, spa
     """The largest measure along every part, and its xi, into value and place (t, parts).
 
     measure (parts,) and scale (1 or t, parts, 4): kinds and factors of each `Measure`; a negative kind: NaN. overhang (parts,):
-    leave out what is behind the first segment, the overhang of a base beyond the nut, which carries nothing but itself.
+    leave out what is beyond the nut, the overhang of a base, which carries nothing but itself.
     spans : of the scan; a cubic has two humps at most, so a dozen part them.
     """
     for i in range(given.coef.shape[0]):
@@ -174,14 +174,14 @@ def peaks(given: Polynomials, measure: Ints, scale: Floats, overhang: Flags, spa
 
 @kernel_bare
 def part_tension(given: Polynomials, i: int, part: int, overhang: bool, sign: float) -> Any:
-    """Place and value of the largest sign T over the segments of a part, in closed form; `overhang`: over the first alone."""
-    coef, ends = given
+    """Place and value of the largest sign T over the segments of a part, in closed form; `overhang`: up to the nut."""
+    coef, ends, nut = given
     best_x, best = 0.0, -math.inf
     # maximum of the parabola of each segment: its ends or its vertex
     for j in range(coef.shape[2]):
         start = 0.0 if j == 0 else max(0.0, ends[i, part, j - 1])
         end = max(0.0, min(1.0, ends[i, part, j]))
-        if j > 0 and (start >= 1.0 or overhang):
+        if j > 0 and (start >= 1.0 or (overhang and ends[i, part, j - 1] >= nut[i, part])):
             break
         t0, t1, t2 = sign * coef[i, part, j, 0], sign * coef[i, part, j, 1], sign * coef[i, part, j, 2]
         x = -0.5 * t1 / t2 if t2 < 0.0 else start
@@ -196,14 +196,14 @@ def part_tension(given: Polynomials, i: int, part: int, overhang: bool, sign: fl
 
 @kernel_bare
 def part_least_tension(given: Polynomials, i: int, part: int, overhang: bool) -> Any:
-    """Place and value of the least T over the segments of a part; with `overhang` over the first one alone."""
+    """Place and value of the least T over the segments of a part; with `overhang` up to the nut."""
     place, value = part_tension(given, i, part, overhang, -1.0)
     return place, -value
 
 
 @kernel
 def least_tension(given: Polynomials, overhang: Flags, value: Floats, place: Floats) -> None:
-    """The least T along every part and its xi (t, parts); what is behind the first segment of `overhang` parts is left out."""
+    """The least T along every part and its xi (t, parts); what is beyond the nut of `overhang` parts is left out."""
     for i in range(given.coef.shape[0]):
         for part in range(given.coef.shape[1]):
             place[i, part], value[i, part] = part_least_tension(given, i, part, overhang[part])

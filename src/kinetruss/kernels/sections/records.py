@@ -16,9 +16,8 @@ class Members(Record):
     segments : that a part has at most. p, q (m,) : nodes at the ends A, B. orient (m,) : node that spans plane 1-2 with the
     member, or -1; reference (m, 3) : direction where there is none. two_rods (m,) : 1 of active members. rods (m, 6) : mass kg,
     length m, rotary inertia kg m^2 of a bar or base, then of a tube. acting (m + 1,) : actions acting[k]:acting[k + 1] are on
-    member k. clamped_ptr (m + 1,) : masses
-    clamped[clamped_ptr[k]:clamped_ptr[k + 1]] are on the base of member k; clamped (c, 2) : fraction from A, ascending, and kg,
-    besides that in rods. spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
+    member k. clamped_ptr (2 m + 1,) : masses clamped[clamped_ptr[j]:clamped_ptr[j + 1]] are on the base of member k, j = 2 k, or
+    on its tube, j = 2 k + 1; clamped (c, 2) : fraction from the end towards A, ascending, and kg, besides those in rods. spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
     """
 
     segments: I0
@@ -55,8 +54,10 @@ class Polynomials(NamedTuple):
     """Section forces along the segments s of all parts.
 
     coef (t, parts, s, 17) : T 0:3, V2 3:6, V3 6:9 N, M2 9:13, M3 13:17 N m, in ascending powers of xi. ends (t, parts, s) : the
-    xi where a segment ends, that of the last beyond every xi; segments behind it mean nothing.
+    xi where a segment ends, that of the last beyond every xi; segments behind it mean nothing. nut (t, parts) : the one of them
+    where the nut is on a base; beyond every xi on other parts.
     """
 
     coef: Floats
     ends: Floats
+    nut: Floats

@@ -8,7 +8,7 @@ inertia of the part, and C_A, C_B the couples of drives and couplings at its end
     bar and base, from A:   S(xi) = -F_A + m int_0^xi b dxi,    M(0) = -C_A
     base beyond the nut:    S(xi) = -m int_xi^1 b dxi,          M(1) = 0
     tube, from B:           S(xi) = F_B - m int_xi^1 b dxi,     M(1) = C_B
-    masses on the base:     S jumps by m b at each, M does not
+    masses on base, tube:   S jumps by m b at each, M does not
     everywhere:             dM/dxi = -l u x S + i u x u''
 
 Along a bar b = b_A + xi (a_B - a_A); along the base b = b_A + s u''; along the tube b = b_B - s' u'', s' from B.
@@ -215,15 +215,42 @@ def _bar(members: Members, histories: Histories, k: int, out: Polynomials, at: A
         k2, k3 = k2 + L * q[2] * s - m2, k3 - L * q[1] * s - m3
         n = _next(members, histories, i, k, s, n)
     _write(out, (row, part, j), (c0, c1, c2), L, turn, (k2, k3), False)
-    out.ends[row, part, j] = WHOLE
+    out.ends[row, part, j], out.nut[row, part] = WHOLE, WHOLE
 
 
 @kernel_inline
 def _resisting(members: Members, n: int, span: float, motion: Any) -> Any:
-    """m b of mass n on the base, b = s + xi l u''; motion : s = a_A - g and u''."""
+    """m b of mass n on a rod, b = s + xi l u''; motion : s, b at xi = 0, and u''."""
     s, w = motion
     m, arm = members.clamped[n, 1], members.clamped[n, 0] * span
     return m * (s[0] + arm * w[0]), m * (s[1] + arm * w[1]), m * (s[2] + arm * w[2])
+
+
+@kernel_inline
+def _to_the_end(members: Members, k: int, out: Polynomials, at: Any, masses: Any, rod: Any, force: Any, couple: Any) -> None:
+    """The rest of a rod, given the force and couple at xi = 1: a new segment behind each of these masses.
+
+    at : row, part, and the first segment of the rest. masses : the first and last. rod : span, rotary inertia times u'', motion
+    as in `_resisting`. force : c0, c1, c2 of S(xi) without masses, and couple about 2, 3, those at xi = 1.
+    """
+    (row, part, j), (n, last), (span, turn, motion) = at, masses, rod
+    (c0, c1, c2), (k2, k3), place = force, couple, members.clamped
+    # S(xi) = F - m int_xi^1 b dxi - sum of m b of the masses ahead
+    for ahead in range(n, last):
+        q, s = _resisting(members, ahead, span, motion), place[ahead, 0]
+        c0 = _less(c0, q)
+        k2, k3 = k2 - span * q[2] * (1.0 - s), k3 + span * q[1] * (1.0 - s)
+    while n < last:
+        q, s = _resisting(members, n, span, motion), place[n, 0]
+        if s > 0.0 and (j == 0 or s > out.ends[row, part, j - 1]):
+            _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), True)
+            out.ends[row, part, j] = s
+            j += 1
+        c0 = (c0[0] + q[0], c0[1] + q[1], c0[2] + q[2])
+        k2, k3 = k2 + span * q[2] * (1.0 - s), k3 - span * q[1] * (1.0 - s)
+        n += 1
+    _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), True)
+    out.ends[row, part, j] = WHOLE
 
 
 @kernel_inline
@@ -235,9 +262,9 @@ def _base(members: Members, k: int, out: Polynomials, at: Any, nut: float, force
         members.rods[k, 1],
         _times(members.rods[k, 2], motion[1]),
         members.clamped,
-        members.clamped_ptr[k + 1],
+        members.clamped_ptr[2 * k + 1],
     )
-    j, n = 0, members.clamped_ptr[k]
+    j, n = 0, members.clamped_ptr[2 * k]
     # from A: S(xi) = -F_A + m int_0^xi b dxi + sum of m b of the masses passed
     while n < last and place[n, 0] < nut:
         s = place[n, 0]
@@ -250,25 +277,10 @@ def _base(members: Members, k: int, out: Polynomials, at: Any, nut: float, force
         k2, k3 = k2 - span * q[2] * s, k3 + span * q[1] * s
         n += 1
     _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), False)
-    out.ends[row, part, j] = nut
-    j += 1
-    # beyond the nut no force acts at xi = 1: S(xi) = -m int_xi^1 b dxi - sum of m b of the masses ahead
-    c0, k2, k3 = _less(_less((0.0, 0.0, 0.0), c1), c2), 0.0, 0.0
-    for ahead in range(n, last):
-        q, s = _resisting(members, ahead, span, motion), place[ahead, 0]
-        c0 = _less(c0, q)
-        k2, k3 = k2 - span * q[2] * (1.0 - s), k3 + span * q[1] * (1.0 - s)
-    while n < last:
-        q, s = _resisting(members, n, span, motion), place[n, 0]
-        if s > out.ends[row, part, j - 1]:
-            _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), True)
-            out.ends[row, part, j] = s
-            j += 1
-        c0 = (c0[0] + q[0], c0[1] + q[1], c0[2] + q[2])
-        k2, k3 = k2 + span * q[2] * (1.0 - s), k3 - span * q[1] * (1.0 - s)
-        n += 1
-    _write(out, (row, part, j), (c0, c1, c2), span, turn, (k2, k3), True)
-    out.ends[row, part, j] = WHOLE
+    out.ends[row, part, j], out.nut[row, part] = nut, nut
+    # beyond the nut no force acts at xi = 1
+    free = _less(_less((0.0, 0.0, 0.0), c1), c2), c1, c2
+    _to_the_end(members, k, out, (row, part, j + 1), (n, last), (span, turn, motion), free, (0.0, 0.0))
 
 
 @kernel_inline
@@ -280,14 +292,16 @@ def _rods(
     rods, g, w = members.rods, members.gravity, motion[1]
     k2, k3 = _end_couple(members, histories, i, k, 0.0, frame)
     _base(members, k, out, (row, part), (frame.length - rods[k, 4]) / rods[k, 1], force, motion, (-k2, -k3))
-    # the tube is written from xi = 1 back
+    # the tube, from B: F_B and the couple there are those at xi = 1, and b = b_B - s' u'', s' from B
     m, span, f = rods[k, 3], rods[k, 4], _seen(_at(histories.joint_force[i], k, 1), frame)
     c2 = _times(0.5 * m * span, w)
-    b = _less(_at(histories.acceleration, i, members.q[k]), (g[0], g[1], g[2]))
-    c1 = _less(_times(m, _seen(b, frame)), _times(2.0, c2))
-    out.ends[row, part + 1, 0] = WHOLE
+    b = _seen(_less(_at(histories.acceleration, i, members.q[k]), (g[0], g[1], g[2])), frame)
+    c1 = _less(_times(m, b), _times(2.0, c2))
+    rod = span, _times(rods[k, 5], w), (_less(b, _times(span, w)), w)
     couple = _end_couple(members, histories, i, k, 1.0, frame)
-    _write(out, (row, part + 1, 0), (_less(_less(f, c1), c2), c1, c2), span, _times(rods[k, 5], w), couple, True)
+    masses = members.clamped_ptr[2 * k + 1], members.clamped_ptr[2 * k + 2]
+    out.nut[row, part + 1] = WHOLE
+    _to_the_end(members, k, out, (row, part + 1, 0), masses, rod, (_less(_less(f, c1), c2), c1, c2), couple)
 
 
 @kernel_inline
@@ -331,7 +345,7 @@ def section_polynomials(members: Members, histories: Histories, out: Polynomials
     """Coefficients of all segments of all parts.
 
     The last segment of a part ends at 2; those behind it are left as they are. The base of an active member has two, which
-    meet at the nut, and one more a mass; a bar one more than places where something acts between its ends.
+    meet at the nut, its tube one, and each one more a mass; a bar one more than places where something acts between its ends.
     """
     for i in range(histories.position.shape[0]):
         _sample(members, histories, i, out, i)
@@ -367,7 +381,7 @@ def _evaluate(given: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats, i
 
 
 def most_segments(acting: Ints, spread: Ints, clamped_ptr: Ints) -> int:
-    """How many segments a part has at most; 2 at least, and one more a mass, for the base of an active member."""
+    """How many segments a part has at most; 2 at least, and one more a mass, for the rods of an active member."""
     points = np.append(0, np.cumsum(np.logical_not(spread)))
     return 1 + max(int(np.diff(points[acting]).max(initial=1)), 1 + int(np.diff(clamped_ptr).max(initial=0)))
 

@@ -76,7 +76,7 @@ def _critical(euler: float, squash: float) -> float:
 @kernel_bare
 def _demand(sized: Sized, k: int, given: Polynomials, length: Floats, i: int) -> Demand:
     """What sized member k has to carry at sample i."""
-    coef, ends = given
+    coef, ends, _ = given
     T, V, part, base = 0.0, 0.0, sized.part[k], sized.base[k]
     # largest |T| and |V| over the segments of the part
     for j in range(coef.shape[2]):

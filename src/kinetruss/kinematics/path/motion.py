@@ -91,7 +91,7 @@ def rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[
     two = np.flatnonzero(system.two_rods)
     if not len(t) or not len(two):
         return ""
-    rod = np.stack([system.base[two, 1], system.rods[two, 4]], axis=1)
+    rod = system.own_rods[two][:, [1, 4]]
     short = length[:, two].argmin(axis=0)
     least = length[short, two]
     off = rod.max(axis=1) - least

@@ -26,7 +26,6 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "kind": np.zeros(count, np.int8),
         "length0": distance.copy(),
         "rods": np.zeros((count, 6)),
-        "base": np.zeros((count, 3)),
         "two_rods": np.zeros(count, np.bool_),
         "compliance": np.full(count, np.nan),
         "yielding": np.zeros(count),
@@ -39,6 +38,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "is_body": np.zeros(count, np.bool_),
     }
     clamped: list[tuple[int, float, float]] = []
+    own: list[tuple[int, NDArray[np.float64]]] = []
     stuffs: dict[tuple[int, int, bool], tuple[float, float]] = {}
     kinds, lines, soft, lawful = [DRIVEN] * count, [0.0] * count, [float("nan")] * count, []
     uniform = np.zeros(count, np.bool_)
@@ -50,9 +50,11 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         if isinstance(member, Active):
             base, tube = member.base, member.tube
             found["two_rods"][i] = True
-            found["base"][i] = _rod(model, base, base.length)
-            found["rods"][i] = (*_loaded(found["base"][i], base.masses), *_rod(model, tube, tube.length))
-            clamped += [(i, one.at / base.length, one.mass) for one in sorted(base.masses, key=lambda one: one.at)]
+            bare = np.array([*_rod(model, base, base.length), *_rod(model, tube, tube.length)])
+            own.append((i, bare))
+            found["rods"][i] = (*_loaded(bare[:3], base.masses), *_loaded(bare[3:], tube.masses))
+            clamped += [(2 * i, one.at / base.length, one.mass) for one in sorted(base.masses, key=lambda one: one.at)]
+            clamped += [(2 * i + 1, 1 - one.at / tube.length, one.mass) for one in sorted(tube.masses, key=lambda one: -one.at)]
             soft[i], found["yielding"][i] = _in_series(model, member)
             continue
         if name not in driven:
@@ -81,6 +83,9 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
     found["rods"][:, :2] = np.where(
         uniform[:, None], np.stack([np.array(lines) * length, length], axis=1), found["rods"][:, :2]
     )
+    found["own_rods"] = found["rods"].copy()
+    for i, bare in own:
+        found["own_rods"][i] = bare
     for i, bar in lawful:
         _law(model, bar, distance[i], i, found)
     return found

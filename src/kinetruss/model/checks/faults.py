@@ -221,17 +221,16 @@ def _rods(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
 
 
 def _masses(name: str, active: Active) -> Iterator[Fault]:
-    """Masses clamped on the tube, or beside the base."""
-    if active.tube.masses:
-        mend = "Clamp them on the base: swap the ends of the member, or its two rods."
-        yield Fault(("active", name, "tube", "masses"), "are given, but only a base rod takes masses.", mend)
-    for index, one in enumerate(active.base.masses):
-        path = ("active", name, "base", "masses", index)
-        if not 0 <= one.at <= active.base.length * (1 + 1e-9):
-            message = f"{one.at:g} m is not on the base, which is {active.base.length:g} m long."
-            yield Fault((*path, "at"), message, f"Give 0 to {active.base.length:g} m from its clamped end.")
-        if one.mass < 0:
-            yield Fault((*path, "mass"), f"{one.mass:g} kg is negative.", "Give 0 or more.")
+    """Masses clamped beside their rod."""
+    for side in ("base", "tube"):
+        rod = getattr(active, side)
+        for index, one in enumerate(rod.masses):
+            path = ("active", name, side, "masses", index)
+            if not 0 <= one.at <= rod.length * (1 + 1e-9):
+                message = f"{one.at:g} m is not on the {side}, which is {rod.length:g} m long."
+                yield Fault((*path, "at"), message, f"Give 0 to {rod.length:g} m from its clamped end.")
+            if one.mass < 0:
+                yield Fault((*path, "mass"), f"{one.mass:g} kg is negative.", "Give 0 or more.")
 
 
 def _train(model: ModelData, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:

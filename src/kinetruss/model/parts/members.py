@@ -134,7 +134,7 @@ class Bar(Record):
 
 
 class PointMass(Record):
-    """A mass (kg) clamped on a base rod, such as its motor: at this distance from the clamped end, m, on its axis."""
+    """A mass (kg) clamped on a rod, such as its motor: at this distance from the clamped end of the rod, m, on its axis."""
 
     at: Length
     mass: Mass
@@ -143,7 +143,7 @@ class PointMass(Record):
 class Part(Record):
     """One rod of an active member: length (m), mass (kg, by default density x area x length), section, material.
 
-    masses : clamped on it besides its own, on a base rod only.
+    masses : clamped on it besides its own.
     """
 
     length: PositiveLength

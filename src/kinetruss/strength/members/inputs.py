@@ -41,7 +41,7 @@ class Given:
         """Arrays for the polynomials of so many samples."""
         parts = len(self.members.p) + int(self.members.two_rods.sum())
         shape = (count, parts, self.members.segments)
-        return Polynomials(np.empty((*shape, COEFFICIENTS)), np.empty(shape))
+        return Polynomials(np.empty((*shape, COEFFICIENTS)), np.empty(shape), np.empty(shape[:-1]))
 
 
 def histories(model: Model, forces: Forces) -> Given:
@@ -82,9 +82,7 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
     index = {name: k for k, name in enumerate(system.members)}
     acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
     orient, reference = orientation(system)
-    rods = system.rods.copy()
-    rods[system.two_rods, :3] = system.base[system.two_rods]
-    clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(len(index) + 1))
+    clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * len(index) + 1))
     return Members.of(
         {
             "segments": most_segments(acting, np.array(spread, np.bool_), clamped_ptr),
@@ -96,7 +94,7 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], sp
             "spread": spread,
             "clamped_ptr": clamped_ptr,
             "clamped": system.clamped[:, 1:],
-            "rods": rods,
+            "rods": system.own_rods,
             "reference": reference,
             "gravity": [*gravity, *[0.0] * (3 - system.dim)],
         }

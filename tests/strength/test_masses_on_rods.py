@@ -1,4 +1,4 @@
-"""Masses clamped on the base rods of active members: free bodies of two rods and point masses, written out."""
+"""Masses clamped on the rods of active members: free bodies of two rods and point masses, written out."""
 
 from __future__ import annotations
 
@@ -9,24 +9,25 @@ import kinetruss as kt
 
 BASE, TUBE, OWN, SLEEVE, TIP = 0.6, 0.5, 1.1, 0.5, 2.0
 MASSES = ((0.1, 0.4), (0.25, 0.7), (0.55, 0.3))
+ON_TUBE = ((0.0, 0.5), (0.12, 0.6), (0.38, 0.9))
 STATIONS = np.array([0.0, 0.1, 0.16, 0.17, 0.3, 0.41, 0.42, 0.5, 0.6, 0.8, 0.9, 0.92, 1.0])
 FEET = {"A": (0.0, 0.0, 0.0), "C": (1.0, 0.1, 0.0), "D": (0.4, 0.9, 0.1)}
 TOP = (0.45, 0.35, 0.65)
 
 
-def tripod(dim: int, masses=MASSES, tip: float = TIP) -> kt.Model:
-    """A mass carried by two or three active members, with masses on the base of the first."""
+def tripod(dim: int, masses=MASSES, tip: float = TIP, on_tube=()) -> kt.Model:
+    """A mass carried by two or three active members, with masses on the base, and on the tube, of the first."""
     feet = dict(list(FEET.items())[:dim])
     if dim == 2:
         feet, top = {name: at[:2] for name, at in feet.items()}, (0.45, 0.65)
     else:
         top = TOP
-    clamped = [{"at": at, "mass": m} for at, m in reversed(masses)]
+    clamped, worn = ([{"at": at, "mass": m} for at, m in reversed(each)] for each in (masses, on_tube))
     legs = {
         name.lower(): kt.Active(
             ends=(name, "B"),
             base=kt.Part(length=BASE, mass=OWN, masses=clamped if name == "A" else ()),
-            tube=kt.Part(length=TUBE, mass=SLEEVE),
+            tube=kt.Part(length=TUBE, mass=SLEEVE, masses=worn if name == "A" else ()),
         )
         for name in feet
     }
@@ -46,7 +47,7 @@ def moved(model: kt.Model) -> kt.results.Forces:
 class Leg:
     """One leg at one instant, as particles: Gauss points of its two uniform rods, and the point masses."""
 
-    def __init__(self, foot, top, v, a, g, masses):
+    def __init__(self, foot, top, v, a, g, masses, on_tube=()):
         d = top - foot
         self.L = np.linalg.norm(d)
         self.u = d / self.L
@@ -55,7 +56,7 @@ class Leg:
         second = self.u @ a + self.L * turn @ turn
         # d = L u: d'' = L'' u + 2 L' u' + L u''
         bend = (a - second * self.u - 2 * rate * turn) / self.L
-        self.g, self.a, self.bend, self.masses = g, a, bend, masses
+        self.g, self.a, self.bend, self.masses, self.on_tube = g, a, bend, masses, on_tube
 
     def base(self, start: float, end: float, closed: bool):
         """Force and moment about A that the base from `start` to `end`, m, needs: sums of m b and of r x m b."""
@@ -65,10 +66,12 @@ class Leg:
         parts += [one for one in self.masses if start < one[0] < end or (closed and one[0] == end)]
         return self._sum((s, m, s * self.bend - self.g) for s, m in parts)
 
-    def tube(self):
+    def tube(self, reach: float = TUBE, closed: bool = True):
+        """Likewise of the tube up to this distance from B, with a mass right there if `closed`."""
         x, w = np.polynomial.legendre.leggauss(4)
-        at = 0.5 * TUBE * (1 + x)
-        return self._sum((self.L - s, 0.5 * SLEEVE * f, self.a - s * self.bend - self.g) for s, f in zip(at, w, strict=True))
+        parts = list(zip(0.5 * reach * (1 + x), SLEEVE / TUBE * 0.5 * reach * w, strict=True))
+        parts += [one for one in self.on_tube if one[0] < reach or (closed and one[0] == reach)]
+        return self._sum((self.L - s, m, self.a - s * self.bend - self.g) for s, m in parts)
 
     def _sum(self, parts):
         force, moment = np.zeros(3), np.zeros(3)
@@ -81,12 +84,12 @@ def full(y):
     return np.pad(y, (0, 3 - len(y)))
 
 
-def legs_at(model: kt.Model, forces: kt.results.Forces, i: int):
+def legs_at(model: kt.Model, forces: kt.results.Forces, i: int, on_tube=()):
     """The legs, and the forces on them at B, by equilibrium of legs and tip."""
     arrays = [full(forces.motion.data[name].sel(node="B").values[i]) for name in ("position", "velocity", "acceleration")]
     g = full(np.array(model.gravity))
     legs = [
-        Leg(full(np.array(model.nodes[one.ends[0]].at)), *arrays, g, MASSES if name == "a" else ())
+        Leg(full(np.array(model.nodes[one.ends[0]].at)), *arrays, g, *((MASSES, on_tube) if name == "a" else ((), ())))
         for name, one in model.active.items()
     ]
     across = []
@@ -98,14 +101,14 @@ def legs_at(model: kt.Model, forces: kt.results.Forces, i: int):
     return legs, [side + N * leg.u for side, N, leg in zip(across, pull, legs, strict=True)]
 
 
-@pytest.mark.parametrize("dim", [2, 3])
-def test_forces_are_those_of_two_rods_and_point_masses(dim):
-    model = tripod(dim)
+@pytest.mark.parametrize(("dim", "on_tube"), [(2, ()), (3, ()), (2, ON_TUBE), (3, ON_TUBE)])
+def test_forces_are_those_of_two_rods_and_point_masses(dim, on_tube):
+    model = tripod(dim, on_tube=on_tube)
     forces = moved(model)
     found = kt.strength.sections(model, forces, STATIONS)
     parts = found.data["part"].values.tolist()
     for i in (0, 2, 4, 7):
-        legs, at_top = legs_at(model, forces, i)
+        legs, at_top = legs_at(model, forces, i, on_tube)
         for leg, F, name in zip(legs, at_top, model.active, strict=True):
             needed = [leg.base(0.0, BASE, True), leg.tube()]
             # on the member at its ends
@@ -118,6 +121,10 @@ def test_forces_are_those_of_two_rods_and_point_masses(dim):
             np.testing.assert_allclose([passed[0], np.linalg.norm(passed[1:])], [inner @ leg.u, shear], rtol=1e-9, atol=1e-9)
             np.testing.assert_allclose(forces.drive_force.sel(drive=name).values[i], -passed[0], rtol=1e-9, atol=1e-9)
             _compare_sections(found, parts.index(f"{name}.base"), i, leg, joint[0])
+            _compare_tube(found, parts.index(f"{name}.tube"), i, leg, F)
+        when = float(forces.data["time"].values[i])
+        for name in model.active:
+            assert kt.dynamics.free_body(model, forces.motion, forces, member=name, time=when).residual < 1e-9
     assert np.abs(forces.data.energy_balance.values).max() < 1e-9 * np.abs(forces.data.power.values).max()
 
 
@@ -137,6 +144,20 @@ def _compare_sections(found, part: int, i: int, leg: Leg, foot) -> None:
             force, moment = leg.base(0.0, s, False)
             S = force - whole
             M = -(spin - moment) - np.cross(s * leg.u, S)
+        T, V, K = (found.data[f"section_{name}"].values[i, part, n] for name in "TVM")
+        wanted = [S @ leg.u, np.linalg.norm(S - (S @ leg.u) * leg.u), np.linalg.norm(M)]
+        np.testing.assert_allclose([T, np.linalg.norm(V), np.linalg.norm(K)], wanted, rtol=1e-8, atol=1e-8)
+
+
+def _compare_tube(found, part: int, i: int, leg: Leg, top) -> None:
+    """T, |V| and |M| of the tube at all stations, from B."""
+    assert found.data.part_length.values[i, part] == pytest.approx(TUBE, rel=1e-12)
+    for n, xi in enumerate(STATIONS):
+        s = TUBE * (1 - xi)
+        force, moment = leg.tube(s)
+        S = full(top) - force
+        # moment about A of all that acts on the B-side part: (L u) x F_B - M - (L - s) u x S = sum of r x m b
+        M = np.cross(leg.L * leg.u, full(top)) - np.cross((leg.L - s) * leg.u, S) - moment
         T, V, K = (found.data[f"section_{name}"].values[i, part, n] for name in "TVM")
         wanted = [S @ leg.u, np.linalg.norm(S - (S @ leg.u) * leg.u), np.linalg.norm(M)]
         np.testing.assert_allclose([T, np.linalg.norm(V), np.linalg.norm(K)], wanted, rtol=1e-8, atol=1e-8)
@@ -213,10 +234,10 @@ def test_strength_finds_the_largest_stress_between_masses():
         ({"masses": [{"at": 0.7, "mass": 1.0}]}, {}, "0.7 m is not on the base"),
         ({"masses": [{"at": -0.1, "mass": 1.0}]}, {}, "-0.1 m is not on the base"),
         ({"masses": [{"at": 0.1, "mass": -1.0}]}, {}, "negative"),
-        ({}, {"masses": [{"at": 0.1, "mass": 1.0}]}, "only a base rod takes masses"),
+        ({}, {"masses": [{"at": 0.6, "mass": 1.0}]}, "0.6 m is not on the tube"),
     ],
 )
-def test_masses_that_are_not_on_the_base_are_told(base, tube, said):
+def test_masses_beside_their_rod_are_refused(base, tube, said):
     with pytest.raises(kt.ModelError, match=said):
         kt.Model(
             nodes={"A": (0, 0), "B": (1, 0)},
