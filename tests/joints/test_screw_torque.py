@@ -104,3 +104,91 @@ def test_what_is_refused() -> None:
     with pytest.raises(kt.InputError, match="planar"):
         kt.actuators.screw_couples(flat, motion, demand)
     assert forces.status.ok
+
+
+def slanted(section: Any) -> kt.Model:
+    """The lift with a hub at the foot of the active member too, on the ground, and arms of this section."""
+    arms = tips() | {"L0": (0.2, 0.1, -0.05)}
+    steel = kt.Material(E=2e11, density=7850.0, yield_strength=2.5e8)
+    return lift(
+        C=kt.Hub(arms=arms, section=section, material=steel), F0=kt.Hub(arms={"L0": 0.06}, section=section, material=steel)
+    )
+
+
+def test_arms_and_members_are_twisted_and_bent() -> None:
+    """At the root of an arm e the couple C of the joint leaves C . e/e of torsion and C - (C . e) e/e^2 of bending."""
+    model = slanted(kt.Rod(diameter=0.02))
+    motion, forces, demand = raised(model)
+    couples = kt.actuators.screw_couples(model, motion, demand)
+    assert list(couples) == ["L0.torque.A", "L0.torque.B"] and couples["L0.torque.B"].member == "L0"
+    loaded = model.with_(loads=couples)
+    found = kt.dynamics.inverse(loaded, motion)
+    torque = demand.data.axis_torque.sel(active="L0").values
+    sections, plain = kt.strength.sections(loaded, found), kt.strength.sections(model, forces)
+    assert "torsion" not in plain.data
+    x, nodes = motion.data.position.values, list(model.nodes)
+    place = {name: x[:, nodes.index(name)] for name in ("C", "C.L0", "F0", "F0.L0")}
+    along = place["C.L0"] - place["F0.L0"]
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    e = place["C.L0"] - place["C"]
+    reach = np.linalg.norm(e, axis=1)
+    e /= reach[:, None]
+    C = -torque[:, None] * along
+    twist = sections.data.torsion
+    assert np.allclose(twist.sel(part="C.L0"), np.einsum("tc,tc->t", C, e)[:, None], rtol=1e-12)
+    for part in ("L0.base", "L0.tube"):
+        assert np.allclose(twist.sel(part=part), torque[:, None], rtol=1e-12)
+    # the arm on the ground lies along the member at the start
+    assert twist.sel(part="F0.L0").values[0, 0] == pytest.approx(torque[0], rel=1e-12)
+    assert not twist.sel(part=["L1", "C.L1"]).values.any()
+    # bending at the root, free body of the arm: F at the tip, its own weight (the hub hardly turns), and C
+    axes = kt.kinematics.member_rates(loaded, motion).member_axes.sel(member="C.L0").values
+    F = found.data.joint_force.sel(member="L0").values[:, 1]
+    moment = np.cross(reach[:, None] * e, -F) + C
+    own = -9.81 * float(np.pi / 4 * 0.02**2 * 7850.0) * reach
+    a = motion.data.acceleration.values
+    lever = (a[:, nodes.index("C")] / 2 + (a[:, nodes.index("C.L0")] - a[:, nodes.index("C")]) / 3) * (own / 9.81)[:, None]
+    moment += np.cross(reach[:, None] * e, np.stack([0 * own, 0 * own, own / 2], axis=1) + lever)
+    M = sections.data.section_M.sel(part="C.L0", station=0.0).values
+    exact = np.einsum("tij,tj->ti", axes, moment)
+    assert np.allclose(M, exact[:, 1:], atol=1e-9 * np.abs(exact).max())
+    for member in ("C.L0", "F0.L0", "L0"):
+        assert kt.dynamics.free_body(loaded, motion, found, member=member, time=1.0).residual < 1e-9 * np.abs(F).max()
+    for node in ("C", "C.L0", "F0"):
+        assert kt.dynamics.free_body(loaded, motion, found, node=node, time=1.0).residual < 1e-9 * np.abs(F).max()
+
+
+def test_torsion_counts_in_strength() -> None:
+    """tau = 16 T/(pi d^3) of a rod; the check finds the stress of the sections; a general section is not checked."""
+    model = slanted(kt.Rod(diameter=0.02))
+    motion, _, demand = raised(model)
+    demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    couples = {
+        name: one.with_(moments=[[100 * c for c in m] for m in one.moments])
+        for name, one in kt.actuators.screw_couples(model, motion, demand).items()
+    }
+    loaded = model.with_(loads=couples)
+    found = kt.dynamics.inverse(loaded, motion)
+    sections = kt.strength.sections(loaded, found, 101)
+    stress = kt.strength.stresses(loaded, sections).von_mises.sel(part="F0.L0")
+    tau = 16 * sections.data.torsion.sel(part="F0.L0") / (np.pi * 0.02**3)
+    parts = kt.strength.components(loaded, sections).sel(part="F0.L0")
+    k = np.hypot(parts.shear_2, parts.shear_3)
+    fibre = np.abs(parts.axial) + np.hypot(parts.bending_2, parts.bending_3)
+    assert (stress >= np.sqrt(fibre**2 + 3 * tau**2) * (1 - 1e-12)).all()
+    assert (stress <= np.sqrt(fibre**2 + 3 * (np.abs(tau) + k) ** 2) * (1 + 1e-12)).all()
+    worst = kt.strength.check(loaded, found).data["value"].sel(part="F0.L0", rule="yield")
+    assert float(worst) == pytest.approx(float(stress.max()), rel=1e-6)
+    flat = kt.General(area=3e-4, I2=8e-9, I3=8e-9, c2=0.01, c3=0.01)
+    hubs = {name: hub.with_(section=flat) for name, hub in slanted(flat).hubs.items()}
+    general = slanted(flat).with_(loads=couples, hubs=hubs)
+    verdict = kt.strength.check(general, kt.dynamics.inverse(general, motion))
+    rows = {row.part: row for row in verdict.table() if row.rule == "yield"}
+    assert not rows["C.L0"].checked and "torsion" in rows["C.L0"].note and rows["C.L1"].checked
+
+
+def test_a_couple_through_a_member_that_has_no_arm() -> None:
+    """The fault names the member."""
+    couple = kt.BodyCouple(body="C.hub", member="L9", moment=(0, 0, 1))
+    with pytest.raises(kt.ModelError, match="'L9'"):
+        slanted(kt.Rod(diameter=0.02)).with_(loads={"c": couple})

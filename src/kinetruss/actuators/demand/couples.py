@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.model import BodyCouple
-from kinetruss.model.hubs import hub_of, is_grounded
+from kinetruss.model.hubs import hub_of
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
@@ -27,7 +27,8 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
     Returns
     -------
     Loads by name, ``MEMBER.torque.A`` and ``MEMBER.torque.B``: on the hub at end A the `axis_torque` along the member's axis,
-    on the hub at end B its opposite; N m, in global axes. A hub on the ground needs none.
+    on the hub at end B its opposite; N m, in global axes. They enter through the member (`BodyCouple.member`), so that they
+    twist it and twist and bend its arms. A node fixed to the ground, without hub, needs none.
     ``model.with_(loads=model.loads | couples)`` is the model for `dynamics.inverse`. The couples change the thrust, and with it
     the torque, by a share of about lead/(distance of the hub's joints): evaluate again for more digits.
 
@@ -50,7 +51,7 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
         along = torque[:, None] * d / np.linalg.norm(d, axis=1)[:, None]
         for which, end, sign in (("A", ends[0], 1.0), ("B", ends[1], -1.0)):
             hub = hub_of(model, end, name)
-            if (hub and is_grounded(model, hub)) or (not hub and len(model.fixed.get(end, "")) == 3):
+            if not hub and len(model.fixed.get(end, "")) == 3:
                 continue
             if not hub:
                 raise InputError(
@@ -58,5 +59,7 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
                     f"node a hub with an arm for it: hubs={{{end!r}: kt.Hub(arms={{{name!r}: 0.05}})}}."
                 )
             moments = tuple(map(tuple, (sign * along).tolist()))
-            found[f"{name}.torque.{which}"] = BodyCouple(body=f"{hub}.hub", times=tuple(time.tolist()), moments=moments)
+            found[f"{name}.torque.{which}"] = BodyCouple(
+                body=f"{hub}.hub", times=tuple(time.tolist()), moments=moments, member=name
+            )
     return found

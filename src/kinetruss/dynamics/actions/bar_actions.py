@@ -12,7 +12,7 @@ import numpy as np
 from kinetruss.dynamics.actions.bars_between import bars_of
 from kinetruss.dynamics.actions.bearings import actions_of_bearings
 from kinetruss.dynamics.actions.friction import actions_of_friction
-from kinetruss.dynamics.actions.hubs import actions_of_hubs
+from kinetruss.dynamics.actions.hubs import actions_of_hubs, couples_through_members
 from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics.actions.records import Acting, Action, CarriedBy, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.actions.terms import actions_of_drives
@@ -68,6 +68,7 @@ def actions_of(system: System, case: str) -> BarActions:
         *actions_of_loads(system, bars, loads),
         *actions_of_friction(system),
         *actions_of_hubs(system, bars),
+        *couples_through_members(system, loads),
         *actions_of_bearings(system),
     ]
     actions = sorted((one for one in found if isinstance(one, Action)), key=lambda one: one.member)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.dynamics.actions.records import Action, Instants
+from kinetruss.dynamics.actions.records import Action, Instants, couple_on_ends
 from kinetruss.errors import InputError
-from kinetruss.mechanics import ends_of, kept
+from kinetruss.mechanics import kept
 from kinetruss.model.hubs import seat_of
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def couples_on_ends(
     for k, seat in enumerate(seats_of(system)):
         for i, sign in ((seat.member, 1.0), (seat.other, -1.0)):
             if i >= 0:
-                ends = _opposite(system, x, i, sign * couple[:, k])
+                ends = couple_on_ends(system, x, i, sign * couple[:, k])
                 nodes += [system.p[i], system.q[i]]
                 forces += [ends[:, 0], ends[:, 1]]
     return np.array(nodes, np.int64), np.stack(forces, axis=1)
@@ -102,14 +102,7 @@ def _rubbed(k: int, i: int, sign: float, here: Instants) -> NDArray[np.float64]:
     """Forces at the ends of bar i, (t, 2, 3) N, equivalent to the couple of bearing k; none at rest."""
     if here.carried is None or not here.carried.couple.shape[1]:
         return np.zeros((len(here.x), 2, 3))
-    return _opposite(here.system, here.x, i, sign * here.carried.couple[:, k])
-
-
-def _opposite(system: System, x: NDArray[np.float64], i: int, couple: NDArray[np.float64]) -> NDArray[np.float64]:
-    """f_B = C x u/L and f_A = -f_B, (t, 2, 3) N, of a couple C (t, 3) across bar i."""
-    _, L, u = ends_of(system, x, i)
-    push = np.cross(couple, u) / L[:, None]
-    return np.stack([-push, push], axis=1)
+    return couple_on_ends(here.system, here.x, i, sign * here.carried.couple[:, k])
 
 
 def _turning(system: System, x: NDArray[np.float64], v: NDArray[np.float64], i: int) -> NDArray[np.float64]:

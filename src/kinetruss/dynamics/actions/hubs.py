@@ -7,23 +7,24 @@ every arm is a free body: loaded at the tip by members and loads, clamped at the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars, bars_of
-from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
+from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars, couple_on_ends
 from kinetruss.mechanics import kept
-from kinetruss.model.hubs import arms_of, clamped_at, is_grounded, loops
+from kinetruss.model import BodyCouple
+from kinetruss.model.hubs import arm_through, arms_of, clamped_at, is_grounded, loops
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
 
-__all__ = ["actions_of_hubs", "braces_of_hubs", "grounded_tips", "hub_bodies"]
+__all__ = ["actions_of_hubs", "braces_of_hubs", "couples_through_members", "grounded_tips", "hub_bodies"]
 
 
 def hub_bodies(system: System) -> set[str]:
@@ -86,6 +87,28 @@ def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
             pulled = tuple((k, bars.ends(k).index(node)) for k in braces if node in bars.ends(k))
             worth = partial(_passed_on, tip, node, pulled, own, is_grounded(model, hub))
             yield Action(source=hub, kind="hub", member=i, worth=worth, place=float(1 - tip))
+
+
+def couples_through_members(system: System, names: Iterable[str]) -> Iterator[Action]:
+    """Couples that enter a hub through a member: across its arm the couple acts at the tip and its opposite at the centre."""
+    model, bars = system.model, bars_of(system)
+    for name in names:
+        load = model.loads[name]
+        if not isinstance(load, BodyCouple) or load.member is None:
+            continue
+        if (arm := arm_through(model, load.body, load.member)) is None:
+            continue
+        i = bars.index[arm.name]
+        tip = int(system.nodes[bars.ends(i)[0]] == arm.hub)
+        for source, sign, place in ((name, 1.0, tip), (arm.hub, -1.0, 1 - tip)):
+            yield Action(source=source, kind="couple", member=i, worth=partial(_bent, i, name, sign), place=float(place))
+
+
+def _bent(i: int, load: str, sign: float, here: Instants) -> NDArray[np.float64]:
+    """Two opposite forces (t, 2, 3), N, equivalent to the part of a couple across arm i."""
+    if here.loads is None or load not in here.loads.couples:
+        return np.zeros((len(here.x), 2, 3))
+    return couple_on_ends(here.system, here.x, i, sign * here.loads.couples[load])
 
 
 def _held_elsewhere(system: System, bars: Bars, hub: str, own: set[int]) -> bool:

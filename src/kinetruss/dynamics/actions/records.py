@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.kernels.structure.pins import pin_torques
+from kinetruss.mechanics import ends_of
 from kinetruss.mechanics.assembly import pins_of, structure_of
 
 if TYPE_CHECKING:
@@ -25,10 +26,10 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.mechanics.assembly import Loads
 
-__all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "evaluate"]
+__all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "couple_on_ends", "evaluate"]
 
 
-GIVEN = ("load", "body", "friction", "spring", "hub", "bearing")
+GIVEN = ("load", "body", "friction", "spring", "hub", "bearing", "couple")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 
@@ -134,6 +135,13 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
             lever = ends[:, 1] - place[:, k, None] * (ends[:, 0] + ends[:, 1])
             _cross(here.along(action.member), lever, couple[:, k])
     return Acting(worth=worth, place=place, couple=couple)
+
+
+def couple_on_ends(system: System, x: NDArray[np.float64], i: int, couple: NDArray[np.float64]) -> NDArray[np.float64]:
+    """f_B = C x u/L and f_A = -f_B, (t, 2, 3) N, of the part of a couple C (t, 3) across bar i."""
+    _, L, u = ends_of(system, x, i)
+    push = np.cross(couple, u) / L[:, None]
+    return np.stack([-push, push], axis=1)
 
 
 def _cross(a: NDArray[np.float64], b: NDArray[np.float64], out: NDArray[np.float64]) -> None:

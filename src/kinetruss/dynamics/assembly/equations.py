@@ -21,7 +21,7 @@ from kinetruss.kernels.structure.equations import (
 )
 from kinetruss.kinematics.given import check_support
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly import Follower, case_loads, continua_arrays, elements, history_of, unit_loads_of
+from kinetruss.mechanics.assembly import Follower, case_loads, continua_arrays, elements, history_of, on_ground, unit_loads_of
 from kinetruss.mechanics.freedom import released
 from kinetruss.mechanics.planning import mark_dropped, solver_arrays, workspace_for
 from kinetruss.model import (
@@ -241,6 +241,8 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
 def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:
     """A load on a body: constant forces on coordinates, else followers."""
     load = system.model.loads[name]
+    if on_ground(system, name):
+        return
     times = load.times or (0.0,)
     for follower, amount in zip(unit_loads_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
         if not np.any(amount):

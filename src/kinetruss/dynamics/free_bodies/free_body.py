@@ -216,6 +216,7 @@ _SYMBOLS = {
     "spring": ("K", "spring"),
     "bearing": ("C", "bearing"),
     "hub": ("H", "centre of hub"),
+    "couple": ("C", "couple of"),
 }
 
 

@@ -163,10 +163,21 @@ class Instant:
         return "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
 
     def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
-        """Name and force (dim,), N, of every load on a node; a load on a bar is not on its nodes."""
+        """Name and force (dim,), N, of every load on a node; a load on a bar is not on its nodes, one on a hub at its centre."""
         on_bars = {one.action.source for one in self.on_bars if one.action.kind == "load"}
-        given = zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True)
-        return [(name, force[: self.system.dim]) for name, at, force in given if at == node and name not in on_bars]
+        found: dict[str, NDArray[np.float64]] = {}
+        for name, at, force in zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True):
+            if name not in on_bars and self._of_hubs.get(name, at) == node:
+                found[name] = found.get(name, 0.0) + force[: self.system.dim]
+        return list(found.items())
+
+    @cached_property
+    def _of_hubs(self) -> dict[str, int]:
+        """Loads on the bodies of hubs whose arms take them, with the node at the centre."""
+        taken = {one.action.source for one in self.on_bars if one.action.kind == "hub"}
+        centres = {f"{hub}.hub": self.system.node_index(hub) for hub in taken}
+        loads = ((name, getattr(load, "body", "")) for name, load in self.system.model.loads.items())
+        return {name: centres[body] for name, body in loads if body in centres}
 
     def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """M a and M g of bodies at a node, (dim,) N each; a body on a bar does not act on its nodes."""

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
         squared_changes,
         strain_balance,
     )
-    from kinetruss.mechanics.assembly.followers import Follower, history_of, unit_loads_of
+    from kinetruss.mechanics.assembly.followers import Follower, history_of, on_ground, unit_loads_of
     from kinetruss.mechanics.assembly.laws import bar_laws
     from kinetruss.mechanics.assembly.massless import refuse_massless
     from kinetruss.mechanics.assembly.matrices import (
@@ -68,6 +68,7 @@ __all__ = [
     "nodal_loads",
     "pins_of",
     "with_continua_forces",
+    "on_ground",
     "unit_loads_of",
     "refuse_massless",
     "refuse_turns",
@@ -95,7 +96,7 @@ __getattr__, __dir__ = late(
             "beam_losses continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
             "resting_forces strain_balance"
         ),
-        "followers": "Follower history_of unit_loads_of",
+        "followers": "Follower history_of on_ground unit_loads_of",
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import prod
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, kept
-from kinetruss.mechanics.assembly.followers import Follower, history_of, unit_loads_of
+from kinetruss.mechanics.assembly.followers import Follower, history_of, on_ground, unit_loads_of
 from kinetruss.model import LoadCase, NodalForce
 
 if TYPE_CHECKING:
@@ -24,7 +24,8 @@ __all__ = ["Loads", "case_loads"]
 class Loads:
     """gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N.
 
-    unit_loads : loads on bodies: name, unit load, amount (times,); `at` turns them into nodal forces.
+    unit_loads : loads on bodies: name, unit load, amount (times,); `at` turns them into nodal forces. couples : by load, those
+    that enter hubs through members (times, 3), N m; on a hub on the ground they are no nodal forces.
     """
 
     name: str
@@ -34,6 +35,7 @@ class Loads:
     node: NDArray[np.int64]
     force: NDArray[np.float64]
     unit_loads: tuple[tuple[str, Follower, NDArray[np.float64]], ...] = ()
+    couples: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
 
     def at(self, x: NDArray[np.float64]) -> Loads:
         """A copy with the loads on bodies turned into nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
@@ -59,11 +61,14 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
     unit_loads = [
         (load, follower, factor * amount)
         for load, factor in factors.items()
-        if factor and load not in steady.loads
+        if factor and load not in steady.loads and not on_ground(system, load)
         for follower, amount in zip(unit_loads_of(system, load), history_of(loads[load], t).T, strict=True)
         if amount.any()
     ]
-    return replace(steady, force=force, unit_loads=tuple(unit_loads))
+    couples = {
+        load: factor * history_of(loads[load], t) for load, factor in factors.items() if getattr(loads[load], "member", None)
+    }
+    return replace(steady, force=force, unit_loads=tuple(unit_loads), couples=couples)
 
 
 @kept()

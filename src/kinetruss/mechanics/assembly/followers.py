@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from kinetruss.model import Model
 
-__all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "Follower", "history_of", "unit_loads_of"]
+__all__ = ["COUPLE", "FLAT_COUPLE", "FORCE", "Follower", "history_of", "on_ground", "unit_loads_of"]
 
 FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 STEP = 1e-30
@@ -103,6 +103,12 @@ def unit_loads_of(system: System, name: str) -> tuple[Follower, ...]:
         return _couples(system.dim, load, nodes, points)
     weights = _weights(system.model, load, points)
     return tuple(_push(FORCE, nodes, points, axis, weights, load.follows, system.dim) for axis in np.eye(3)[: system.dim])
+
+
+def on_ground(system: System, name: str) -> bool:
+    """Whether the ground takes all of a load: a couple on a hub that has no body, since it is bolted to the ground."""
+    load = system.model.loads[name]
+    return isinstance(load, BodyCouple) and load.member is not None and load.body not in system.model.bodies
 
 
 def _pressure(system: System, load: Pressure) -> Follower:

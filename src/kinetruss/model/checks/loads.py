@@ -9,6 +9,7 @@ from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
 from kinetruss.model.beams import carriers_of, frames
 from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.hubs import arm_through
 from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.parts.loads import NodalForce
 
@@ -51,7 +52,13 @@ def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> 
 
 
 def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    if carriers_of(model, load.body) is None and (dim == 3 or load.body not in model.bars):
+    through = getattr(load, "member", None)
+    if through is not None and arm_through(model, load.body, through) is None:
+        message = f"enters through {through!r}, but {load.body!r} is no body of a hub in space with an arm for it."
+        mend = f"Give the node a hub with an arm for {through!r}, and name the body NODE.hub; or leave out member."
+        yield Fault((*path, "member"), message, mend, about=(("hubs",), ("bodies", load.body)))
+        return
+    if through is None and carriers_of(model, load.body) is None and (dim == 3 or load.body not in model.bars):
         known = [*model.bodies, *frames(model), *(model.bars if dim == 2 else ())]
         about = (("bodies", load.body), ("bars", load.body))
         yield Fault((*path, "body"), f"no body called {load.body!r}.", nearest(load.body, known), about=about)

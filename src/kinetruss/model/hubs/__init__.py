@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.model.hubs.arms import apexes, arms_of, clamped_at, free_length, hub_of, is_grounded, loops
+    from kinetruss.model.hubs.arms import apexes, arm_through, arms_of, clamped_at, free_length, hub_of, is_grounded, loops
     from kinetruss.model.hubs.bearings import bearing_faults, seat_of
     from kinetruss.model.hubs.expand import with_arms
     from kinetruss.model.hubs.record import Hub
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Hub",
     "apexes",
+    "arm_through",
     "arms_of",
     "bearing_faults",
     "clamped_at",
@@ -29,7 +30,7 @@ __all__ = [
 __getattr__, __dir__ = late(
     __name__,
     {
-        "arms": "apexes arms_of clamped_at free_length hub_of is_grounded loops",
+        "arms": "apexes arm_through arms_of clamped_at free_length hub_of is_grounded loops",
         "bearings": "bearing_faults seat_of",
         "expand": "with_arms",
         "record": "Hub",

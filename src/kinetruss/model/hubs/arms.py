@@ -16,7 +16,18 @@ if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
     from kinetruss.model.parts.members import Active, Bar
 
-__all__ = ["FLAT", "Arm", "apexes", "arms_of", "clamped_at", "free_length", "hub_of", "ideal_ends", "is_grounded"]
+__all__ = [
+    "FLAT",
+    "Arm",
+    "apexes",
+    "arm_through",
+    "arms_of",
+    "clamped_at",
+    "free_length",
+    "hub_of",
+    "ideal_ends",
+    "is_grounded",
+]
 
 FLAT = 1e-6
 """Tips within this fraction of the size of a hub from a plane count as lying in it."""
@@ -80,6 +91,14 @@ def arms_of(model: ModelData, hub: str) -> list[Arm]:
             at = tuple((centre + step).tolist())
             found.append(Arm(hub=hub, member=name, name=f"{hub}.{name}", end=end, at=at))
     return found
+
+
+def arm_through(model: ModelData, body: str, member: str) -> Arm | None:
+    """The arm of a member at the hub in space that has this body (``NODE.hub``, also of a hub on the ground); None without."""
+    hub = body.removesuffix(".hub")
+    if hub == body or hub not in model.hubs or len(model.nodes[hub].at) != 3:
+        return None
+    return next((arm for arm in arms_of(model, hub) if arm.member == member), None)
 
 
 def _centre_first(model: ModelData, name: str, end: int) -> tuple[str, str]:

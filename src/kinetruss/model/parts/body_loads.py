@@ -64,6 +64,8 @@ class BodyCouple(InTime):
     """A couple on a body, or on a bar of a planar model: `moment`, N m (plane: one number, counter-clockwise), or a table.
 
     follows : the moment turns with the body; else it keeps its direction. Given in global axes of the start configuration.
+    member : where the body is that of a hub in space (``NODE.hub``, or a hub on the ground), the member through whose joint the
+        couple enters. It twists and bends the arm of this member, and what it has along the axis of the member twists the member.
 
     Nodal forces f_i = a x (r_i - mean r) with (sum |d|^2 1 - d d^T) a = M: the smallest forces equivalent to the couple.
     """
@@ -73,10 +75,15 @@ class BodyCouple(InTime):
     times: _Times = None
     moments: Annotated[tuple[_Moment, ...], Series] | None = None
     follows: Flag = False
+    member: Name | None = None
 
     @model_validator(mode="after")
     def _form(self) -> BodyCouple:
         self._one_form("moment", "moments")
+        if self.member is not None and self.follows:
+            raise ValueError(
+                "enters through a member and follows its body. Give its moments in time in global axes, without follows."
+            )
         return self
 
 

@@ -13,6 +13,7 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Status, Verdict, provenance, variable
 from kinetruss.strength.envelopes.gathering import Gathering
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.members.torsion import twisted_parts
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
 from kinetruss.strength.verdict.notes import notes
 from kinetruss.strength.verdict.utilisation import RULES, axes_of_verdict, subjects
@@ -44,7 +45,7 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
     with np.errstate(divide="ignore"):
         margin = 1 / utilisation - 1
     bars = len(names)
-    said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker")
+    said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker", np.zeros(len(parts.names), np.bool_))
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""
     said = np.concatenate([said, beam_notes(model, value[bars:, 0], value[bars:, 1])])
     over = ("part", "rule")
@@ -59,7 +60,9 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
         "load_case": variable(over, _labelled(pair, labels), "", "governing pair: motion, condition, load case"),
         "note": variable(over, said.astype(str), "", "formula used, or why it was not checked"),
     }
-    attrs = {"kind": "verdict", "not_held": []}
+    twisted = twisted_parts(model)
+    left = f"Not held: torsion of {', '.join(np.array(parts.names)[twisted])} by couples that enter hubs through members."
+    attrs = {"kind": "verdict", "not_held": [left] if twisted.any() else []}
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, attrs).later,
         status=Status.COMPLETED,

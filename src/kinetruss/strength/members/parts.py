@@ -27,7 +27,7 @@ class Parts:
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
     index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
     length (parts,): m, NaN for bars. shape (parts,): codes of `kernels.sections.stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
-    (shear), E, G, yield_strength Pa: NaN where not known.
+    (shear), E, G, yield_strength Pa: NaN where not known. twist (parts,): largest shear stress of torsion over the torque, 1/m^3.
     """
 
     names: tuple[str, ...]
@@ -48,6 +48,7 @@ class Parts:
     E: NDArray[np.float64]
     G: NDArray[np.float64]
     yield_strength: NDArray[np.float64]
+    twist: NDArray[np.float64]
 
     @property
     def judged(self) -> tuple[str, ...]:
@@ -98,8 +99,8 @@ def _parts(system: System) -> Parts:
                 rows.append((f"{name}.{role}", name, k, part.length, _numbers(model, part)))
         else:
             rows.append((name, name, k, np.nan, _numbers(model, member)))
-    numbers = np.array([row[4] for row in rows]).reshape(len(rows), 10)
-    area, I2, I3, c2, c3, factor, E, poisson, strength, shape = numbers.T
+    numbers = np.array([row[4] for row in rows]).reshape(len(rows), 11)
+    area, I2, I3, c2, c3, factor, E, poisson, strength, shape, twist = numbers.T
     return Parts(
         names=tuple(row[0] for row in rows),
         members=tuple(row[1] for row in rows),
@@ -119,6 +120,7 @@ def _parts(system: System) -> Parts:
         E=E,
         G=E / (2 * (1 + poisson)),
         yield_strength=strength,
+        twist=twist,
     )
 
 
@@ -132,4 +134,6 @@ def _numbers(model: Model, part: Any) -> tuple[float, ...]:
     stuff = (np.nan,) * 3
     if material is not None:
         stuff = (material.E, material.poisson, material.yield_strength or np.nan)
-    return (*shape, *stuff, UNKNOWN if section is None else _SHAPES[section.kind])
+    known = section is not None and section.torsion_arm is not None
+    twist = section.torsion_arm / section.torsion_constant if known else np.nan
+    return (*shape, *stuff, UNKNOWN if section is None else _SHAPES[section.kind], twist)

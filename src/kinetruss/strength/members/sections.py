@@ -16,6 +16,7 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Axes, Forces, Sections, provenance, variable
 from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.members.torsion import torsion_of
 from kinetruss.strength.verdict.not_held import not_held, sentences
 
 if TYPE_CHECKING:
@@ -35,7 +36,8 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     Returns
     -------
     Sections, exerted by the B-side part on the A-side part. ``section_T`` (time, part, station) N, tension positive;
-    ``section_V`` (time, part, station, transverse) N; ``section_M`` (time, part, station, moment) N m; ``part_start`` and
+    ``section_V`` (time, part, station, transverse) N; ``section_M`` (time, part, station, moment) N m; with couples that enter
+    hubs through members (`BodyCouple.member`, `actuators.screw_couples`) ``torsion`` (time, part, station) N m; ``part_start``,
     ``part_length`` (time, part) m: where the part begins, from end A, and how long it is. Parts are the bars by name and
     ``NAME.base``, ``NAME.tube`` of active members; coordinate ``member`` holds the member of each part.
 
@@ -62,7 +64,7 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     shape = (count, len(parts.names), len(xi))
     T, V, M = allocate(shape, (*shape, across), (*shape, across))
     section_forces(given.members, given.histories, given.allocate(1), xi, T, V, M)
-    length = forces.motion.arrays["length"].values
+    length, twist = forces.motion.arrays["length"].values, torsion_of(model, forces)
     station = ("time", "part", "station")
     data = {
         "section_T": variable(station, T, "N", "axial force, tension positive"),
@@ -71,6 +73,9 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
         "part_start": variable(("time", "part"), parts.starts(length), "m", "distance of the part from end A"),
         "part_length": variable(("time", "part"), parts.lengths(length), "m", "length of the part"),
     }
+    if twist is not None:
+        along = np.repeat(twist[:, :, None], len(xi), axis=2)
+        data["torsion"] = variable(station, along, "N m", "torque about 1")
     axes = _axes(parts.names, parts.members, tuple(xi.tolist()), across)
     attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.attrs.get("at_rest", 0))}
     found: Any = Arrays(axes, forces.arrays["time"].values, data, attrs)

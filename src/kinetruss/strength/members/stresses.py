@@ -12,6 +12,7 @@ from kinetruss.kernels.sections.stress import section_von_mises
 from kinetruss.model import Model
 from kinetruss.results import Sections, variable
 from kinetruss.strength.members.components import components, matching_parts
+from kinetruss.strength.members.torsion import shear_of_torsion, with_torsion
 
 __all__ = ["stresses"]
 
@@ -35,7 +36,9 @@ def stresses(
     ``S1``: von Mises stress on the neutral axis, sqrt((T/A)^2 + 3 (k V/A)^2) with the resultant V.
     ``S2``: outer fibre, |T|/A + |M| c/I with the resultant M of a round section, else the corner
     |T|/A + |M2| c3/I2 + |M3| c2/I3.
-    ``von_mises``: the largest over the section, never below S1 and S2. NaN for parts without section.
+    ``von_mises``: the largest over the section, never below S1 and S2. NaN for parts without section. Torsion adds its
+    largest shear stress tau to all three, to ``von_mises`` as a bound: sqrt(s^2 + 3 (2 k V/A tau + tau^2)), s without torsion,
+    which is exact where V = 0; NaN for a section that does not know its shear stress of torsion.
 
     Notes
     -----
@@ -61,10 +64,14 @@ def stresses(
     worst = np.empty_like(axial)
     T, V, M = (np.ascontiguousarray(sections.data[f"section_{name}"].values) for name in "TVM")
     section_von_mises(parts.shape, parts.scale, T, V, M, worst)
+    twist = (
+        shear_of_torsion(model, sections.data["torsion"].values[:, :, 0])[:, :, None] if "torsion" in sections.data else none
+    )
+    worst = with_torsion(worst, np.abs(shear), twist)
     over = ("time", "part", "station")
     data = {
-        "S1": variable(over, np.sqrt(axial**2 + 3 * shear**2), "Pa", "von Mises stress on the neutral axis"),
-        "S2": variable(over, axial + fibre, "Pa", "stress in the outer fibre"),
+        "S1": variable(over, np.sqrt(axial**2 + 3 * (shear + twist) ** 2), "Pa", "von Mises stress on the neutral axis"),
+        "S2": variable(over, np.sqrt((axial + fibre) ** 2 + 3 * twist**2), "Pa", "stress in the outer fibre"),
         "von_mises": variable(over, worst, "Pa", "largest von Mises stress over the section"),
     }
     return xr.Dataset(data, coords=nominal.coords, attrs=sections.data.attrs | {"kind": "stresses"})

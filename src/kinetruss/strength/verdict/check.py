@@ -12,6 +12,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, row_text, variable
 from kinetruss.strength.members.parts import parts_of
+from kinetruss.strength.members.torsion import twisted_parts
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
 from kinetruss.strength.verdict.not_held import add_to_notes, not_held, sentences
 from kinetruss.strength.verdict.notes import notes
@@ -88,7 +89,7 @@ def check(
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     pushed = worst["value"][:, list(RULES).index("buckling")]
-    said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section)
+    said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section, twisted_parts(model))
     left = not_held(model, [one.load_case for _, one in cases])
     add_to_notes(left, members, worst["utilisation"], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -17,6 +18,7 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Axes, Forces, variable
 from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import Parts, parts_of
+from kinetruss.strength.members.torsion import shear_of_torsion, torsion_of, with_torsion
 from kinetruss.strength.verdict.beams import beam_histories, beam_limits, beam_parts
 from kinetruss.strength.verdict.buckling import amplification, critical_load, end_condition, euler_load
 
@@ -67,7 +69,8 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
 
     Notes
     -----
-    yield: largest von Mises stress along the part over yield strength/`Safety.yielding`.
+    yield: largest von Mises stress along the part over yield strength/`Safety.yielding`; torsion of arms and active members
+    (`BodyCouple.member`) adds to it as in `stresses`, with the largest shear stress along the part.
     Beams follow the bars: ``yield`` by `strength.beams` at 97 sections or more, the demand of ``buckling`` without a limit.
     buckling: P, the largest compression along the member (0 if it is in tension everywhere), over P_cr/`Safety.buckling`,
     P_cr by Euler or Johnson for the member's length of that instant, its end conditions and its smallest second moment.
@@ -82,14 +85,23 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
 def utilised(model: Model, forces: Forces, options: Options | None = None) -> Arrays:
     """`utilisation` as plain arrays."""
     chosen = options or Options()
-    given, parts = histories(model, forces), parts_of(model)
+    given, parts, twist = histories(model, forces), parts_of(model), _twisting(model, forces)
     length = forces.motion.arrays["length"].values
     found = _Found(len(length), parts, model.safety.yielding)
     for start in range(0, len(length), BATCH):
         cut = slice(start, start + BATCH)
         batch = _Batch(given.polynomials(cut), parts, length[cut], max(SPANS, chosen.stations - 1))
         _judge(model, batch, chosen, found, cut)
+        if twist is not None:
+            shear, _ = batch.peaks(np.where(parts.shape < 0, -1, ROUND), parts.scale[None] * (0, 0, 0, 1), path=False)
+            found.stress[cut] = with_torsion(found.stress[cut], shear / math.sqrt(3), twist[cut])
     return _arrays(model, forces, length, found, beam_histories(model, forces, chosen.stations))
+
+
+def _twisting(model: Model, forces: Forces) -> NDArray[np.float64] | None:
+    """Shear stress of torsion (times, parts), Pa; None without any."""
+    torque = torsion_of(model, forces)
+    return None if torque is None else shear_of_torsion(model, torque)
 
 
 class _Found:
