@@ -163,7 +163,7 @@ class Instant:
         return "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
 
     def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
-        """Name and force (dim,), N, of every load on a node; a load on a bar is not on its nodes, one on a hub at its centre."""
+        """Name and force (dim,), N, of every load on a node; one on a bar is not on its nodes, one on a hub at its centre."""
         on_bars = {one.action.source for one in self.on_bars if one.action.kind == "load"}
         found: dict[str, NDArray[np.float64]] = {}
         for name, at, force in zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True):

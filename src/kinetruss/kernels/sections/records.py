@@ -16,8 +16,9 @@ class Members(Record):
     segments : that a part has at most. p, q (m,) : nodes at the ends A, B. orient (m,) : node that spans plane 1-2 with the
     member, or -1; reference (m, 3) : direction where there is none. two_rods (m,) : 1 of active members. rods (m, 6) : mass kg,
     length m, rotary inertia kg m^2 of a bar or base, then of a tube. acting (m + 1,) : actions acting[k]:acting[k + 1] are on
-    member k. clamped_ptr (2 m + 1,) : masses clamped[clamped_ptr[j]:clamped_ptr[j + 1]] are on the base of member k, j = 2 k, or
-    on its tube, j = 2 k + 1; clamped (c, 2) : fraction from the end towards A, ascending, and kg, besides those in rods. spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
+    member k. clamped_ptr (2 m + 1,) : masses clamped[clamped_ptr[j]:clamped_ptr[j + 1]] are on the base of member k, j = 2 k,
+    or on its tube, j = 2 k + 1; clamped (c, 2) : fraction from the end towards A, ascending, and kg, besides those in rods.
+    spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
     """
 
     segments: I0

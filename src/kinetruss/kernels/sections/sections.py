@@ -227,7 +227,7 @@ def _resisting(members: Members, n: int, span: float, motion: Any) -> Any:
 
 
 @kernel_inline
-def _to_the_end(members: Members, k: int, out: Polynomials, at: Any, masses: Any, rod: Any, force: Any, couple: Any) -> None:
+def _to_the_end(members: Members, out: Polynomials, at: Any, masses: Any, rod: Any, force: Any, couple: Any) -> None:
     """The rest of a rod, given the force and couple at xi = 1: a new segment behind each of these masses.
 
     at : row, part, and the first segment of the rest. masses : the first and last. rod : span, rotary inertia times u'', motion
@@ -280,7 +280,7 @@ def _base(members: Members, k: int, out: Polynomials, at: Any, nut: float, force
     out.ends[row, part, j], out.nut[row, part] = nut, nut
     # beyond the nut no force acts at xi = 1
     free = _less(_less((0.0, 0.0, 0.0), c1), c2), c1, c2
-    _to_the_end(members, k, out, (row, part, j + 1), (n, last), (span, turn, motion), free, (0.0, 0.0))
+    _to_the_end(members, out, (row, part, j + 1), (n, last), (span, turn, motion), free, (0.0, 0.0))
 
 
 @kernel_inline
@@ -301,7 +301,7 @@ def _rods(
     couple = _end_couple(members, histories, i, k, 1.0, frame)
     masses = members.clamped_ptr[2 * k + 1], members.clamped_ptr[2 * k + 2]
     out.nut[row, part + 1] = WHOLE
-    _to_the_end(members, k, out, (row, part + 1, 0), masses, rod, (_less(_less(f, c1), c2), c1, c2), couple)
+    _to_the_end(members, out, (row, part + 1, 0), masses, rod, (_less(_less(f, c1), c2), c1, c2), couple)
 
 
 @kernel_inline

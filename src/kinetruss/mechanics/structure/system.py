@@ -31,7 +31,7 @@ class System:
     x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
     tube, each the uniform rod with the same moments as that with its masses; own_rods (m, 6): likewise, without the masses, and
-    clamped (c, 3) these: 2 member for one on its base, 2 member + 1 on its tube; fraction from the end towards A, ascending; kg;
+    clamped (c, 3) these: 2 member for one on its base, 2 member + 1 on its tube; fraction from the end towards A; kg;
     law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.plan), with spring (m,) k, N/m, else 0, natural (m,) l0,
     m, and damping (m,) c, N s/m; friction (m, 2) of the bearings at its ends, N m s; compliance (m,) 1/(E A), or 1/(k l0), 1/N,
     NaN unknown, and yielding (m,) m/N, which adds to compliance times length;

@@ -65,7 +65,7 @@ class BodyCouple(InTime):
 
     follows : the moment turns with the body; else it keeps its direction. Given in global axes of the start configuration.
     member : where the body is that of a hub in space (``NODE.hub``, or a hub on the ground), the member through whose joint the
-        couple enters. It twists and bends the arm of this member, and what it has along the axis of the member twists the member.
+        couple enters. It twists and bends the arm of this member, and its component along the member twists the member.
 
     Nodal forces f_i = a x (r_i - mean r) with (sum |d|^2 1 - d d^T) a = M: the smallest forces equivalent to the couple.
     """
@@ -82,7 +82,7 @@ class BodyCouple(InTime):
         self._one_form("moment", "moments")
         if self.member is not None and self.follows:
             raise ValueError(
-                "enters through a member and follows its body. Give its moments in time in global axes, without follows."
+                "enters through a member and follows its body. Leave out follows: give moments in time, global axes."
             )
         return self
 

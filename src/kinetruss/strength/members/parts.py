@@ -27,7 +27,7 @@ class Parts:
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
     index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
     length (parts,): m, NaN for bars. shape (parts,): codes of `kernels.sections.stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
-    (shear), E, G, yield_strength Pa: NaN where not known. twist (parts,): largest shear stress of torsion over the torque, 1/m^3.
+    (shear), E, G, yield_strength Pa: NaN where not known. twist: largest shear stress of torsion over torque, 1/m^3.
     """
 
     names: tuple[str, ...]
