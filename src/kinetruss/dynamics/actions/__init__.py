@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         relative_rates,
         seats_of,
     )
+    from kinetruss.dynamics.actions.hinges import couples_at_hinges
     from kinetruss.dynamics.actions.hubs import braces_of_hubs, grounded_tips
     from kinetruss.dynamics.actions.records import CarriedBy
 
@@ -31,6 +32,7 @@ __all__ = [
     "action_variables",
     "actions_of",
     "braces_of_hubs",
+    "couples_at_hinges",
     "couples_on_ends",
     "friction_directions",
     "refuse_bearings",
@@ -45,6 +47,7 @@ __getattr__, __dir__ = late(
     {
         "bar_actions": "acting_along action_coordinates action_variables actions_of mean_tension_at_rest",
         "bearings": "couples_on_ends friction_directions refuse_bearings relative_rates seats_of",
+        "hinges": "couples_at_hinges",
         "hubs": "braces_of_hubs grounded_tips",
         "records": "CarriedBy",
     },

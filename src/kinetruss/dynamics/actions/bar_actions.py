@@ -12,6 +12,7 @@ import numpy as np
 from kinetruss.dynamics.actions.bars_between import bars_of
 from kinetruss.dynamics.actions.bearings import actions_of_bearings
 from kinetruss.dynamics.actions.friction import actions_of_friction
+from kinetruss.dynamics.actions.hinges import actions_of_hinges
 from kinetruss.dynamics.actions.hubs import actions_of_hubs, couples_through_members
 from kinetruss.dynamics.actions.loads import actions_of_bodies, actions_of_loads
 from kinetruss.dynamics.actions.records import Acting, Action, CarriedBy, Instants, NotOnBars, evaluate
@@ -68,6 +69,7 @@ def actions_of(system: System, case: str) -> BarActions:
         *actions_of_loads(system, bars, loads),
         *actions_of_friction(system),
         *actions_of_hubs(system, bars),
+        *actions_of_hinges(system, bars),
         *couples_through_members(system, loads),
         *actions_of_bearings(system),
     ]
@@ -159,7 +161,7 @@ def _of_springs(system: System, force: NDArray[np.float64] | None) -> dict[tuple
 
 def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
-    return action.kind in ("drive", "coupling", "spring", "hub") and not action.counted
+    return action.kind in ("drive", "coupling", "spring", "hub", "hinge") and not action.counted
 
 
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars, bars_of
+from kinetruss.dynamics.actions.hinges import bars_of_hinges, hinges_of
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars, couple_on_ends
 from kinetruss.mechanics import kept
 from kinetruss.model import BodyCouple
@@ -39,7 +40,7 @@ def braces_of_hubs(system: System) -> frozenset[int]:
     for hub in model.hubs:
         if not _shared(system, bars, hub):
             found.update(_braces(system, bars, hub))
-    return frozenset(found)
+    return frozenset(found) | bars_of_hinges(system)
 
 
 def grounded_tips(system: System, node: str) -> list[str] | None:
@@ -48,6 +49,7 @@ def grounded_tips(system: System, node: str) -> list[str] | None:
     for hub in model.hubs:
         if is_grounded(model, hub):
             tips = [arm.name for arm in arms_of(model, hub)]
+            tips += [at for one in hinges_of(system) if one.hub == hub for at in one.nodes]
             if node == hub:
                 return tips
             if node in tips:
@@ -83,9 +85,11 @@ def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
         on_body = (name for name, load in model.loads.items() if getattr(load, "body", None) == f"{hub}.hub")
         own = frozenset(on_body)
         for i, tip in tips.items():
-            node = bars.ends(i)[tip]
-            pulled = tuple((k, bars.ends(k).index(node)) for k in braces if node in bars.ends(k))
-            worth = partial(_passed_on, tip, node, pulled, own, is_grounded(model, hub))
+            at = bars.ends(i)[tip]
+            axes = [node for one in hinges_of(system) if one.tip == system.nodes[at] for node in one.nodes]
+            nodes = (at, *(system.node_index(node) for node in axes))
+            pulled = tuple((k, bars.ends(k).index(node)) for k in braces for node in nodes if node in bars.ends(k))
+            worth = partial(_passed_on, tip, nodes, pulled, own, is_grounded(model, hub))
             yield Action(source=hub, kind="hub", member=i, worth=worth, place=float(1 - tip))
 
 
@@ -119,18 +123,21 @@ def _held_elsewhere(system: System, bars: Bars, hub: str, own: set[int]) -> bool
         return False
     nodes = set(body.nodes)
     edges = [{system.nodes[n] for n in bars.ends(i)} for i in own]
+    hinged = [{one.tip, *one.nodes} for one in hinges_of(system)]
     for name, other in model.bodies.items():
         shared = nodes & set(other.nodes)
-        if name != f"{hub}.hub" and len(shared) > 1 and not any(shared <= edge for edge in edges):
+        if name != f"{hub}.hub" and len(shared) > 1 and not any(shared <= edge for edge in [*edges, *hinged]):
             return True
     inside = {i for i in range(len(bars.brace)) if not bars.brace[i] and {system.nodes[n] for n in bars.ends(i)} <= nodes}
     return bool(inside - own)
 
 
 def _passed_on(
-    tip: int, node: int, pulled: tuple[tuple[int, int], ...], own: frozenset[str], fixed: bool, here: Instants
+    tip: int, nodes: tuple[int, ...], pulled: tuple[tuple[int, int], ...], own: frozenset[str], fixed: bool, here: Instants
 ) -> NDArray[np.float64]:
-    """Two opposite forces (t, 2, 3), N, on an arm: at its tip minus those that braces and a support exert on the node there."""
+    """Two opposite forces (t, 2, 3), N, on an arm: at its tip those that braces and supports exert on the nodes there, which
+    are the joint and the axis of its hinge.
+    """
     found = np.zeros((len(here.x), 2, 3))
     if here.carried is None:
         return found * np.nan
@@ -140,9 +147,9 @@ def _passed_on(
         push -= (here.carried.tension[:, k] / np.linalg.norm(d, axis=1))[:, None] * d
     if here.loads is not None:  # loads on the body of a hub act at its centre
         for k, (load, at) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):
-            if at == node and load in own:
+            if at in nodes and load in own:
                 push += here.loads.force[:, k]
     if fixed:
-        push += here.carried.support[:, node]
+        push += here.carried.support[:, list(nodes)].sum(axis=1)
     found[:, 1 - tip] = -push
     return found

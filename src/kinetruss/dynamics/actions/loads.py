@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars
+from kinetruss.dynamics.actions.hinges import hinge_bodies
 from kinetruss.dynamics.actions.hubs import hub_bodies
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure, body_mass
@@ -42,7 +43,7 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
                 yield Action(source=name, kind="body", member=i, worth=worth, place=place)
             continue
         own = {system.node_index(node) for node in body.nodes}
-        inside = () if name in hub_bodies(system) else bars.inside(own)
+        inside = () if name in hub_bodies(system) | hinge_bodies(system) else bars.inside(own)
         if inside and (body.mass or bars.braced(own)):
             yield NotOnBars(source=name, kind="body", nodes=tuple(body.nodes), members=inside)
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 __all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "couple_on_ends", "evaluate"]
 
 
-GIVEN = ("load", "body", "friction", "spring", "hub", "bearing", "couple")
+GIVEN = ("load", "body", "friction", "spring", "hub", "bearing", "couple", "hinge")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 

@@ -64,12 +64,12 @@ class Body:
     @property
     def force_sum(self) -> NDArray[np.float64]:
         """Sum of all forces (dim,), N."""
-        return np.asarray(np.sum([term.force for term in self.terms], axis=0))
+        return np.asarray(sum((term.force for term in self.terms), np.zeros(len(self.inertia.force))))
 
     @property
     def moment_sum(self) -> NDArray[np.float64]:
         """Sum of all moments about the centre of mass (moments,), N m."""
-        return np.asarray(np.sum([term.moment for term in self.terms], axis=0))
+        return np.asarray(sum((term.moment for term in self.terms), np.zeros(len(self.inertia.moment))))
 
     @property
     def equations(self) -> tuple[Equation, ...]:
@@ -217,6 +217,7 @@ _SYMBOLS = {
     "bearing": ("C", "bearing"),
     "hub": ("H", "centre of hub"),
     "couple": ("C", "couple of"),
+    "hinge": ("C", "hinge at hub"),
 }
 
 

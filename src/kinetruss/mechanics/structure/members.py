@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
 from kinetruss.model import Active, Bar, Model, PointMass, natural_length, stiffness
-from kinetruss.model.hubs import arms_of, clamped_at
+from kinetruss.model.hubs import arms_of, clamped_at, pivots_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -78,6 +78,7 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
     found["kind"][:], found["compliance"][:] = kinds, soft
     # hubs are rigid bodies, with their arms and with the members clamped to them
     of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
+    of_hubs |= {one.member for one in pivots_of(model) if one.steady}
     found["compliance"][[i for i, name in enumerate(model.members) if name in of_hubs]] = np.nan
     length = found["length0"]
     found["rods"][:, :2] = np.where(

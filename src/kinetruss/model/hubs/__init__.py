@@ -10,10 +10,12 @@ if TYPE_CHECKING:
     from kinetruss.model.hubs.arms import apexes, arm_through, arms_of, clamped_at, free_length, hub_of, is_grounded, loops
     from kinetruss.model.hubs.bearings import bearing_faults, seat_of
     from kinetruss.model.hubs.expand import with_arms
+    from kinetruss.model.hubs.hinges import Pivot, pivots_of
     from kinetruss.model.hubs.record import Hub
 
 __all__ = [
     "Hub",
+    "Pivot",
     "apexes",
     "arm_through",
     "arms_of",
@@ -23,6 +25,7 @@ __all__ = [
     "hub_of",
     "is_grounded",
     "loops",
+    "pivots_of",
     "seat_of",
     "with_arms",
 ]
@@ -33,6 +36,7 @@ __getattr__, __dir__ = late(
         "arms": "apexes arm_through arms_of clamped_at free_length hub_of is_grounded loops",
         "bearings": "bearing_faults seat_of",
         "expand": "with_arms",
+        "hinges": "Pivot pivots_of",
         "record": "Hub",
     },
 )

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, islice
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.model.checks.places import beside
+from kinetruss.model.parts.body_mass import quality
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,6 +32,8 @@ __all__ = [
 
 FLAT = 1e-6
 """Tips within this fraction of the size of a hub from a plane count as lying in it."""
+TRIED = 1000
+"""Sets of nodes that are compared."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,7 +71,7 @@ def members_at(model: ModelData, hub: str) -> dict[str, int]:
     """Members at a hub besides its own arms and braces, with their end there."""
     found = {}
     for name, member in model.members.items():
-        if getattr(member, "brace", False) or member.ends == (hub, name):
+        if getattr(member, "brace", False) or member.ends == (hub, name):  # bars of hinges are braces
             continue
         ends = ideal_ends(model, name, member)
         if hub in ends:
@@ -151,3 +154,12 @@ def loops(model: ModelData) -> set[str]:
                     closed.add(top(one))
                 root[top(one)] = top(two)
     return {hub for hub in model.hubs if top(hub) in {top(one) for one in closed}}
+
+
+def spread(places: dict[str, tuple[float, ...]]) -> tuple[str, ...]:
+    """The nodes of a hub that span it best, so that loads on its body have carriers: four in space, two in the plane."""
+    dim = len(next(iter(places.values())))
+    if dim == 2:
+        return tuple(places)[:2]
+    tried = islice(combinations(places, min(len(places), dim + 1)), TRIED)
+    return max(tried, key=lambda names: round(quality([places[name] for name in names]), 9))

@@ -11,6 +11,7 @@ from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
 from kinetruss.model.checks.common import a_bar, unknown
 from kinetruss.model.hubs.arms import FLAT, Arm, arms_of, clamped_at, free_length, ideal_ends, is_grounded, members_at
+from kinetruss.model.hubs.hinges import is_steady, perpendicular, pivots_of
 from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
 
 __all__ = ["hub_faults"]
 
+LEAN = 0.1
+"""Least sine of the angle between the axis of a hinge and its member."""
+SQUARE = 1e-9
+"""How much less than 1 the sine may be where the length of the member changes."""
 SAME = 1e-9
 """Lengths that differ by less than this fraction are one."""
 
@@ -31,7 +36,7 @@ def hub_faults(model: ModelData) -> list[Fault]:
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
     for hub in model.hubs:
-        found += [*_clamped(model, hub), *_on_line(model, hub), *_left_over(model, hub)]
+        found += [*_clamped(model, hub), *_hinges(model, hub), *_on_line(model, hub), *_left_over(model, hub)]
     for arm in arms:
         found += [*_place(model, arm)]
     for name in dict.fromkeys(arm.member for arm in arms):
@@ -48,7 +53,7 @@ def _names(model: ModelData, hub: str) -> Iterator[Fault]:
     if any(end not in model.nodes for member in model.members.values() for end in member.ends):
         return  # reported with the members
     here, dim = members_at(model, hub), len(model.nodes[hub].at)
-    for field, names in (("arms", record.arms), ("clamped", record.clamped)):
+    for field, names in (("arms", record.arms), ("clamped", record.clamped), ("hinges", record.hinges)):
         for name in names:
             if name not in model.members:
                 yield Fault((*path, field, name), f"no member called {name!r}.", nearest(name, model.members))
@@ -79,10 +84,40 @@ def _clamped(model: ModelData, hub: str) -> Iterator[Fault]:
             yield Fault((*path, name), "is clamped to a hub on the ground, so that it cannot move.", mend)
 
 
+def _hinges(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Hinges of the plane, without an arm, about the axis of the member, or of members that cannot bear their moments."""
+    record, arms = model.hubs[hub], {arm.member: arm for arm in arms_of(model, hub)}
+    for name, axis in record.hinges.items():
+        path, member = ("hubs", hub, "hinges", name), model.members[name]
+        if len(model.nodes[hub].at) == 2:
+            yield Fault(path, "is in a planar model, where every joint is a pin.", "Leave it out.")
+            continue
+        if name not in arms:
+            yield Fault(path, f"has a hinge at {hub!r}, but no arm.", f"Give it one: arms: {{{name}: 50 mm}}.")
+            continue
+        kind = getattr(member, "kind", "active")
+        if kind in ("cable", "free"):
+            yield Fault(path, f"is {a_bar(kind)}, which bears no moment.", "Leave the hinge out.", about=(("bars", name),))
+            continue
+        other = ideal_ends(model, name, member)[1 - arms[name].end]
+        far = {one.member: one.at for one in arms_of(model, other)}.get(name) if other in model.hubs else None
+        along = np.array(far or model.nodes[other].at) - np.array(arms[name].at)
+        along /= np.linalg.norm(along) or 1.0
+        unit = np.array(axis) / np.linalg.norm(axis)
+        across = perpendicular(unit, along)
+        size = float(np.linalg.norm(across))
+        if size < LEAN:
+            yield Fault(path, "has its axis along the member, which would not swing.", "Turn the axis across the member.")
+        elif not is_steady(model, name) and size < 1 - SQUARE:
+            mend = f"Give ({', '.join(f'{c:.6g}' for c in across / size)}); or keep its length, and drive another member."
+            yield Fault(path, "is not square to the member, whose length changes.", mend)
+
+
 def _on_line(model: ModelData, hub: str) -> Iterator[Fault]:
     """In space bars do not hold three nodes on a line, and nothing keeps what stands beside them from turning about it."""
     places = [model.nodes[hub].at, *(arm.at for arm in arms_of(model, hub))]
     places += [model.nodes[node].at for node in clamped_at(model, hub).values()]
+    places += [at for one in pivots_of(model) if one.hub == hub for at in one.at]
     if len(places[0]) == 2 or len(places) < 3 or is_grounded(model, hub):
         return
     spread = np.linalg.svd(np.array(places) - np.mean(places, axis=0), compute_uv=False)

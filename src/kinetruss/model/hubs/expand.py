@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import combinations, islice
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from kinetruss.model.hubs.arms import Arm, apexes, arms_of, clamped_at, is_grounded
+from kinetruss.model.hubs.arms import Arm, apexes, arms_of, clamped_at, is_grounded, spread
+from kinetruss.model.hubs.hinges import add_axes, add_hinged, pivots_of
 from kinetruss.model.parts.bodies import Body
-from kinetruss.model.parts.body_mass import quality
 from kinetruss.model.parts.members import Bar, Node
 
 if TYPE_CHECKING:
@@ -17,8 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["with_arms"]
 
-TRIED = 1000
-"""Sets of nodes that are compared."""
+TABLES = ("nodes", "bars", "active", "bodies", "fixed", "support_motion", "couplings")
+"""Tables of a model that hubs change."""
 
 
 def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
@@ -27,16 +26,20 @@ def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
     """
     every = {hub: arms_of(model, hub) for hub in model.hubs}
     new = {hub: arms for hub, arms in every.items() if not _expanded(model, hub, arms)}
-    found: dict[str, dict[str, Any]] = {
-        field: dict(getattr(model, field)) for field in ("nodes", "bars", "active", "bodies", "fixed", "support_motion")
-    }
-    for hub in [hub for hub in every if hub not in new]:
-        _move(model, hub, every[hub], found)
-    for hub, arms in new.items():
-        _add_arms(model, hub, arms, found)
-    for hub, arms in new.items():
-        if not is_grounded(model, hub):
+    found: dict[str, dict[str, Any]] = {field: dict(getattr(model, field)) for field in TABLES}
+    for hub, arms in every.items():
+        if hub in new:
+            _add_arms(model, hub, arms, found)
+        else:
+            for arm in arms:
+                found["nodes"][arm.name] = found["nodes"][arm.name].with_(at=arm.at)
+    add_axes(model, found)
+    for hub, arms in every.items():
+        if hub not in new:
+            _move(model, hub, arms, found)
+        elif not is_grounded(model, hub):
             _add_body(model, hub, arms, found)
+    add_hinged(model, found)
     return {field: table for field, table in found.items() if table != getattr(model, field)}
 
 
@@ -48,9 +51,7 @@ def _expanded(model: ModelData, hub: str, arms: list[Arm]) -> bool:
 
 
 def _move(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
-    """Put the joints of a hub where its record and its node say, and give it the body that it then has."""
-    for arm in arms:
-        found["nodes"][arm.name] = found["nodes"][arm.name].with_(at=arm.at)
+    """Give a hub whose joints are where its record and its node say the body that it then has."""
     if (body := found["bodies"].get(f"{hub}.hub")) is None:
         return
     beside = [node for node in body.nodes if node.startswith(f"{hub}.hub.apex")]
@@ -66,8 +67,9 @@ def _move(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str
 
 
 def _nodes(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> list[str]:
-    """The nodes of a hub's body without apexes: its centre, the tips, and the far ends of clamped members."""
+    """The nodes of a hub's body without apexes: its centre, the tips, axes of hinges, and the far ends of clamped members."""
     nodes = [hub, *(arm.name for arm in arms)]
+    nodes += [node for one in pivots_of(model) if hub in (one.hub, one.clamped) for node in one.nodes]
     for name in clamped_at(model, hub):
         nodes += [node for node in found["bars"][name].ends if node != hub]
     return nodes
@@ -95,7 +97,7 @@ def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict
             if other != hub and body and arm.member in model.hubs[other].clamped:
                 nodes = tuple(arm.name if node == hub else node for node in body.nodes)
                 found["bodies"][f"{other}.hub"] = body.with_(
-                    nodes=nodes, carriers=_spread({node: found["nodes"][node].at for node in nodes})
+                    nodes=nodes, carriers=spread({node: found["nodes"][node].at for node in nodes})
                 )
 
 
@@ -108,14 +110,5 @@ def _add_body(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict
         found["nodes"][nodes[-1]] = Node(at=tuple(place.tolist()), coincident=True)
     if len(nodes) > 1:
         found["bodies"][f"{hub}.hub"] = Body(
-            nodes=tuple(nodes), carriers=_spread({node: found["nodes"][node].at for node in nodes})
+            nodes=tuple(nodes), carriers=spread({node: found["nodes"][node].at for node in nodes})
         )
-
-
-def _spread(places: dict[str, tuple[float, ...]]) -> tuple[str, ...]:
-    """The nodes of a hub that span it best, so that loads on its body have carriers: four in space, two in the plane."""
-    dim = len(next(iter(places.values())))
-    if dim == 2:
-        return tuple(places)[:2]
-    tried = islice(combinations(places, min(len(places), dim + 1)), TRIED)
-    return max(tried, key=lambda names: round(quality([places[name] for name in names]), 9))

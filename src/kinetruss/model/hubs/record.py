@@ -39,8 +39,27 @@ Offset = Annotated[Any, PlainValidator(_offset), WithJsonSchema(_SCHEMA)]
 """m: a distance from the node towards the member's other end, or a vector from the node in the start configuration."""
 
 
+def _axis(value: Any) -> Any:
+    """A direction in space: x, y, z, or three numbers."""
+    value = value.tolist() if hasattr(value, "tolist") else value
+    if isinstance(value, str) and value in ("x", "y", "z"):
+        return tuple(float(value == one) for one in "xyz")
+    numbers = tuple(parse(entry, "number") for entry in value) if isinstance(value, (list, tuple)) else ()
+    if len(numbers) != 3 or not any(numbers):
+        raise ValueError(f"{shown(value)} is no axis in space. Give x, y, z or three numbers, not all 0.")
+    return numbers
+
+
+_AXIS_SCHEMA = {
+    "anyOf": [{"enum": ["x", "y", "z"]}, {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}],
+    "description": "axis in the start configuration: x, y, z or three numbers",
+}
+HingeAxis = Annotated[Any, PlainValidator(_axis), WithJsonSchema(_AXIS_SCHEMA)]
+"""A direction in space, in the start configuration."""
+
+
 class Hub(Record):
-    """A node of finite size: a rigid hub with an arm to the joint of each member (plane: pin; space: ball joint).
+    """A node of finite size: a rigid hub with an arm to the joint of each member (plane: pin; space: ball joint or hinge).
 
     In `Model.hubs` by the name of its node, which is the centre. Arms are rigid bars ``NODE.MEMBER`` to nodes of the same name,
     where the members end. A member becomes shorter by its arms; its `length`, `natural_length` and `limits` are those between
@@ -49,6 +68,8 @@ class Hub(Record):
     reach : length of the arms of all members at the node that are neither in `arms` nor in `clamped`, m.
     arms : by member, the length of its arm towards its other end, m, or the vector of its joint from the node, m, in the
         start configuration. A member that no field names ends at the centre.
+    hinges : by member with an arm, in space, the axis of its joint in the start configuration, ``x``, ``y``, ``z`` or three
+        numbers: the member turns about it only, relative to the hub. Without it the joint is a ball.
     clamped : rigid members that are fixed to the hub, without a joint; the hub turns with them, and they bend.
     section, material : of the arms; by default those of the model, as for any bar.
     turns : the hub of a fixed node turns about it. Otherwise it is bolted to the ground, and its arms do not move.
@@ -63,6 +84,7 @@ class Hub(Record):
 
     reach: PositiveLength | None = None
     arms: Table[Name, Offset] = ReadOnly()
+    hinges: Table[Name, HingeAxis] = ReadOnly()
     clamped: Annotated[tuple[Name, ...], Field(), Series] = ()
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
@@ -72,6 +94,8 @@ class Hub(Record):
     def _apart(self) -> Hub:
         if both := [name for name in self.clamped if name in self.arms]:
             raise ValueError(f"{shown(both[0])} is clamped and has an arm. Keep one of the two.")
+        if both := [name for name in self.clamped if name in self.hinges]:
+            raise ValueError(f"{shown(both[0])} is clamped and has a hinge. Keep one of the two.")
         if self.reach is None and not self.arms and not self.clamped:
             raise ValueError("has no arms. Give reach (all members), arms: {MEMBER: 50 mm}, or clamped: [MEMBER].")
         return self

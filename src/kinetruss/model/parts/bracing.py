@@ -25,7 +25,11 @@ Pair = frozenset[str]
 def braced(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
     """The bars of a model with the braces of `groups`: its bodies, and frames of beams; braces of removed ones are left out."""
     rigid = [set(body.nodes) for body in groups.values() if body.kind == "rigid" and body.brace]
-    kept = {name: bar for name, bar in model.bars.items() if not bar.brace or any(set(bar.ends) <= one for one in rigid)}
+    kept = {
+        name: bar
+        for name, bar in model.bars.items()
+        if not bar.brace or bar.kind == "free" or any(set(bar.ends) <= one for one in rigid)  # free ones measure hinges
+    }
     return {**kept, **braces(model, groups, faulty)}
 
 

@@ -1,4 +1,4 @@
-"""Torsion of arms and active members by couples that enter hubs through members."""
+"""Torsion of arms and members by couples that pass through hinges, or enter hubs through members."""
 
 from __future__ import annotations
 
@@ -6,62 +6,87 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.dynamics.actions import couples_at_hinges
 from kinetruss.mechanics import compile, ends_of
 from kinetruss.mechanics.assembly import case_loads
 from kinetruss.model import Active, BodyCouple, Model
-from kinetruss.model.hubs import arm_through
+from kinetruss.model.hubs import arm_through, pivots_of
 from kinetruss.strength.members.parts import parts_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.typing import NDArray
 
     from kinetruss.results import Forces
 
 __all__ = ["shear_of_torsion", "torsion_of", "twisted_parts", "with_torsion"]
 
+ROUND_OFF = 1e-10
+"""Torques below this fraction of the couple are round-off."""
+
 
 def twisted_parts(model: Model) -> NDArray[np.bool_]:
-    """Parts (parts,) that couples of `BodyCouple.member` twist: arms, and base and tube of active members."""
-    parts = parts_of(model)
-    through = {(load.body, load.member) for load in model.loads.values() if isinstance(load, BodyCouple) and load.member}
-    names = {name for _, name in through}
+    """Parts (parts,) that may be under torsion: arms and members of hinges and of `BodyCouple.member`."""
+    through = {(load.body, load.member) for load in _couples(model).values()}
+    names = {str(name) for _, name in through}
     names |= {arm.name for body, member in through if member and (arm := arm_through(model, body, member))}
-    return np.array([name in names for name in parts.members])
+    pivots = pivots_of(model) if model.hubs else []
+    names |= {one.tip for one in pivots}
+    names |= {one.member for one in pivots if one.clamped or [other.member for other in pivots].count(one.member) == 2}
+    return np.array([name in names for name in parts_of(model).members])
+
+
+def _couples(model: Model) -> dict[str, BodyCouple]:
+    """Loads that enter hubs through members."""
+    return {name: load for name, load in model.loads.items() if isinstance(load, BodyCouple) and load.member is not None}
 
 
 def torsion_of(model: Model, forces: Forces) -> NDArray[np.float64] | None:
-    """Torque about axis 1 along every part, exerted by its B-side on its A-side, (times, parts) N m; None without couples.
+    """Torque about axis 1 along every part, exerted by its B-side on its A-side, (times, parts) N m; None if nothing twists.
 
-    An arm has the component of the couple along it, from its tip to the centre of the hub. The member itself, with base and
-    tube, has the component along its axis: from joint to joint, which is where its other end passes it on.
+    The arm of a member has the component along it of the couples that pass through the joint, from its tip to the centre of the
+    hub. The member itself, with base and tube, has their component along its own axis, from joint to joint.
     """
-    if not any(isinstance(load, BodyCouple) and load.member for load in model.loads.values()):
-        return None
+    found = None
     system, parts = compile(model), parts_of(model)
-    position = forces.motion.arrays["position"].values
-    case = forces.load_case if forces.load_case in model.load_cases else None
-    couples = case_loads(system, forces.arrays["time"].values, case).couples
-    found, index = np.zeros((len(position), len(parts.names))), {name: i for i, name in enumerate(system.members)}
-    carried: dict[str, NDArray[np.float64]] = {}
-    for name, couple in couples.items():
-        load = model.loads[name]
-        arm = arm_through(model, load.body, load.member)
-        if arm is None:
-            continue
-        i = index[arm.name]
-        tip = 1.0 if system.nodes[system.q[i]] == arm.name else -1.0
-        found[:, parts.first[i]] += tip * np.einsum("tc,tc->t", couple, ends_of(system, position, i)[2])
-        # the couple on the hub is the opposite of that on the member: +C . u behind a section where it leaves at A
-        sign = 1.0 if arm.end == 0 else -1.0
-        along = sign * np.einsum("tc,tc->t", couple, ends_of(system, position, index[arm.member])[2])
-        carried.setdefault(f"{arm.member} {arm.end}", np.zeros(len(position)))
-        carried[f"{arm.member} {arm.end}"] += along
-    for member, i in index.items():
-        ends = [carried[key] for end in (0, 1) if (key := f"{member} {end}") in carried]
-        if ends:
-            rods = 2 if isinstance(model.members[member], Active) else 1
-            found[:, parts.first[i] : parts.first[i] + rods] += ends[0][:, None]
+    x = np.pad(forces.motion.arrays["position"].values, ((0, 0), (0, 0), (0, 3 - model.dim)))
+    index = {name: i for i, name in enumerate(system.members)}
+    for arm, member, end, couple in _passed(model, forces, x):
+        if found is None:
+            found = np.zeros((len(x), len(parts.names)))
+        size = ROUND_OFF * np.linalg.norm(couple, axis=1)
+        for name, sign in ((arm, 1.0 if system.nodes[system.q[index[arm]]] == arm else -1.0), (member, 1.0 - 2.0 * end)):
+            if not name:
+                continue
+            i = index[name]
+            torque = sign * np.einsum("tc,tc->t", couple, ends_of(system, x, i)[2])
+            rods = 2 if isinstance(model.members[name], Active) else 1
+            found[:, parts.first[i] : parts.first[i] + rods] += np.where(np.abs(torque) > size, torque, 0.0)[:, None]
     return found
+
+
+def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tuple[str, str, int, NDArray[np.float64]]]:
+    """Arm, member that is twisted from its other end (or empty), end of the member, couple (times, 3) of it on the hub."""
+    arrays, twisted = forces.arrays, set[str]()
+    if couples := _couples(model):
+        case = forces.load_case if forces.load_case in model.load_cases else None
+        given = case_loads(compile(model), arrays["time"].values, case).couples
+        by_end: dict[tuple[str, int], str] = {}
+        for name, load in couples.items():
+            arm = arm_through(model, load.body, str(load.member))
+            if name in given and arm is not None:
+                # what leaves at one end entered at the other: of a member with couples at both ends the first counts
+                own = by_end.setdefault((arm.member, 0), f"{arm.end}") == f"{arm.end}"
+                yield arm.name, arm.member if own else "", arm.end, given[name]
+    if model.hubs and pivots_of(model):
+        coupling = arrays["coupling_force"].values if model.couplings else np.zeros((len(x), 0))
+        hinges = couples_at_hinges(compile(model), x, arrays["member_force"].values, coupling)
+        for pivot, couple in hinges:
+            alone = not pivot.clamped and [one.member for one, _ in hinges].count(pivot.member) == 1
+            own = not alone and pivot.member not in twisted
+            twisted.add(pivot.member)
+            yield pivot.tip, pivot.member if own else "", pivot.end, couple
 
 
 def shear_of_torsion(model: Model, torque: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -89,7 +89,9 @@ def check(
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     pushed = worst["value"][:, list(RULES).index("buckling")]
-    said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section, twisted_parts(model))
+    untold = twisted_parts(model)
+    untold[rod[rod >= 0]] &= np.isnan(worst["value"][:bars, 0][rod >= 0])
+    said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section, untold)
     left = not_held(model, [one.load_case for _, one in cases])
     add_to_notes(left, members, worst["utilisation"], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars

@@ -21,19 +21,18 @@ def notes(
     compression: NDArray[np.float64],
     johnson: NDArray[np.bool_],
     active_section: str,
-    twisted: NDArray[np.bool_],
+    untold: NDArray[np.bool_],
 ) -> NDArray[np.object_]:
     """Notes over (subject, rule): yield, buckling, beam-column.
 
-    twisted (parts,) : those under torsion.
+    untold (parts,) : those under torsion whose shear stress is not known.
     rod, whole : part that yields and member that buckles, -1 for none. compression (subjects,) N: largest, as judged.
     """
     found = np.full((len(rod), 3), "", dtype=object)
-    untold = twisted & np.isnan(parts.twist)
     for i, (r, k) in enumerate(zip(rod, whole, strict=True)):
         if r >= 0 and (lacking := missing(parts, int(r))):
             found[i, 0] = f"not checked: no {lacking}"
-        elif r >= 0 and untold[r]:
+        elif r >= 0 and untold[r] and np.isnan(parts.twist[r]):
             found[i, 0] = "not checked: no shear stress of torsion of a general section"
         if k >= 0:
             found[i, 1] = _buckling(parts, int(k), float(compression[i]), bool(johnson[i]), active_section)
