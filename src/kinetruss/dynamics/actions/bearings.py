@@ -35,7 +35,7 @@ STILL = 1e-10
 
 
 class Seat(NamedTuple):
-    """A bearing: member and end (0 is A), the other member (-1: ground) and its end, mu r in m."""
+    """A bearing: member and end (0 is A), the other member (-1: ground) and its end, mu r in m, slip rate in rad/s."""
 
     name: str
     member: int
@@ -43,6 +43,7 @@ class Seat(NamedTuple):
     other: int
     other_end: int
     arm: float
+    slip: float
 
 
 @kept()
@@ -53,7 +54,7 @@ def seats_of(system: System) -> tuple[Seat, ...]:
     for name, bearing in system.model.bearings.items():
         member, end, other, other_end = seat_of(system.model, bearing)
         arm = bearing.friction * bearing.radius
-        found.append(Seat(name, index[member], end, index.get(other, -1), other_end, arm))
+        found.append(Seat(name, index[member], end, index.get(other, -1), other_end, arm, bearing.slip))
     return tuple(found)
 
 

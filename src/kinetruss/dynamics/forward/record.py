@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.actuators.forward import unwrapped
 from kinetruss.dynamics.motors.record import motor_histories, motor_names
-from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
+from kinetruss.dynamics.forward.rubbing import Rubbing, solved_along, with_forces
+from kinetruss.dynamics.prescribed.bearings import rubbing
 from kinetruss.dynamics.prescribed.tables import force_arrays
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
-from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.constraints.row_forces import row_forces
 from kinetruss.kernels.solve.balance import balance
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.path import Course, motion_of, refined
 from kinetruss.mechanics.assembly import Loads, case_loads
 from kinetruss.mechanics.configuration import drive_values
@@ -114,13 +113,14 @@ def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
 def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
     loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
-    count = len(trace.t)
-    joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))
-    applied(system, loads, States(trace.x, trace.v, trace.a), EndForces(joint, rest))
-    p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
-    row_forces(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
-    take_sum_forces(system, trace.x, trace.N, rest)
-    solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
+    states, user = States(trace.x, trace.v, trace.a), work.problem.user
+    if isinstance(user, Rubbing):
+        each = [user.couples(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)]
+        couple = np.array(each).reshape(len(trace.t), -1, 3)
+        rubbed = rubbing(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
+        solved = solved_along(system, rubbed, states, trace.N) | {"bearing": couple}
+    else:
+        solved = solved_along(system, loads, states, trace.N)
     data = force_arrays(system, motion, loads, solved, at_rest=False)
     unsure = list(work.problem.not_unique)
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
@@ -136,17 +136,11 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
 
 def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
     """The loads, with the user's force as one more load at each node on which it acts."""
-    if not problem.user.given:
+    user = problem.user.own if isinstance(problem.user, Rubbing) else problem.user
+    if not user.given:
         return loads
-    push = np.array([problem.user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
-    push = push.reshape(len(trace.t), len(problem.system.nodes), 3)
-    nodes = np.flatnonzero(np.abs(push).max(axis=(0, 2), initial=0.0) > 0)
-    return replace(
-        loads,
-        loads=(*loads.loads, *(f"user force on {problem.system.nodes[i]}" for i in nodes)),
-        node=np.concatenate([loads.node, nodes]),
-        force=np.concatenate([loads.force, push[:, nodes]], axis=1),
-    )
+    push = np.array([user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
+    return with_forces(problem.system, loads, push.reshape(len(trace.t), -1))
 
 
 def _histories(work: Integration, trace: Trace) -> dict[str, Any]:

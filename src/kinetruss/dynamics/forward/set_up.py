@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.actions import refuse_bearings
 from kinetruss.dynamics.assembly.equations import equations, held_by_none
 from kinetruss.dynamics.assembly.user import user_force_of
+from kinetruss.dynamics.forward.rubbing import Rubbing
 from kinetruss.dynamics.forward.problem import Problem
 from kinetruss.dynamics.motors.motors import held_instead, motors_of, refuse_method
 from kinetruss.dynamics.starting.series import by_default, refuse_series
@@ -108,7 +108,7 @@ def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
     ------
     InputError : an option cannot be used.
     """
-    return _kept(compile(model), seconds(t_end), asked).fresh() if asked.repeatable else _set_up(model, t_end, asked)
+    return _kept(compile(model), seconds(t_end), asked).fresh() if asked.repeatable and not model.bearings else _set_up(model, t_end, asked)
 
 
 @kept(4)
@@ -118,7 +118,6 @@ def _kept(system: System, t_end: float, asked: Asked) -> Problem:
 
 def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     """`problem_of` without reuse of an earlier set-up."""
-    refuse_bearings(model, "A simulation")
     run = _checked(model, t_end, asked)
     chosen, method = asked.method is None, DOP853() if asked.method is None else asked.method
     system, load_case = compile(model), asked.load_case
@@ -135,6 +134,9 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
     user = user_force_of(system, asked.user_force, x, v)
+    if model.bearings:
+        user = Rubbing(system, asked.user_force, eq, ws, load_case)
+        user.ready()
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.mechanics.assembly import Loads
 
-__all__ = ["with_friction"]
+__all__ = ["jammed", "rubbing", "with_friction"]
 
 CLOSE = 1e-12
 """Change of the couples that counts as none, relative to the largest."""
@@ -66,15 +66,20 @@ def with_friction(
             break
         if change <= CLOSE * np.abs(found).max(initial=0.0):
             return solved | {"bearing": couple}
-        solved = solve(_rubbing(system, loads, x, couple))
+        solved = solve(rubbing(system, loads, x, couple))
     worst = seats[int(np.argmax(np.abs(couple).max(axis=(0, 2))))].name
-    raise AnalysisError(
+    raise jammed(worst)
+
+
+def jammed(worst: str) -> AnalysisError:
+    """The error of couples that do not settle."""
+    return AnalysisError(
         f"The friction of bearing {worst!r} does not settle: the joint jams. Give it less friction or a smaller radius, or "
         "stay farther from positions in which its members line up."
     )
 
 
-def _rubbing(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
+def rubbing(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
     """Loads and the nodal forces of couples of friction."""
     nodes, forces = couples_on_ends(system, x, couple)
     return replace(

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
-from kinetruss.model._record import Name, PositiveLength, PositiveNumber, Record, Series
+from kinetruss.model._record import Name, PositiveLength, PositiveNumber, PositiveRate, Record, Series
 
 if TYPE_CHECKING:
     pass
@@ -89,10 +89,11 @@ class Bearing(Record):
     member, node : the member and the node at its end (or the hub whose arm it ends at). radius : of the pin or ball, m.
     friction : coefficient mu. against : the other member, or ``ground``; by default the ground where the node is fixed, else
     the one other member there. In space the ground.
+    slip : of simulations, rad/s: the friction has 76 % of its size at this rate, and creeps below; it does not stick.
 
     The couple on the member is mu r |R| against its relative turning rate, with R its joint force; the other part feels the
     opposite. Where the rate is 0 it acts against the turning acceleration; where both are 0 it is not determined and counts as
-    none. In inverse dynamics only. Source: friction circle, e.g. Hamrock, Schmid & Jacobson, Machine Elements.
+    none. In a simulation it is -mu r |R| tanh(rate/slip). Source: friction circle, e.g. Hamrock, Schmid & Jacobson, Machine Elements.
 
     >>> import kinetruss as kt
     >>> kt.Bearing(member="arm", node="O", radius="20 mm", friction=0.1).radius
@@ -103,4 +104,5 @@ class Bearing(Record):
     node: Name
     radius: PositiveLength
     friction: PositiveNumber
+    slip: PositiveRate = 1e-3
     against: Name | None = None
