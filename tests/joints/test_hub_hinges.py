@@ -75,11 +75,12 @@ def test_a_pendulum_on_an_offset_hinge(kind: str, axis: tuple[float, ...]) -> No
 
 
 def test_torsion_of_an_arm_and_its_root() -> None:
-    """At rest, about a vertical axis: the weight W at l bends the member by W l at the joint, and twists an arm square to it."""
+    """At rest, about a vertical axis: the weight W at l bends the member by W l at the joint, and twists an arm across it."""
     hub = kt.Hub(arms={"arm": (0, 0.1, 0)}, hinges={"arm": "z"})
     model = kt.Model(
         nodes={"O": (0, 0, 0), "A": kt.Node(at=(1, 0.1, 0), mass=2.0)}, fixed=["O"], hubs={"O": hub},
-        bars={"arm": kt.Bar(ends=("O", "A"), mass=0)}, drives={"turn": kt.HingeDrive(axis=("O.arm", "O.arm.axis1"), start="O", end="A")},
+        bars={"arm": kt.Bar(ends=("O", "A"), mass=0)},
+        drives={"turn": kt.HingeDrive(axis=("O.arm", "O.arm.axis1"), start="O", end="A")},
         **STEEL | {"material": kt.Material(E=2e11, density=0.0, yield_strength=2.35e8)}, gravity=(0, 0, -10.0),
     )  # fmt: skip
     forces = kt.statics.at_poses(model, [{}])

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.actions.bearings import (
         couples_on_ends,
         friction_directions,
+        friction_on_arms,
         refuse_bearings,
         relative_rates,
         seats_of,
@@ -34,6 +35,7 @@ __all__ = [
     "braces_of_hubs",
     "couples_at_hinges",
     "couples_on_ends",
+    "friction_on_arms",
     "friction_directions",
     "refuse_bearings",
     "relative_rates",
@@ -46,7 +48,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "bar_actions": "acting_along action_coordinates action_variables actions_of mean_tension_at_rest",
-        "bearings": "couples_on_ends friction_directions refuse_bearings relative_rates seats_of",
+        "bearings": "couples_on_ends friction_on_arms friction_directions refuse_bearings relative_rates seats_of",
         "hinges": "couples_at_hinges",
         "hubs": "braces_of_hubs grounded_tips",
         "records": "CarriedBy",

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars, bars_of
+from kinetruss.dynamics.actions.bearings import friction_on_hub
 from kinetruss.dynamics.actions.hinges import bars_of_hinges, hinges_of
 from kinetruss.dynamics.actions.records import Action, Instants, NotOnBars, couple_on_ends
 from kinetruss.mechanics import kept
@@ -85,11 +86,11 @@ def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
         on_body = (name for name, load in model.loads.items() if getattr(load, "body", None) == f"{hub}.hub")
         own = frozenset(on_body)
         for i, tip in tips.items():
-            at = bars.ends(i)[tip]
-            axes = [node for one in hinges_of(system) if one.tip == system.nodes[at] for node in one.nodes]
-            nodes = (at, *(system.node_index(node) for node in axes))
-            pulled = tuple((k, bars.ends(k).index(node)) for k in braces for node in nodes if node in bars.ends(k))
-            worth = partial(_passed_on, tip, nodes, pulled, own, is_grounded(model, hub))
+            joint = bars.ends(i)[tip]
+            axes = [node for one in hinges_of(system) if one.tip == system.nodes[joint] for node in one.nodes]
+            at = (joint, *(system.node_index(node) for node in axes))
+            pulled = tuple((k, bars.ends(k).index(node)) for k in braces for node in at if node in bars.ends(k))
+            worth = partial(_passed_on, hub, tip, at, pulled, own, is_grounded(model, hub))
             yield Action(source=hub, kind="hub", member=i, worth=worth, place=float(1 - tip))
 
 
@@ -133,7 +134,13 @@ def _held_elsewhere(system: System, bars: Bars, hub: str, own: set[int]) -> bool
 
 
 def _passed_on(
-    tip: int, nodes: tuple[int, ...], pulled: tuple[tuple[int, int], ...], own: frozenset[str], fixed: bool, here: Instants
+    hub: str,
+    tip: int,
+    nodes: tuple[int, ...],
+    pulled: tuple[tuple[int, int], ...],
+    own: frozenset[str],
+    fixed: bool,
+    here: Instants,
 ) -> NDArray[np.float64]:
     """Two opposite forces (t, 2, 3), N, on an arm: at its tip those that braces and supports exert on the nodes there, which
     are the joint and the axis of its hinge.
@@ -149,6 +156,9 @@ def _passed_on(
         for k, (load, at) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):
             if at in nodes and load in own:
                 push += here.loads.force[:, k]
+    for at, force in friction_on_hub(here, hub):  # acts at the centre too, but for the couple that enters through the arm
+        if at in nodes:
+            push += force
     if fixed:
         push += here.carried.support[:, list(nodes)].sum(axis=1)
     found[:, 1 - tip] = -push

@@ -140,8 +140,10 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
 def couple_on_ends(system: System, x: NDArray[np.float64], i: int, couple: NDArray[np.float64]) -> NDArray[np.float64]:
     """f_B = C x u/L and f_A = -f_B, (t, 2, 3) N, of the part of a couple C (t, 3) across bar i."""
     _, L, u = ends_of(system, x, i)
-    push = np.cross(couple, u) / L[:, None]
-    return np.stack([-push, push], axis=1)
+    found = np.empty((len(x), 2, 3))
+    _cross(couple, u / L[:, None], found[:, 1])
+    np.negative(found[:, 1], out=found[:, 0])
+    return found
 
 
 def _cross(a: NDArray[np.float64], b: NDArray[np.float64], out: NDArray[np.float64]) -> None:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.actuators.forward import unwrapped
-from kinetruss.dynamics.motors.record import motor_histories, motor_names
 from kinetruss.dynamics.forward.rubbing import Rubbing, solved_along, with_forces
+from kinetruss.dynamics.motors.record import motor_histories, motor_names
 from kinetruss.dynamics.prescribed.bearings import rubbing
 from kinetruss.dynamics.prescribed.tables import force_arrays
 from kinetruss.dynamics.remarks.energy_kept import energy_kept

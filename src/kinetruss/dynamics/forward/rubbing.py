@@ -160,7 +160,7 @@ def with_forces(system: System, loads: Loads, push: NDArray[np.float64]) -> Load
 def _read(system: System, states: States) -> Read:
     """Lengths and drives of states."""
     x, v, a = (y.reshape(len(y), -1, 3) for y in states)
-    d, L, u = ends_of(system, x)
-    rate = np.einsum("tmc,tmc->tm", ends_of(system, v)[0], u)
+    _, L, u = ends_of(system, x)
+    rate = np.einsum("tmc,tmc->tm", v[:, system.q] - v[:, system.p], u)
     value, speed, _ = drive_values(system, x, v, a)
     return Read(L, rate, value, speed)

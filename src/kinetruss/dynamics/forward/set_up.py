@@ -10,8 +10,8 @@ import numpy as np
 
 from kinetruss.dynamics.assembly.equations import equations, held_by_none
 from kinetruss.dynamics.assembly.user import user_force_of
-from kinetruss.dynamics.forward.rubbing import Rubbing
 from kinetruss.dynamics.forward.problem import Problem
+from kinetruss.dynamics.forward.rubbing import Rubbing
 from kinetruss.dynamics.motors.motors import held_instead, motors_of, refuse_method
 from kinetruss.dynamics.starting.series import by_default, refuse_series
 from kinetruss.dynamics.starting.singular_start import singular_note, singular_start
@@ -108,7 +108,9 @@ def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
     ------
     InputError : an option cannot be used.
     """
-    return _kept(compile(model), seconds(t_end), asked).fresh() if asked.repeatable and not model.bearings else _set_up(model, t_end, asked)
+    if asked.repeatable and not model.bearings:
+        return _kept(compile(model), seconds(t_end), asked).fresh()
+    return _set_up(model, t_end, asked)
 
 
 @kept(4)

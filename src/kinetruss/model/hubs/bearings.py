@@ -54,9 +54,11 @@ def bearing_faults(model: ModelData) -> Iterator[Fault]:
             continue
         others = _others(model, bearing.member, node)
         free, space = node not in model.fixed, len(model.nodes[node].at) == 3
-        if space and (free or bearing.against not in (None, GROUND)):
-            message = "is in space and not on the ground: how its member spins about its own axis is not known."
-            yield Fault(path, message, "Give it to a member at a fixed node, against: ground.")
+        hinged = bearing.node in model.hubs and bearing.member in model.hubs[bearing.node].hinges
+        if space and not hinged and (free or bearing.against not in (None, GROUND)):
+            message = "is a ball joint between moving parts: how slender members spin about their own axes is not known."
+            mend = f"Give the joint an axis: hinges: {{{bearing.member}: z}} of a hub; or give the bearing to a fixed node."
+            yield Fault(path, message, mend)
         elif bearing.against not in (None, GROUND, *others):
             message = f"{bearing.against!r} does not end at {node!r}."
             yield Fault((*path, "against"), message, f"Name one of: {', '.join([*others, GROUND])}.")

@@ -1,4 +1,4 @@
-"""Hinges between hubs in space and their members: nodes on the axis that belong to the hub and keep their distance to the member."""
+"""Hinges between hubs in space and their members: nodes on the axis that belong to the hub and hold the member."""
 
 from __future__ import annotations
 

@@ -84,16 +84,17 @@ class Joint(Record):
 
 
 class Bearing(Record):
-    """A pin or ball joint at an end of a member whose friction follows from the force in it (Coulomb).
+    """A pin, hinge or ball joint at an end of a member whose friction follows from the force in it (Coulomb).
 
     member, node : the member and the node at its end (or the hub whose arm it ends at). radius : of the pin or ball, m.
     friction : coefficient mu. against : the other member, or ``ground``; by default the ground where the node is fixed, else
-    the one other member there. In space the ground.
+    the one other member there. In space the ground, or at the hinge of a hub (`Hub.hinges`) the hub, about the axis.
     slip : of simulations, rad/s: the friction has 76 % of its size at this rate, and creeps below; it does not stick.
 
     The couple on the member is mu r |R| against its relative turning rate, with R its joint force; the other part feels the
     opposite. Where the rate is 0 it acts against the turning acceleration; where both are 0 it is not determined and counts as
-    none. In a simulation it is -mu r |R| tanh(rate/slip). Source: friction circle, e.g. Hamrock, Schmid & Jacobson, Machine Elements.
+    none. In a simulation it is -mu r |R| tanh(rate/slip). Source: friction circle, e.g. Hamrock, Schmid & Jacobson, Machine
+    Elements.
 
     >>> import kinetruss as kt
     >>> kt.Bearing(member="arm", node="O", radius="20 mm", friction=0.1).radius

@@ -61,7 +61,8 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
         "note": variable(over, said.astype(str), "", "formula used, or why it was not checked"),
     }
     twisted = twisted_parts(model)
-    left = f"Not held: torsion of {', '.join(np.array(parts.names)[twisted])} by hinges, and by couples that enter hubs through members."
+    names_of = ", ".join(np.array(parts.names)[twisted])
+    left = f"Not held: torsion of {names_of} by hinges, and by couples that enter hubs through members."
     attrs = {"kind": "verdict", "not_held": [left] if twisted.any() else []}
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, attrs).later,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.dynamics.actions import couples_at_hinges
+from kinetruss.dynamics.actions import couples_at_hinges, friction_on_arms
 from kinetruss.mechanics import compile, ends_of
 from kinetruss.mechanics.assembly import case_loads
 from kinetruss.model import Active, BodyCouple, Model
@@ -82,11 +82,15 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
     if model.hubs and pivots_of(model):
         coupling = arrays["coupling_force"].values if model.couplings else np.zeros((len(x), 0))
         hinges = couples_at_hinges(compile(model), x, arrays["member_force"].values, coupling)
+        rubbed = {}
+        if "bearing_couple" in arrays:
+            rubbed = friction_on_arms(compile(model), x, arrays["bearing_couple"].values)
         for pivot, couple in hinges:
             alone = not pivot.clamped and [one.member for one, _ in hinges].count(pivot.member) == 1
             own = not alone and pivot.member not in twisted
             twisted.add(pivot.member)
-            yield pivot.tip, pivot.member if own else "", pivot.end, couple
+            more = rubbed.get(list(model.members).index(pivot.tip), 0.0)
+            yield pivot.tip, pivot.member if own else "", pivot.end, couple + more
 
 
 def shear_of_torsion(model: Model, torque: NDArray[np.float64]) -> NDArray[np.float64]:
