@@ -108,7 +108,7 @@ class Rubbing(UserForce):
             moved, amount = np.abs(found - amount).max(), found
             first = first or moved
             if moved <= CLOSE * np.abs(amount).max():
-                return amount[:, None] * way
+                return np.asarray(amount[:, None] * way)
             if not moved <= 1e6 * first:
                 break
         raise jammed(seats[int(np.argmax(np.abs(amount)))].name)
