@@ -72,6 +72,17 @@ def telescope(rng):
     return crank(rng, bars={}, active=active, drives={"motor": kt.AngleDrive("leg")})
 
 
+def loaded_telescope(rng):
+    """A telescope with masses on its rods, on either side of the nut."""
+    model = telescope(rng)
+    leg, at = model.active["leg"], (0.0, 0.2, 0.49)
+    rods = {
+        "base": leg.base.with_(masses=[{"at": place, "mass": rng.uniform(0.2, 1)} for place in at]),
+        "tube": leg.tube.with_(masses=[{"at": 0.7 * place, "mass": rng.uniform(0.2, 1)} for place in at]),
+    }
+    return model.with_(active={"leg": leg.with_(**rods)})
+
+
 def chain(rng):
     """Three links: a motor at the base, two at elbows that react on the link before."""
     x = np.cumsum(rng.uniform(0.3, 0.8, (4, 2)) * [[1, 1], [1, -1], [1, 1], [1, -1]], axis=0)

@@ -58,14 +58,21 @@ function actionsOn(scene, frame, member, L, local) {
   });
 }
 
+/** Rods of a member; of an active one with the masses clamped on them, each at a fraction from the end towards A. */
 function rodsOf(scene, member, L) {
   const r = scene.arrays.rods.data, at = 6 * member;
-  const first = { mass: r[at], rotary: r[at + 2], start: 0, length: L, role: "bar" };
+  const first = { mass: r[at], rotary: r[at + 2], start: 0, length: L, role: "bar", masses: [] };
   if (!scene.active.has(member)) return [first];
+  const on = (rod) => (scene.header.clamped || []).filter((one) => one.rod === rod);
   return [
-    { ...first, length: r[at + 1], role: "base" },
-    { mass: r[at + 3], rotary: r[at + 5], start: L - r[at + 4], length: r[at + 4], role: "tube" },
+    { ...first, length: r[at + 1], role: "base", masses: on(2 * member) },
+    { mass: r[at + 3], rotary: r[at + 5], start: L - r[at + 4], length: r[at + 4], role: "tube", masses: on(2 * member + 1) },
   ];
+}
+
+/** m b of a mass on a rod. */
+function resisting({ first, change }, one) {
+  return times(one.mass, add(first, times(one.place, change)));
 }
 
 /** b at the centre of a rod and its change along the rod (member axes). */
@@ -86,13 +93,14 @@ function endForces(scene, frame, member, state) {
     (left, one) => left - one.fA[0] + (1 - one.place) * one.force[0], scene.number("member_force", frame, member));
   let total = [0, 0, 0], about = [0, 0, 0];
   const pushes = state.rods.map((rod) => {
-    const { first, change } = fieldOf(state, rod);
-    const push = times(rod.mass, add(first, times(0.5, change)));
+    const field = fieldOf(state, rod), { first, change } = field;
+    const push = rod.masses.reduce((sum, one) => add(sum, resisting(field, one)), times(rod.mass, add(first, times(0.5, change))));
     total = add(total, push);
     // moment about B: the lever arm of the mass is its distance from B
     const arm = state.L - rod.start;
     const lever = add(times(arm - rod.length / 2, first), times(arm / 2 - rod.length / 3, change));
     about = add(about, sub(times(rod.mass, lever), times(rod.rotary, state.bend)));
+    for (const one of rod.masses) about = add(about, times(arm - one.place * rod.length, resisting(field, one)));
     return { push, change, mass: rod.mass };
   });
   const FA = times(1 / state.L, about);
@@ -115,17 +123,43 @@ export function sectionsOf(scene, frame, member) {
     let pieces;
     if (rod.role === "bar") pieces = barPieces(state, rod, linear, square, fromA);
     else if (rod.role === "tube") {
-      pieces = [piece(sub(sub(state.FB, linear), square), linear, square, rod, state.bend, coupleAt(1), true, 2)];
+      pieces = toTheEnd(state, rod, rod.masses, sub(sub(state.FB, linear), square), linear, square, coupleAt(1), 0);
     } else {
       const nut = (state.L - state.rods[1].length) / rod.length;
-      pieces = [
-        piece(fromA, linear, square, rod, state.bend, times(-1, coupleAt(0)), false, nut),
-        piece(sub(times(-1, linear), square), linear, square, rod, state.bend, [0, 0, 0], true, 2),
-      ];
+      let S0 = fromA, K = times(-1, coupleAt(0));
+      pieces = [];
+      for (const one of rod.masses.filter((each) => each.place < nut)) {
+        const s = one.place, q = resisting({ first, change }, one);
+        if (s > 0) pieces.push(piece(S0, linear, square, rod, state.bend, K, false, s));
+        S0 = add(S0, q);
+        K = add(K, [0, -rod.length * q[2] * s, rod.length * q[1] * s]);
+      }
+      pieces.push(piece(S0, linear, square, rod, state.bend, K, false, nut));
+      const beyond = rod.masses.filter((each) => each.place >= nut);
+      pieces.push(...toTheEnd(state, rod, beyond, sub(times(-1, linear), square), linear, square, [0, 0, 0], nut));
     }
     return { part: scene.partsOf[member][k], ...rod, pieces };
   });
   return { state, parts };
+}
+
+/** The rest of a rod from `start`, given force (without masses) and couple at its end xi = 1: a new piece behind each mass. */
+function toTheEnd(state, rod, masses, S0, linear, square, K, start) {
+  const field = fieldOf(state, rod), pieces = [];
+  const moment = (q, s) => [0, rod.length * q[2] * (1 - s), -rod.length * q[1] * (1 - s)];
+  for (const one of masses) {
+    const q = resisting(field, one);
+    S0 = sub(S0, q);
+    K = sub(K, moment(q, one.place));
+  }
+  for (const one of masses) {
+    const s = one.place, q = resisting(field, one);
+    if (s > start) pieces.push(piece(S0, linear, square, rod, state.bend, K, true, s));
+    S0 = add(S0, q);
+    K = add(K, moment(q, s));
+  }
+  pieces.push(piece(S0, linear, square, rod, state.bend, K, true, 2));
+  return pieces;
 }
 
 /** Pieces of a bar from place to place: S falls by the force and M by the couple of what acts there. */
@@ -174,11 +208,13 @@ export function freeBodyOf(scene, frame, member) {
   const g = state.local(state.gravity);
   let weight = [0, 0, 0], inertia = [0, 0, 0], moment = 0, mass = 0;
   for (const rod of state.rods) {
-    const { first, change } = fieldOf(state, rod);
-    weight = add(weight, times(rod.mass, g));
-    inertia = add(inertia, times(rod.mass, add(add(first, times(0.5, change)), g)));
-    moment += rod.mass * (rod.start + rod.length / 2);
-    mass += rod.mass;
+    const field = fieldOf(state, rod);
+    for (const { mass: m, place } of [{ mass: rod.mass, place: 0.5 }, ...rod.masses]) {
+      weight = add(weight, times(m, g));
+      inertia = add(inertia, times(m, add(add(field.first, times(place, field.change)), g)));
+      moment += m * (rod.start + place * rod.length);
+      mass += m;
+    }
   }
   const centre = mass > 0 ? moment / mass : state.L / 2;
   const terms = [
@@ -197,7 +233,9 @@ export function freeBodyOf(scene, frame, member) {
   return { state, mass, centre, terms, couples, drives: drivesOf(scene, frame, member).filter((drive) => drive.unit === "m") };
 }
 
-const SYMBOLS = { drive: "T", coupling: "Q", load: "P", body: "B" };
+const SYMBOLS = {
+  drive: "T", coupling: "Q", load: "P", body: "B", friction: "C", spring: "K", bearing: "C", hub: "H", couple: "C", hinge: "C",
+};
 
 /** Drives of a member: name, kind, coordinate and drive force now. */
 export function drivesOf(scene, frame, member) {

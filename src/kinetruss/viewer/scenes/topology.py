@@ -23,7 +23,7 @@ __all__ = ["topology"]
 def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Header fields and arrays of a model.
 
-    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that spans the plane
+    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) the `own_rods` of `System`; ``reference`` (m, 3) direction that spans the plane
     1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member`` (parts,);
     ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump``
     (n,) kg; with membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
@@ -51,10 +51,11 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "triangles": _triangles(model, index),
         "pressures": _pressures(model),
         "two_rods": [k for k, two in enumerate(system.two_rods) if two],
+        "clamped": [{"rod": int(rod), "place": place, "mass": mass} for rod, place, mass in system.clamped.tolist()],
     }
     arrays: dict[str, NDArray[Any]] = {
         "ends": np.column_stack([system.p, system.q]),
-        "rods": system.rods,
+        "rods": system.own_rods,
         "reference": orientation(system).reference,
         "orient": orientation(system).node,
         "radius": np.array([_radius(model, one) for one in members.values()]),
