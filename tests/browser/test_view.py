@@ -231,7 +231,9 @@ def compare(found, at, section, stress) -> None:
 
 
 @pytest.mark.parametrize("lean", [False, True])
-@pytest.mark.parametrize("way", ["by_hinge", "scissor_by_a_node", "clamped", "loaded", "screw", "telescope", "loaded_telescope", "elbow"])
+@pytest.mark.parametrize(
+    "way", ["by_hinge", "scissor_by_a_node", "clamped", "loaded", "screw", "telescope", "loaded_telescope", "elbow"]
+)
 def test_diagrams_of_bars_that_are_driven_pinned_and_loaded(show, tmp_path, way, lean):
     """Where couples, pins, loads and bodies act on bars the page shows what strength has; also with joint forces left out."""
     rng = np.random.default_rng(5)

@@ -137,3 +137,13 @@ def test_a_door_is_turned_against_its_hinge() -> None:
     assert np.allclose(found.data.bearing_couple.values[:, 0], (0, 0, -exact), atol=1e-10)
     assert np.allclose(found.data.drive_force.values[:, 0], exact, rtol=1e-10)
     assert np.allclose(found.data.dissipation, 3.0 * exact, rtol=1e-10)
+
+
+def test_what_a_simulation_refuses() -> None:
+    """Power series; joints that jam at the start or on the way."""
+    model = rotor(space=False)
+    with pytest.raises(kt.InputError, match="bearings have friction"):
+        kt.dynamics.simulate(model, 1.0, velocities={"A": (0, 3.0)}, method=kt.Taylor())
+    tight = model.with_(bearings={"pin": model.bearings["pin"].with_(radius=2.0, friction=0.5)})
+    with pytest.raises(kt.AnalysisError, match="'pin' does not settle: the joint jams"):
+        kt.dynamics.simulate(tight, 1.0, velocities={"A": (0, 3.0)})

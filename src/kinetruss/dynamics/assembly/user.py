@@ -21,6 +21,8 @@ __all__ = ["UserForce", "user_force_of"]
 class UserForce:
     """A force of the user. `call`: its address for kernels; `given`: there is one; `error`: the exception of its last call."""
 
+    words = "a user force is given"
+
     def __init__(self, system: System, function: Callable[..., Any] | None) -> None:
         self.error: BaseException | None = None
         self.given = function is not None

@@ -56,6 +56,8 @@ def solved_along(system: System, loads: Loads, states: States, N: NDArray[np.flo
 class Rubbing(UserForce):
     """The friction of bearings as a force on nodes, with the force of the user. own : that of the user alone."""
 
+    words = "bearings have friction"
+
     def __init__(
         self, system: System, function: Callable[..., Any] | None, eq: Equations, ws: Workspace, load_case: str | None
     ) -> None:

@@ -139,6 +139,9 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     if model.bearings:
         user = Rubbing(system, asked.user_force, eq, ws, load_case)
         user.ready()
+        user.at(0.0, x.copy(), v.copy())
+        if user.error is not None:
+            raise user.error
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)

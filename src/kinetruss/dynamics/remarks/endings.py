@@ -9,6 +9,7 @@ import numpy as np
 from kinetruss.dynamics.forward.watch import described
 from kinetruss.dynamics.remarks.lost_digits import TOO_FEW
 from kinetruss.dynamics.remarks.stiff import MANY, longer_steps, stiffest, vibrating
+from kinetruss.errors import AnalysisError
 from kinetruss.kernels.integrate import state as m
 from kinetruss.model import DOP853, Taylor
 from kinetruss.results import Status
@@ -37,7 +38,8 @@ NEARLY = 1e-2
 def ending(code: int, error: BaseException | None) -> Status:
     """The status of what a kernel returned; `error` is what the last call of the user's function raised."""
     status = STATUS[code]
-    return Status.USER_FORCE if error is not None and not status.ok else status
+    by_user = error is not None and not isinstance(error, AnalysisError)  # joints that jam are no fault of a function
+    return Status.USER_FORCE if by_user and not status.ok else status
 
 
 def sentences(work: Integration) -> list[str]:
@@ -72,6 +74,8 @@ def _early(work: Integration, t: float) -> str:
     here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.user.error
     if work.status is Status.USER_FORCE and error is not None:
         return f"The user's force function raised {type(error).__name__}: {error}; {here}."
+    if isinstance(error, AnalysisError):
+        return f"{error} It is {here}."
     return {
         Status.STIFF: f"{_stiffest(work)}; {here}. {_stepped_over(work)}",
         Status.NOT_FINITE: f"{_culprit(work)}; {here}.",
