@@ -248,3 +248,25 @@ def test_masses_beside_their_rod_are_refused(base, tube, said):
                 )
             },
         )
+
+
+def test_compression_behind_a_mass_counts_for_buckling():
+    """Weight upwards relieves the base up to its masses; the largest compression is between the last of them and the nut."""
+    clamped = [{"at": at, "mass": m} for at, m in MASSES[:2]]
+    part = {"mass": 0.0, "section": kt.Rod(diameter=0.01), "material": kt.Material(E=2e11, density=0.0, yield_strength=2e8)}
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (0, 1.05)},
+        fixed={"A": "xy", "B": "x"},
+        active={
+            "a": kt.Active(
+                ends=("A", "B"), base=kt.Part(length=BASE, masses=clamped, **part), tube=kt.Part(length=TUBE, **part)
+            )
+        },
+        gravity=(0, 9.81),
+        loads={"push": kt.NodalForce(node="B", force=(0, -100.0))},
+    )
+    forces = kt.statics.at_poses(model, [{}])
+    found = kt.strength.check(model, forces).data["value"].sel(part="a", rule="buckling")
+    assert float(found) == pytest.approx(100.0, rel=1e-12)
+    foot = kt.strength.sections(model, forces, [0.0]).data.section_T.sel(part="a.base")
+    assert float(foot[0, 0]) == pytest.approx(-100.0 + 9.81 * 1.1, rel=1e-12)
