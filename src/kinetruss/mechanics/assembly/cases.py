@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import prod
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.assembly.followers import Follower, history_of, unit_loads_of
+from kinetruss.mechanics.configuration import RotatingBase, base_of
 from kinetruss.model import LoadCase, NodalForce
 
 if TYPE_CHECKING:
@@ -22,9 +23,10 @@ __all__ = ["Loads", "case_loads"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Loads:
-    """gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N.
+    """t (times,) s; gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N.
 
     unit_loads : loads on bodies: name, unit load, amount (times,); `at` turns them into nodal forces.
+    base : its rotation, or None.
     """
 
     name: str
@@ -34,6 +36,8 @@ class Loads:
     node: NDArray[np.int64]
     force: NDArray[np.float64]
     unit_loads: tuple[tuple[str, Follower, NDArray[np.float64]], ...] = ()
+    t: NDArray[np.float64] = field(default_factory=lambda: np.zeros(1))
+    base: RotatingBase | None = None
 
     def at(self, x: NDArray[np.float64]) -> Loads:
         """A copy with the loads on bodies turned into nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
@@ -50,8 +54,21 @@ class Loads:
         )
 
 
-def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Loads:
-    """Gravity and nodal forces of a load case of the model (None: all loads with factor 1)."""
+def case_loads(system: System, t: NDArray[np.float64], name: str | None, *, rotating: bool = False) -> Loads:
+    """Gravity and nodal forces of a load case of the model (None: all loads with factor 1).
+
+    rotating : the caller takes account of `base`.
+
+    Raises
+    ------
+    InputError : an unknown load case; a base that rotates, of which the caller takes no account.
+    """
+    base = base_of(system)
+    if base is not None and not rotating:
+        raise InputError(
+            "The base rotates (base_rotation), which this analysis does not take into account. Forces along a motion do: "
+            "dynamics.inverse, statics.at_poses, missions, explain; or leave out base_rotation."
+        )
     loads, (steady, factors) = system.model.loads, _steady(system, name)
     force = np.zeros((len(t), len(steady.loads), 3))
     for k, load in enumerate(steady.loads):
@@ -63,7 +80,7 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
         for follower, amount in zip(unit_loads_of(system, load), history_of(loads[load], t).T, strict=True)
         if amount.any()
     ]
-    return replace(steady, force=force, unit_loads=tuple(unit_loads))
+    return replace(steady, force=force, unit_loads=tuple(unit_loads), t=t, base=base)
 
 
 @kept()

@@ -34,7 +34,7 @@ def along(plan: Plan, motion: Motion) -> Block:
     system, t = compile(model), motion.arrays["time"].values
     rates = [name for name, one in motion.data.data_vars.items() if "/s" in one.attrs.get("units", "")]
     motion = motion.with_(data=motion.data.assign({name: 0.0 * motion.data[name] for name in rates}))
-    still = [at_rest(system, motion, case_loads(system, t, case)) for case in plan.cases]
+    still = [at_rest(system, motion, case_loads(system, t, case, rotating=True)) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in still})
 
 

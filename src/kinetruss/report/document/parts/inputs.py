@@ -100,6 +100,8 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
     if masses:
         yield "lumped masses", _listed(masses)
     yield "gravity", _vector(model.gravity, "m/s²") if model.gravity else "none"
+    if model.base_rotation is not None:
+        yield "rotation of the base", worded(model.base_rotation)
     if model.support_motion:
         yield "moving supports", _listed(model.support_motion)
     yield "safety factors", f"{model.safety.yielding:g} on yielding, {model.safety.buckling:g} on buckling"

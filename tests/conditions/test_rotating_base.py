@@ -1,0 +1,249 @@
+"""A base that rotates, against the same structure moved in a frame that does not rotate, and against closed forms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+import kinetruss as kt
+
+STEEL = kt.library.materials.STEEL_S235
+TUBE = kt.Tube(outer=0.03, inner=0.026)
+SPIN, RATE, CENTER = np.array([0.7, -1.1, 1.9]), np.array([-0.4, 0.8, 0.5]), np.array([0.3, -0.2, 0.4])
+
+
+def cross(w):
+    return np.array([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
+def tripod(**changes):
+    """Three active members on a base, a body on top, a mass, and a lever with an elastic tie."""
+    active = {
+        name: kt.Active(
+            ends=(foot, "T"),
+            base=kt.Part(section=TUBE, length=0.7),
+            tube=kt.Part(section=kt.Tube(outer=0.02, inner=0.016), length=0.7),
+        )
+        for name, foot in {"l1": "A", "l2": "B", "l3": "C"}.items()
+    }
+    fields = {
+        "nodes": {
+            "A": (1, 0, 0),
+            "B": (-0.5, 0.8, 0),
+            "C": (-0.5, -0.8, 0),
+            "T": {"at": (0.1, 0, 0.9), "mass": 3.0},
+            "E": (1.5, 0.2, 1.0),
+        },
+        "fixed": ["A", "B", "C"],
+        "active": active,
+        "bars": {"tie": kt.Bar(ends=("T", "E"), rotary_inertia=True), "stay": ("A", "E"), "stay2": ("B", "E")},
+        "section": TUBE,
+        "material": STEEL,
+    }
+    return kt.Model(**fields | changes)
+
+
+def moved(model, samples=7):
+    reach = kt.Quintic(moves={"l1": (model_length(model, "l1"), 1.25), "l2": (model_length(model, "l2"), 1.1)}, duration=0.8)
+    return kt.kinematics.follow(model, reach, samples=samples)
+
+
+def model_length(model, name):
+    p, q = model.members[name].ends
+    return float(np.linalg.norm(np.subtract(model.nodes[q].at, model.nodes[p].at)))
+
+
+def in_space(model, motion, spin, rate, center):
+    """The motion in a frame that does not rotate: product rule on c + R (x - c), R' = R [w], R'' = R ([w]^2 + [alpha])."""
+    t = motion.time.values
+    x, v, a = (motion.data[name].values for name in ("position", "velocity", "acceleration"))
+    W, turn = cross(spin), [expm(s * cross(spin)) for s in t]
+    X = np.stack([center + (x[i] - center) @ R.T for i, R in enumerate(turn)])
+    V = np.stack([(x[i] - center) @ (R @ W).T + v[i] @ R.T for i, R in enumerate(turn)])
+    A = np.stack([
+        (x[i] - center) @ (R @ (W @ W + cross(rate))).T + 2 * v[i] @ (R @ W).T + a[i] @ R.T for i, R in enumerate(turn)
+    ])  # fmt: skip
+    return kt.kinematics.from_arrays(model, t, X, V, A), np.array(turn)
+
+
+@pytest.mark.parametrize(("gravity", "rate"), [(None, RATE), ((1.0, 2.0, -9.81), np.zeros(3))])
+def test_forces_are_those_of_the_same_motion_in_a_frame_that_does_not_rotate(gravity, rate):
+    """Members, joints, supports, interfaces and section forces; gravity keeps its direction in space."""
+    plain = tripod(gravity=gravity)
+    base = kt.BaseRotation(angular_velocity=SPIN, angular_acceleration=rate, center=CENTER, gravity_turns=gravity is not None)
+    model = kt.under(plain, kt.Condition(base_rotation=base))
+    motion = moved(model)
+    found = kt.dynamics.inverse(model, motion)
+    space, turn = in_space(plain, motion, SPIN, rate, CENTER)
+    wanted = kt.dynamics.inverse(plain, space)
+    size = np.abs(wanted.member_force.values).max()
+    for name in ("member_force", "end_force", "drive_force"):
+        assert np.abs(found.data[name].values - wanted.data[name].values).max() < 1e-10 * size, name
+    for name, axes in (("reaction", "tsc"), ("joint_force", "tmec")):
+        back = np.einsum(f"{axes},tcd->{axes[:-1]}d", wanted.data[name].values, turn)
+        assert np.abs(found.data[name].values - back).max() < 1e-10 * size, name
+    left, right = (kt.strength.sections(one, forces) for one, forces in ((model, found), (plain, wanted)))
+    assert np.abs(left.section_T.values - right.section_T.values).max() < 1e-10 * size
+    for name in ("section_V", "section_M"):  # the axes across a member may differ
+        a, b = (np.linalg.norm(getattr(one, name).values, axis=-1) for one in (left, right))
+        assert np.abs(a - b).max() < 1e-10 * max(b.max(), 1.0), name
+    for name in ("interface_force", "interface_moment"):
+        a, b = (np.linalg.norm(one.data[name].values, axis=-1) for one in (found, wanted))
+        assert np.abs(a - b).max() < 1e-10 * size, name
+    assert np.abs(found.energy_balance.values).max() < 1e-10 * np.abs(found.power.values).max()
+    other = kt.dynamics.inverse(plain, motion).member_force.values
+    assert np.abs(found.member_force.values - other).max() > 0.05 * size  # the rotation matters
+
+
+def test_a_rotating_bar_has_the_tension_of_the_closed_form():
+    """Uniform bar of mass m about its end: T(s) = m w^2 (L^2 - s^2)/(2 L) + m_tip w^2 L, mean m w^2 L/3 + m_tip w^2 L."""
+    length, tip, spin = 1.2, 0.5, 9.0
+    mass = STEEL.density * TUBE.area * length
+    bar = kt.Model(nodes={"O": (0, 0), "P": {"at": (length, 0), "mass": tip}}, fixed={"O": "xy", "P": "y"},
+                   bars={"b": ("O", "P")}, section=TUBE, material=STEEL)  # fmt: skip
+    model = kt.under(bar, kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=[spin])))
+    forces = kt.statics.at_poses(model, [{}])
+    ends = [mass * spin**2 * length / 2 + tip * spin**2 * length, tip * spin**2 * length]
+    assert forces.end_force.values[0, 0] == pytest.approx(ends, rel=1e-12)
+    assert forces.reaction.sel(support="O").values[0] == pytest.approx([-ends[0], 0], rel=1e-12, abs=1e-9)
+    assert forces.member_force.item() == pytest.approx(mass * spin**2 * length / 3 + ends[1], rel=1e-12)
+    at = np.array([0.0, 0.25, 0.8, 1.0])
+    tension = kt.strength.sections(model, forces, stations=at).section_T.values.reshape(-1)
+    assert tension == pytest.approx(mass * spin**2 * length * (1 - at**2) / 2 + ends[1], rel=1e-12)
+
+
+def test_an_angular_acceleration_loads_a_bar_across():
+    """Euler's forces -rho A alpha s across a bar from the centre: their moment about it is rho A alpha L^3/3."""
+    length, rate = 1.2, 7.0
+    line = STEEL.density * TUBE.area
+    bar = kt.Model(nodes={"O": (0, 0), "P": (length, 0), "Q": (0, 1)}, fixed=["O", "Q"],
+                   bars={"b": ("O", "P"), "c": kt.Bar(ends=("Q", "P"), mass=0)}, section=TUBE, material=STEEL)  # fmt: skip
+    base = kt.BaseRotation(angular_acceleration=[rate])
+    forces = kt.statics.at_poses(kt.under(bar, kt.Condition(base_rotation=base)), [{}])
+    moment = length * forces.joint_force.sel(member="b", end="B", axis="y").item()
+    assert moment == pytest.approx(line * rate * length**3 / 3, rel=1e-12)
+
+
+def test_coriolis_force_on_a_mass_that_slides_outwards():
+    """At radius r with rates r' and r'': the guide feels 2 m w r', the drive m (r'' - w^2 r)."""
+    mass, spin = 2.0, 3.0
+    slide = kt.Model(nodes={"O": (0, 0), "S": {"at": (0.5, 0), "mass": mass}}, fixed={"O": "xy", "S": "y"},
+                     bars={"b": kt.Bar(ends=("O", "S"), kind="driven", mass=0)})  # fmt: skip
+    model = kt.under(slide, kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=[spin])))
+    motion = kt.kinematics.follow(model, kt.Quintic(moves={"b": (0.5, 0.9)}, duration=1.0), samples=9)
+    forces = kt.dynamics.inverse(model, motion)
+    r, rate, second = (motion.data[name].sel(member="b").values for name in ("length", "length_rate", "length_acceleration"))
+    assert forces.reaction.sel(support="S", axis="y").values == pytest.approx(2 * mass * spin * rate, rel=1e-12, abs=1e-12)
+    assert forces.drive_force.values[:, 0] == pytest.approx(mass * (second - spin**2 * r), rel=1e-12, abs=1e-12)
+    assert np.abs(forces.energy_balance.values).max() < 1e-10
+    assert forces.static.drive_force.values[:, 0] == pytest.approx(-mass * spin**2 * r, rel=1e-12)
+
+
+def test_a_swinging_pendulum_seen_from_a_turntable_needs_no_force():
+    """Foucault: what a pendulum does in space, seen from a base that rotates below it, is free motion with the same tension."""
+    rod = kt.Model(nodes={"O": (0, 0, 2), "P": {"at": (0.6, 0, 0.3), "mass": 4.0}}, fixed=["O"], bars={"b": ("O", "P")},
+                   gravity=(0, 0, -9.81), section=TUBE, material=STEEL, velocities={"P": (0, 0.8, 0)})  # fmt: skip
+    run = kt.dynamics.simulate(rod, t_end=2.0, samples=21)
+    spin = np.array([0, 0, 1.3])
+    t = run.motion.time.values
+    space = [run.motion.data[name].values for name in ("position", "velocity", "acceleration")]
+    x, v, a = (np.empty_like(one) for one in space)
+    for i, s in enumerate(t):
+        R, W = expm(s * cross(spin)), cross(spin)  # x = R^T X and its rates
+        X, V, A = (one[i] for one in space)
+        x[i], v[i] = X @ R, V @ R - X @ R @ W.T
+        a[i] = A @ R - 2 * V @ R @ W.T + X @ R @ (W @ W).T
+    model = kt.under(rod, kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=spin)))
+    seen = kt.kinematics.from_arrays(model, t, x, v, a)
+    forces = kt.dynamics.inverse(model, seen)
+    wanted = run.forces.member_force.values
+    assert np.abs(forces.member_force.values - wanted).max() < 1e-10 * wanted.max()
+    assert (
+        np.abs(
+            forces.reaction.sum("support").values
+            - np.einsum("tc,tcd->td", run.forces.reaction.sum("support").values, np.array([expm(s * cross(spin)) for s in t]))
+        ).max()
+        < 1e-10 * wanted.max()
+    )
+    assert np.abs(forces.energy_balance.values).max() < 1e-9 * np.abs(forces.power.values).max()
+    assert np.abs(kt.dynamics.inverse(rod, seen).member_force.values - wanted).max() > 1.0  # without the base it is another
+
+
+def test_friction_resists_the_rates_relative_to_the_base():
+    """A damped hinge on the ground does not feel the rotation of the base; a lever at rest on it rests."""
+    lever = kt.Model(nodes={"O": (0, 0), "P": {"at": (1, 0), "mass": 2.0}}, fixed=["O"],
+                     bars={"b": kt.Bar(ends=("O", "P"), friction=(0.7, 0.0))}, drives={"turn": kt.AngleDrive("b")})  # fmt: skip
+    model = kt.under(lever, kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=[2.0])))
+    motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"turn": 0.5}, duration=1.0), samples=3)
+    forces = kt.dynamics.inverse(model, motion)
+    assert forces.drive_force.values[:, 0] == pytest.approx([0.7 * 0.5] * 3, rel=1e-12)
+    assert forces.member_force.values[:, 0] == pytest.approx([2.0 * 2.5**2] * 3, rel=1e-12)
+    assert np.abs(forces.energy_balance.values).max() < 1e-12
+
+
+def test_free_bodies_and_newton_euler_close_in_a_rotating_base():
+    base = kt.BaseRotation(angular_velocity=SPIN, center=CENTER, gravity_turns=True)
+    model = kt.under(tripod(gravity=(1.0, 2.0, -9.81)), kt.Condition(base_rotation=base))
+    motion = moved(model)
+    forces = kt.dynamics.inverse(model, motion)
+    equations = kt.dynamics.newton_euler(model, motion, forces, time=float(motion.time[3]))
+    residual = equations.matrix @ equations.product - equations.right
+    assert np.abs(residual).max() < 1e-10 * np.abs(forces.member_force.values).max()
+    for part in ({"member": "l1"}, {"member": "tie"}, {"node": "T"}):
+        body = kt.dynamics.free_body(model, motion, forces, **part, time=float(motion.time[3]))
+        assert body.residual < 1e-10 * body.largest
+
+
+def test_a_mission_takes_the_worst_over_a_base_that_rotates():
+    """The governing pair is the fast one, with the tension of a single run; both orders of magnitude are known."""
+    model = tripod(
+        trajectories={"reach": kt.Quintic(moves={"l1": (1.26, 1.2)}, duration=1.0)},
+        conditions={
+            "still": kt.Condition(),
+            "spun": kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=(0, 0, 12.0))),
+        },
+        runs={"all": kt.Run(analysis="mission", motions=("reach",), conditions=("still", "spun"), samples=11)},
+    )
+    mission = kt.run(model, "all")
+    assert mission.pairs.sizes["pair"] == 2
+    one = kt.runs.governing(mission)
+    changed = kt.under(model, "spun")
+    forces = kt.dynamics.inverse(changed, kt.kinematics.follow(changed, model.trajectories["reach"], samples=11))
+    alone = kt.strength.check(changed, forces)
+    assert mission.verdict.table()[0].utilisation == pytest.approx(alone.table()[0].utilisation, rel=1e-12)
+    assert one.verdict.table()[0].utilisation == pytest.approx(alone.table()[0].utilisation, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("analysis", "words"),
+    [
+        (lambda model: kt.statics.linear(model), "base rotates"),
+        (lambda model: kt.statics.equilibrium(model), "base rotates"),
+        (lambda model: kt.dynamics.simulate(model, t_end=0.1), "base rotates"),
+        (lambda model: kt.statics.at_poses(model, [{}], weight=False), "rotate with the base"),
+    ],
+    ids=["linear", "equilibrium", "simulate", "massless"],
+)
+def test_what_takes_no_account_of_the_rotation_says_so(analysis, words):
+    model = tripod(base_rotation=kt.BaseRotation(angular_velocity=(0, 0, 1)))
+    with pytest.raises(kt.InputError, match=words):
+        analysis(model)
+
+
+@pytest.mark.parametrize(
+    ("base", "words"),
+    [
+        ({"center": (0, 0, 1)}, "angular_velocity"),
+        ({"angular_acceleration": (0, 0, 1), "gravity_turns": True}, "gravity_turns"),
+        ({"angular_velocity": (0, 0, 1), "angular_acceleration": (0, 0, 1), "gravity_turns": True}, "gravity_turns"),
+    ],
+)
+def test_a_faulty_rotation_is_refused(base, words):
+    with pytest.raises(kt.ModelError, match=words):
+        kt.BaseRotation(**base)
+
+
+def test_a_rotation_with_the_components_of_another_dimension_is_refused():
+    with pytest.raises(kt.ModelError, match="has 1 components, the model has 3 in space"):
+        tripod(base_rotation=kt.BaseRotation(angular_velocity=[1.0]))
