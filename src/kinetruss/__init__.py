@@ -22,7 +22,7 @@ _PACKAGES = (
 )
 _NAMES = {
     "model": (
-        "BaseRotation Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha "
+        "BaseRotation Bearing Catalogue Compliance Condition Mission DOP853 Elastic EnergyMomentum Event Free GeneralizedAlpha "
         "GivenForce Hold "
         "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive "
         "OffsetCoordinate Active "

@@ -68,7 +68,7 @@ from kinetruss.model.motion.methods import (
     Rattle,
     Taylor,
 )
-from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.runs import Elastic, Run
 from kinetruss.model.motion.springs import Spring
 from kinetruss.model.motion.targets import (
     TARGETS,
@@ -185,6 +185,7 @@ __all__ = [
     "mission_faults",
     "DOP853",
     "EnergyMomentum",
+    "Elastic",
     "Event",
     "Free",
     "GeneralizedAlpha",

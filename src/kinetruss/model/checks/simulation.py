@@ -18,7 +18,7 @@ from kinetruss.model.parts.members import Active
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
     from kinetruss.model.motion.conditions import BaseRotation, Condition
-    from kinetruss.model.motion.runs import Run
+    from kinetruss.model.motion.runs import Elastic, Run
 
 MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
 """Analyses whose motion, or poses, a mission can take."""
@@ -170,9 +170,21 @@ def run_faults(model: ModelData) -> Iterator[Fault]:
         yield from event_faults(model, run.events, ("runs", name, "events"))
         if run.condition is not None and run.condition not in model.conditions:
             yield unknown("condition", run.condition, model.conditions, ("runs", name, "condition"))
+        yield from _elastic_faults(model, run.elastic, ("runs", name, "elastic"))
         yield from _mission_faults(model, name, run)
         for pose, values in run.poses.items():
             yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def _elastic_faults(model: ModelData, elastic: Elastic, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Members and drives of the options of a run of elastic members."""
+    for field in ("stiffness", "rigid"):
+        for name in getattr(elastic, field):
+            if name not in model.members:
+                yield unknown("member", name, model.members, (*path, field, name))
+    for name in elastic.drives or ():
+        if name not in model.all_drives:
+            yield unknown("drive", name, model.all_drives, (*path, "drives", name))
 
 
 def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
