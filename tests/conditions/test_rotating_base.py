@@ -96,6 +96,48 @@ def test_forces_are_those_of_the_same_motion_in_a_frame_that_does_not_rotate(gra
     assert np.abs(found.member_force.values - other).max() > 0.05 * size  # the rotation matters
 
 
+def test_planar_bodies_and_joints_have_the_forces_of_the_same_motion_in_space():
+    """A four-bar with planar bodies and a body on two nodes, driven by an angle; the base turns about a point off it."""
+    spin, center, gravity = 2.3, np.array([0.1, -0.3]), (1.0, -9.81)
+    fourbar = kt.Model(
+        nodes={"A": (0, 0), "B": (0, 0.10), "C": (0.30, 0.25), "D": (0.40, 0)},
+        fixed=("A", "D"),
+        bars={
+            "crank": kt.Bar(ends=("A", "B"), body=kt.PlanarBody(mass=1.5, center=(0.04, 0.02), inertia=0.01)),
+            "coupler": kt.Bar(ends=("B", "C"), rotary_inertia=True),
+            "rocker": ("C", "D"),
+        },
+        bodies={"plate": kt.Body(nodes=["C", "D"], mass=2.0, center=(0.32, 0.1), inertia=0.02)},
+        section=TUBE, material=STEEL, gravity=gravity, drives={"motor": kt.AngleDrive("crank")},
+    )  # fmt: skip
+    base = kt.BaseRotation(angular_velocity=[spin], center=center, gravity_turns=True)
+    model = kt.under(fourbar, kt.Condition(base_rotation=base))
+    motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 10.0}, duration=0.3), samples=7)
+    found = kt.dynamics.inverse(model, motion)
+    t, W = motion.time.values, np.array([[0, -spin], [spin, 0]])
+    turn = np.array([expm(s * W) for s in t])
+    x, v, a = (motion.data[name].values for name in ("position", "velocity", "acceleration"))
+    r = x - center
+    space = kt.kinematics.from_arrays(
+        fourbar, t, center + np.einsum("tab,tnb->tna", turn, r), np.einsum("tab,tnb->tna", turn, v + r @ W.T),
+        np.einsum("tab,tnb->tna", turn, a + 2 * v @ W.T + r @ (W @ W).T),
+    )  # fmt: skip
+    wanted = kt.dynamics.inverse(fourbar, space)
+    size = np.abs(wanted.joint_force.values).max()
+    for name in ("member_force", "drive_force"):
+        assert np.abs(found.data[name].values - wanted.data[name].values).max() < 1e-10 * size, name
+    for name in ("reaction", "joint_force", "action_force"):
+        back = np.einsum("t...c,tcd->t...d", wanted.data[name].values, turn)
+        assert np.abs(found.data[name].values - back).max() < 1e-10 * size, name
+    joints = [kt.dynamics.joint_reaction(*one, "plate", ["C"]) for one in ((model, found), (fourbar, wanted))]
+    back = np.einsum("tc,tcd->td", joints[1].force.values, turn)
+    assert np.abs(joints[0].force.values - back).max() < 1e-10 * size
+    assert np.abs(found.energy_balance.values).max() < 1e-10 * np.abs(found.power.values).max()
+    ready = kt.prepare(model)
+    places = ready.follow(kt.ConstantRate(rates={"motor": 10.0}, duration=0.3), samples=7)
+    assert np.abs(ready.forces(places).drive_force - found.drive_force.values).max() < 1e-12 * size
+
+
 def test_a_rotating_bar_has_the_tension_of_the_closed_form():
     """Uniform bar of mass m about its end: T(s) = m w^2 (L^2 - s^2)/(2 L) + m_tip w^2 L, mean m w^2 L/3 + m_tip w^2 L."""
     length, tip, spin = 1.2, 0.5, 9.0
@@ -213,6 +255,36 @@ def test_a_mission_takes_the_worst_over_a_base_that_rotates():
     alone = kt.strength.check(changed, forces)
     assert mission.verdict.table()[0].utilisation == pytest.approx(alone.table()[0].utilisation, rel=1e-12)
     assert one.verdict.table()[0].utilisation == pytest.approx(alone.table()[0].utilisation, rel=1e-12)
+
+
+def test_forces_in_a_rotating_base_have_no_deflection():
+    plain = tripod(gravity=(0, 0, -9.81))
+    model = kt.under(plain, kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=SPIN)))
+    forces = kt.statics.at_poses(model, [{}])
+    for one in (model, plain):
+        with pytest.raises(kt.InputError, match="base rotates"):
+            kt.statics.deflection(one, forces)
+        with pytest.raises(kt.InputError, match="base rotates"):
+            kt.flexible.frequencies(one, forces)
+
+
+def test_a_stored_run_keeps_the_rotation_and_its_pages_show_it(tmp_path):
+    """Section forces from the folder, those of the viewer's arrays, and the table of inputs."""
+    model = tripod(
+        trajectories={"reach": kt.Quintic(moves={"l1": (1.26, 1.2)}, duration=1.0)},
+        conditions={"spun": kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=SPIN, center=CENTER))},
+        runs={"one": kt.Run(trajectory="reach", samples=5, condition="spun")},
+    )
+    run = kt.run(model, out=tmp_path / "run")
+    stored = kt.runs.load(tmp_path / "run")
+    for one in (run, stored):
+        again = kt.strength.sections(one.model, one.forces["all"], stations=run.told.stations)
+        assert again.section_M.values == pytest.approx(run.sections["all"].section_M.values, rel=1e-12, abs=1e-12)
+    scene = kt.viewer.scene(stored)
+    r = stored.motion.position.values - CENTER
+    moving = stored.motion.velocity.values + np.cross(SPIN, r)
+    assert np.asarray(scene.arrays["velocity"], float) == pytest.approx(moving, rel=1e-5, abs=1e-6)
+    assert "base rotation" in kt.report.document_page(stored).html
 
 
 @pytest.mark.parametrize(

@@ -186,6 +186,6 @@ def test_loads_in_time_are_those_of_the_instant():
 
 
 def test_moving_supports_are_refused():
-    model = uneven_bars(support_motion={"B.x": kt.History(times=[0, 1], displacements=[0.0, 0.1])})
+    model = uneven_bars(support_motion={"B": kt.History(times=[0, 1], displacements=[(0.0, 0.0), (0.1, 0.0)])})
     with pytest.raises(kt.InputError, match="moving supports"):
         kt.runs.budget(model, ["a.force"], {"a.length": 1e-4}, samples=4)

@@ -18,7 +18,13 @@ from kinetruss.model import LoadCase, NodalForce
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Loads", "case_loads"]
+__all__ = ["ROTATES", "Loads", "case_loads"]
+
+
+ROTATES = (
+    "The base rotates (base_rotation), which this analysis does not take into account. Forces along a motion do: "
+    "dynamics.inverse, statics.at_poses, missions, explain; or leave out base_rotation."
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -65,10 +71,7 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None, *, rota
     """
     base = base_of(system)
     if base is not None and not rotating:
-        raise InputError(
-            "The base rotates (base_rotation), which this analysis does not take into account. Forces along a motion do: "
-            "dynamics.inverse, statics.at_poses, missions, explain; or leave out base_rotation."
-        )
+        raise InputError(ROTATES)
     loads, (steady, factors) = system.model.loads, _steady(system, name)
     force = np.zeros((len(t), len(steady.loads), 3))
     for k, load in enumerate(steady.loads):
