@@ -292,10 +292,10 @@ def test_a_stored_run_keeps_the_rotation_and_its_pages_show_it(tmp_path):
     [
         (lambda model: kt.statics.linear(model), "base rotates"),
         (lambda model: kt.statics.equilibrium(model), "base rotates"),
-        (lambda model: kt.dynamics.simulate(model, t_end=0.1), "base rotates"),
+        (lambda model: kt.dynamics.linearise(model), "base rotates"),
         (lambda model: kt.statics.at_poses(model, [{}], weight=False), "rotate with the base"),
     ],
-    ids=["linear", "equilibrium", "simulate", "massless"],
+    ids=["linear", "equilibrium", "linearise", "massless"],
 )
 def test_what_takes_no_account_of_the_rotation_says_so(analysis, words):
     model = tripod(base_rotation=kt.BaseRotation(angular_velocity=(0, 0, 1)))
@@ -319,3 +319,73 @@ def test_a_faulty_rotation_is_refused(base, words):
 def test_a_rotation_with_the_components_of_another_dimension_is_refused():
     with pytest.raises(kt.ModelError, match="has 1 components, the model has 3 in space"):
         tripod(base_rotation=kt.BaseRotation(angular_velocity=[1.0]))
+
+
+@pytest.mark.parametrize("turns", [False, True])
+def test_a_simulation_in_a_rotating_base_is_the_one_in_space(turns):
+    """A chain of a driven-out rod and a swinging one, with masses along them: places, forces and the motion of its energy."""
+    spin = np.array([0.3, -0.4, 0.9]) if turns else np.array([0, 0, 0.9])
+    chain = kt.Model(
+        nodes={"O": (0, 0, 2), "P": {"at": (0.6, 0, 1.3), "mass": 1.0}, "Q": {"at": (0.9, 0.2, 0.7), "mass": 2.0}}, fixed=["O"],
+        bars={"a": ("O", "P"), "b": kt.Bar(ends=("P", "Q"), kind="elastic", stiffness=4e3, damping=3.0)},
+        gravity=(0, 0, -9.81), section=TUBE, material=STEEL,
+    )  # fmt: skip
+    start = {"P": np.array([0, 0.8, 0.0]), "Q": np.array([0.1, 0.5, -0.2])}
+    base = kt.BaseRotation(angular_velocity=spin, center=(0, 0, 2), gravity_turns=turns)
+    seen = {name: tuple(v - np.cross(spin, np.subtract(chain.nodes[name].at, (0, 0, 2)))) for name, v in start.items()}
+    options = {"t_end": 0.6, "samples": 7, "method": kt.DOP853(rtol=1e-12, atol=1e-13)}
+    space = kt.dynamics.simulate(chain, velocities={name: tuple(v) for name, v in start.items()}, **options)
+    model = chain.with_(base_rotation=base)
+    found = kt.dynamics.simulate(model, velocities=seen, **options)
+    turn = np.array([expm(s * cross(spin)) for s in space.motion.time.values])
+    top = np.array((0.0, 0.0, 2.0))
+    back = top + np.einsum("tnc,tcd->tnd", space.motion.position.values - top, turn)
+    assert np.abs(found.motion.position.values - back).max() < 1e-9
+    size = np.abs(space.forces.member_force.values).max()
+    assert np.abs(found.forces.member_force.values - space.forces.member_force.values).max() < 1e-7 * size
+    pulled = np.einsum("tsc,tcd->tsd", space.forces.reaction.values, turn)
+    assert np.abs(found.forces.reaction.values - pulled).max() < 1e-7 * size
+    assert np.abs(found.forces.energy_balance.values).max() < 1e-7 * np.abs(found.forces.power.values).max()
+    if not turns:  # T + V less the energy of the centrifugal field is Jacobi's integral where nothing is lost
+        inverse = kt.dynamics.inverse(model, found.motion)
+        assert np.abs(inverse.member_force.values - found.forces.member_force.values).max() < 1e-6 * size
+
+
+def test_a_simulated_motion_of_drives_has_the_forces_of_inverse_dynamics():
+    """With a force of the user on it, which is a load beside the fictitious forces."""
+    base = kt.BaseRotation(angular_velocity=SPIN, angular_acceleration=RATE, center=CENTER)
+    model = tripod(gravity=(0, 0, -9.81), base_rotation=base)
+    reach = kt.Quintic(moves={"l1": (model_length(model, "l1"), 1.25)}, duration=0.4)
+    tie = tripod(gravity=(0, 0, -9.81), base_rotation=base, loads={"push": kt.NodalForce(node="T", force=(5.0, -3.0, 20.0))})
+    run = kt.dynamics.simulate(
+        model, t_end=0.4, trajectory=reach, samples=5, user_force=lambda t, x, v: {"T": np.array((5.0, -3.0, 20.0))}
+    )
+    wanted = kt.dynamics.inverse(tie, kt.kinematics.follow(tie, reach, samples=5))
+    size = np.abs(wanted.member_force.values).max()
+    for name in ("member_force", "drive_force", "reaction", "interface_force"):
+        assert np.abs(run.forces.data[name].values - wanted.data[name].values).max() < 1e-7 * size, name
+    again = kt.dynamics.simulate(model, t_end=0.4, trajectory=reach, samples=5)
+    twice = kt.dynamics.simulate(model, t_end=0.4, trajectory=reach, samples=5)
+    assert np.array_equal(again.forces.member_force.values, twice.forces.member_force.values)
+    ready = kt.dynamics.prepare(model, t_end=0.4, trajectory=reach).run(0.4, samples=5)
+    assert np.abs(ready.position[:, :, : model.dim] - again.motion.position.values).max() < 1e-9
+
+
+def test_a_run_of_a_simulation_under_the_condition_goes_on_where_it_stopped(tmp_path):
+    model = tripod(
+        gravity=(0, 0, -9.81),
+        conditions={"spun": kt.Condition(base_rotation=kt.BaseRotation(angular_velocity=SPIN, center=CENTER))},
+        trajectories={"reach": kt.Quintic(moves={"l1": (1.26, 1.2)}, duration=0.2)},
+        runs={"one": kt.Run(analysis="dynamics.simulate", t_end=0.2, trajectory="reach", samples=5, condition="spun")},
+    )
+    run = kt.run(model, out=tmp_path / "run", block=2)
+    alone = kt.dynamics.simulate(kt.under(model, "spun"), t_end=0.2, trajectory=model.trajectories["reach"], samples=5)
+    wanted = alone.forces.member_force.values
+    assert np.abs(run.forces["all"].member_force.values - wanted).max() < 1e-8 * np.abs(wanted).max()
+
+
+def test_a_rotating_base_has_no_power_series():
+    rod = kt.Model(nodes={"O": (0, 0), "P": {"at": (1, 0), "mass": 1.0}}, fixed=["O"], bars={"b": ("O", "P")},
+                   base_rotation=kt.BaseRotation(angular_velocity=[1.0]))  # fmt: skip
+    with pytest.raises(kt.InputError, match="the base rotates"):
+        kt.dynamics.simulate(rod, t_end=0.1, method=kt.Taylor())

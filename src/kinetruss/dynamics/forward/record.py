@@ -10,6 +10,7 @@ import numpy as np
 from kinetruss.actuators.forward import unwrapped
 from kinetruss.dynamics.motors.record import motor_histories, motor_names
 from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
+from kinetruss.dynamics.prescribed.rotating import solved_in_space
 from kinetruss.dynamics.prescribed.tables import force_arrays
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.compiled.workspace import allocate
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.forward.integration import Integration
     from kinetruss.dynamics.forward.problem import Problem
+    from kinetruss.mechanics import System
 
 __all__ = ["Trace", "simulation_of"]
 
@@ -113,14 +115,10 @@ def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
 
 def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
-    loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
-    count = len(trace.t)
-    joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))
-    applied(system, loads, States(trace.x, trace.v, trace.a), EndForces(joint, rest))
-    p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
-    row_forces(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
-    take_sum_forces(system, trace.x, trace.N, rest)
-    solved = {"x": trace.x, "v": trace.v, "a": trace.a, "N": trace.N, "joint": joint, "rest": rest}
+    loads = case_loads(system, trace.t, work.problem.load_case, rotating=True).at(trace.x)
+    loads = _with_user(work.problem, loads, trace)
+    states = States(trace.x, trace.v, trace.a)
+    solved = solved_in_space(system, loads, states, lambda pushed, space: _ends(system, trace, pushed, space))
     data = force_arrays(system, motion, loads, solved, at_rest=False)
     unsure = list(work.problem.not_unique)
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
@@ -134,11 +132,22 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     )
 
 
+def _ends(system: System, trace: Trace, loads: Loads, states: States) -> dict[str, Any]:
+    """The forces of the rows on the ends of members, as `prescribed.inverse.solve` has them."""
+    joint, rest = allocate((len(trace.t), len(system.members), 2, 3), (len(trace.t), system.x0.size))
+    applied(system, loads, states, EndForces(joint, rest))
+    p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
+    row_forces(system.row_member, system.row_kind, p, q, trace.x, trace.N, joint, rest)
+    take_sum_forces(system, trace.x, trace.N, rest)
+    return {"x": trace.x, "v": states.v, "a": states.a, "N": trace.N, "joint": joint, "rest": rest}
+
+
 def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
     """The loads, with the user's force as one more load at each node on which it acts."""
-    if not problem.user.given:
+    user = problem.user.own
+    if not user.given:
         return loads
-    push = np.array([problem.user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
+    push = np.array([user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
     push = push.reshape(len(trace.t), len(problem.system.nodes), 3)
     nodes = np.flatnonzero(np.abs(push).max(axis=(0, 2), initial=0.0) > 0)
     return replace(

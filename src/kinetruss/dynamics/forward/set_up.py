@@ -134,7 +134,7 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     if completed is not None:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
-    user = user_force_of(system, asked.user_force, x, v)
+    user = user_force_of(system, asked.user_force, x, v, load_case)
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)

@@ -35,7 +35,8 @@ def without_series(problem: Problem) -> str | None:
         (eq.edge_A, "membranes or solids resist"),
         (eq.pin, "there is friction about pins"),
         (system.springs, "the spring {!r} acts on a coordinate"),
-        ([problem.user] if problem.user.given else [], "a user force is given"),
+        ([problem.user] if problem.user.own.given else [], "a user force is given"),
+        ([problem.user] if problem.user.given else [], "the base rotates"),
         ([problem.motors] if problem.motors is not None else [], "motors have inputs"),
     )
     return next((words.format(what[0]) for what, words in found if len(what)), None)

@@ -22,8 +22,8 @@ __all__ = ["ROTATES", "Loads", "case_loads"]
 
 
 ROTATES = (
-    "The base rotates (base_rotation), which this analysis does not take into account. Forces along a motion do: "
-    "dynamics.inverse, statics.at_poses, missions, explain; or leave out base_rotation."
+    "The base rotates (base_rotation), which this analysis does not take into account. These do: dynamics.inverse, "
+    "dynamics.simulate, statics.at_poses, missions, explain. Use one of them, or leave out base_rotation."
 )
 
 
