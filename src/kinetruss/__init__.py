@@ -22,7 +22,8 @@ _PACKAGES = (
 )
 _NAMES = {
     "model": (
-        "Bearing Catalogue Compliance Condition Mission DOP853 EnergyMomentum Event Free GeneralizedAlpha GivenForce Hold "
+        "BaseRotation Bearing Catalogue Compliance Condition Mission DOP853 Elastic EnergyMomentum Event Free GeneralizedAlpha "
+        "GivenForce Hold "
         "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive "
         "OffsetCoordinate Active "
         "Amplifier AngleDrive Bar Beam Body BodyCouple BodyForce ConstantRate CoordinateDrive CosineCoordinate Cyclic "

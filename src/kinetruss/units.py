@@ -195,6 +195,7 @@ QUANTITIES: dict[str, Quantity] = {
     "force": _quantity("N"),
     "torque": _quantity("N m", "N m/rad"),
     "acceleration": _quantity("m/s^2"),
+    "angular acceleration": _quantity("rad/s^2"),
     "speed": _quantity("m/s"),
     "velocity": _quantity("m/s"),
     "stiffness": _quantity("N/m"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from scipy.linalg import eigvalsh
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 
@@ -48,11 +49,20 @@ def beams() -> dict[str, float]:
 
 
 def conditions() -> dict[str, float]:
-    """Warm and accelerated structures: shifts over a dT, the force of a clamped bar over E A a dT, m a of a pushed mass."""
+    """Warm, accelerated, rotating structures: shifts over a dT, a clamped bar over E A a dT, m a; and the map of an arm."""
     stretch = 12e-6 * 45.0
     return {
         "missions.conditions.shift_C_x": 1.0,
         "missions.conditions.shift_C_y": 1.5,
         "missions.conditions.clamped": -1 / (1 + stretch),
         "missions.conditions.pushed": -2.0 * 3.0,
+        **{f"missions.rotating_base.{name}": 1.0 for name in ("root", "middle", "euler", "coriolis", "centrifugal")},
+        "missions.rotating_base.gravity": math.cos(9.0 * 0.3),
+        **{f"missions.workspace.serial_{r}": _arm(0.4, 0.3, r / 1000) for r in (120, 300, 500)},
     }
+
+
+def _arm(a: float, b: float, r: float) -> float:
+    """Least singular value, m/rad, of the tip of two bars by their angles: of [[a^2, a b c], [a b c, b^2]], c = cos between."""
+    across = a * b * (r**2 - a**2 - b**2) / (2 * a * b)
+    return math.sqrt(float(eigvalsh([[a**2, across], [across, b**2]])[0]))

@@ -136,3 +136,56 @@ def test_a_length_that_others_hold_too_is_refused():
 def test_out_of_reach_within_the_tolerances_is_said():
     with pytest.raises((kt.InputError, kt.AnalysisError)):
         kt.runs.budget(two_bars(height=0.01), "C.y", {"*.length": 0.5})
+
+
+def uneven_bars(**changes):
+    x = (1.7**2 - 1.4**2 + 4) / 4
+    fields = {
+        "nodes": {"A": (0, 0), "B": (2, 0), "C": (x, np.sqrt(1.7**2 - x * x))},
+        "fixed": ["A", "B"],
+        "bars": {"a": ("A", "C"), "b": ("B", "C")},
+        "loads": {"P": kt.NodalForce(node="C", force=(0, 1000.0))},
+    }
+    return kt.Model(**fields | changes)
+
+
+def uneven_bars_force(a, b):
+    """N in bar a of two bars between feet 2 m apart, 1000 N upwards on top; for complex lengths too."""
+    x = (a * a - b * b + 4) / 4
+    y = np.sqrt(a * a - x * x)
+    return (2 - x) / b * 1000.0 / ((x / a) * (y / b) + (2 - x) / b * (y / a))
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
+def test_sensitivities_of_forces_are_the_derivatives_of_the_closed_form(tolerance):
+    found = kt.runs.budget(uneven_bars(), ["a.force"], {"a.length": tolerance, "b.length": tolerance}, samples=4)
+    step = 1e-30j
+    wanted = [uneven_bars_force(1.7 + step, 1.4).imag / 1e-30, uneven_bars_force(1.7, 1.4 + step).imag / 1e-30]
+    assert found.nominal.item() == pytest.approx(uneven_bars_force(1.7, 1.4), rel=1e-12)
+    assert found.sensitivity.values[0] == pytest.approx(wanted, rel=1e-9)
+
+
+def test_loads_in_time_are_those_of_the_instant():
+    """Draws are counted along the time axis: the load must not run on with them."""
+    tolerances = {"a.length": 1e-4, "b.length": 1e-4}
+    timed = kt.NodalForce(node="C", times=[0, 5], forces=[(0, 1000.0), (0, 9000.0)])
+    still, moving = (
+        kt.runs.budget(model, ["a.force"], tolerances, samples=50) for model in (uneven_bars(), uneven_bars(loads={"P": timed}))
+    )
+    assert moving.nominal.item() == still.nominal.item()
+    assert moving.monte_carlo.item() == pytest.approx(still.monte_carlo.item(), rel=1e-12)
+    crane = kt.library.vgt.triangular(gravity=None).with_(
+        loads={"push": kt.NodalForce(node="B", times=[0, 2], forces=[(0, 0), (0, -200.0)])}
+    )
+    rest = kt.Quintic(moves={"actuator": (2.5, 2.5)}, duration=2.0)
+    half = kt.runs.budget(crane, ["follower.force"], {"actuator.length": 1e-4}, at=(rest, 1.0), samples=4)
+    held = crane.with_(loads={"push": kt.NodalForce(node="B", force=(0, -100.0))})
+    assert half.nominal.item() == pytest.approx(
+        kt.statics.at_poses(held, [{}]).member_force.sel(member="follower").item(), rel=1e-9
+    )
+
+
+def test_moving_supports_are_refused():
+    model = uneven_bars(support_motion={"B": kt.History(times=[0, 1], displacements=[(0.0, 0.0), (0.1, 0.0)])})
+    with pytest.raises(kt.InputError, match="moving supports"):
+        kt.runs.budget(model, ["a.force"], {"a.length": 1e-4}, samples=4)

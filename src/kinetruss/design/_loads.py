@@ -10,7 +10,7 @@ import numpy as np
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Mission, Model
-from kinetruss.model.motion import MISSION, STATIC
+from kinetruss.model.motion import FLEXIBLE, MISSION, STATIC
 from kinetruss.results import Forces, Motion
 from kinetruss.runs.blocks import SIMULATED, plan
 
@@ -72,8 +72,9 @@ def _moving(model: Model, name: str) -> tuple[str, ...]:
     """A run, or the runs that a mission run names as motions."""
     run = model.runs.get(name)
     if run is None or run.analysis != MISSION:
-        if run is not None and (run.analysis in STATIC or run.condition is not None):
-            what = "stands still" if run.condition is None else f"has the condition {run.condition!r}"
+        if run is not None and (run.analysis in (*STATIC, *FLEXIBLE) or run.condition is not None):
+            still = "stands still" if run.analysis in STATIC else f"is {run.analysis}"
+            what = still if run.condition is None else f"has the condition {run.condition!r}"
             raise InputError(f"Run {name!r} {what}, so it cannot be sized for. Name runs of dynamics.inverse.")
         return (name,)
     if run.conditions:

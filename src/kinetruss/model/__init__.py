@@ -34,7 +34,7 @@ from kinetruss.model.checks.faults import faults, trajectory_faults
 from kinetruss.model.checks.simulation import condition_faults, event_faults, task_faults
 from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.hubs.record import Hub
-from kinetruss.model.motion.conditions import Condition
+from kinetruss.model.motion.conditions import BaseRotation, Condition
 from kinetruss.model.motion.drives import (
     AngleDrive,
     CoordinateDrive,
@@ -68,7 +68,7 @@ from kinetruss.model.motion.methods import (
     Rattle,
     Taylor,
 )
-from kinetruss.model.motion.runs import Run
+from kinetruss.model.motion.runs import Elastic, Run
 from kinetruss.model.motion.springs import Spring
 from kinetruss.model.motion.targets import (
     TARGETS,
@@ -110,6 +110,7 @@ __all__ = [
     "Active",
     "Amplifier",
     "AngleDrive",
+    "BaseRotation",
     "Bearing",
     "Bar",
     "Beam",
@@ -184,6 +185,7 @@ __all__ = [
     "mission_faults",
     "DOP853",
     "EnergyMomentum",
+    "Elastic",
     "Event",
     "Free",
     "GeneralizedAlpha",

@@ -11,7 +11,7 @@ from kinetruss.model._record import GravityVector, Name, Number, Record, Velocit
 from kinetruss.model._table import Filled, ReadOnly, Table
 from kinetruss.model.beams.record import Beam
 from kinetruss.model.hubs.record import Hub
-from kinetruss.model.motion.conditions import Condition
+from kinetruss.model.motion.conditions import BaseRotation, Condition
 from kinetruss.model.motion.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, geared
 from kinetruss.model.motion.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.motion.runs import Run
@@ -92,6 +92,7 @@ class ModelData(Record):
     motors: Table[Name, Motor] = ReadOnly()
     amplifiers: Table[Name, Amplifier] = ReadOnly()
     gravity: GravityVector | None = None
+    base_rotation: BaseRotation | None = None
     loads: Table[Name, Load] = ReadOnly()
     load_cases: Table[Name, LoadCase] = ReadOnly()
     conditions: Table[Name, Condition] = ReadOnly()

@@ -72,6 +72,8 @@ __all__ = [
     "SignedVoltage",
     "Span",
     "Speed",
+    "Spin",
+    "SpinRate",
     "SpringDamping",
     "SpringForce",
     "SpringStiffness",
@@ -355,3 +357,5 @@ Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]
 VelocityVector = Annotated[tuple[Annotated[float, Of("velocity")], ...], Field(min_length=2, max_length=3), Series]
 GravityVector = Annotated[tuple[Acceleration, ...], Field(min_length=2, max_length=3), Series]
+Spin = Annotated[tuple[Annotated[float, Of("angular rate")], ...], Field(min_length=1, max_length=3), Series]
+SpinRate = Annotated[tuple[Annotated[float, Of("angular acceleration")], ...], Field(min_length=1, max_length=3), Series]

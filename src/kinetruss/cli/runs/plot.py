@@ -25,6 +25,8 @@ Quantities (several --quantity give panels above each other):
   actuators  thrust (actuator_force), motor_torque (torque), current, voltage; drive: all four;
              drive_force, interface_force, interface_moment, screw_torque, motor_speed, stroke,
              holding_torque, breakaway_torque, mechanical_power, electrical_power
+  elastic    displacement, elongation; frequency, actuator_share, mac; drive_length, change, error;
+             settled, difference (statics.deflection and flexible.*)
   motors     of a simulation: motor_voltage, motor_current, motor_angle, motor_speed, copper_energy
   whole      energy, power, singularity; of a simulation kinetic_energy, potential_energy, momentum,
              angular_momentum, step_size, smallest_pivot; energies: all three

@@ -193,7 +193,7 @@ def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
 
 def _masses(system: System, load_case: str | None) -> dict[str, Any]:
     """Constant and changing masses, laws, and weight."""
-    loads, found = case_loads(system, np.zeros(1), load_case), elements(system)
+    loads, found = case_loads(system, np.zeros(1), load_case, rotating=True), elements(system)
     g, mass = loads.gravity, found["pair"]
     constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
     turned = np.array([-g[1], g[0], 0.0])

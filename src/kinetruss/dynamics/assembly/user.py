@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.dynamics.prescribed.rotating import fictitious_forces, in_space
 from kinetruss.errors import InputError
+from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.structure.user_call import call_force, calling, compiled_force, no_force, python_force
 from kinetruss.mechanics import System
+from kinetruss.mechanics.assembly import Loads, case_loads
 from kinetruss.model import nearest
 
 if TYPE_CHECKING:
@@ -20,8 +24,6 @@ __all__ = ["UserForce", "user_force_of"]
 
 class UserForce:
     """A force of the user. `call`: its address for kernels; `given`: there is one; `error`: the exception of its last call."""
-
-    words = "a user force is given"
 
     def __init__(self, system: System, function: Callable[..., Any] | None) -> None:
         self.error: BaseException | None = None
@@ -37,6 +39,20 @@ class UserForce:
             raise InputError(f"The compiled force cannot be used: {error}. Its form is f(t, x, v, out).") from error
         self._plain, self._compiled = found is None, found  # kept alive as long as its address is called
         self.call = python_force if found is None else int(found.address)
+
+    @property
+    def words(self) -> str:
+        """What it is, for messages."""
+        return "the base rotates" if isinstance(self._function, ForceInBase) else "a user force is given"
+
+    @property
+    def own(self) -> UserForce:
+        """The force without the fictitious forces of a base that rotates."""
+        return self._function.own if isinstance(self._function, ForceInBase) else self
+
+    def again(self) -> UserForce:
+        """A new one without a function of the user."""
+        return UserForce(self._system, self._function.alone() if isinstance(self._function, ForceInBase) else None)
 
     def ready(self) -> None:
         """Clear the stored exception, and make this the force that kernels of this thread call."""
@@ -86,10 +102,39 @@ class UserForce:
         out += forces
 
 
+class ForceInBase:
+    """The fictitious forces (n, dim) of a base that rotates at t, x, v, and a force of the user with them."""
+
+    def __init__(self, system: System, loads: Loads, function: Callable[..., Any] | None) -> None:
+        self.own = UserForce(system, function)
+        self._system, self._loads = system, loads
+
+    def alone(self) -> ForceInBase:
+        """The same without the user's."""
+        return ForceInBase(self._system, self._loads, None)
+
+    def __call__(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+        dim = self._system.dim
+        flat = [np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in (x, v)]
+        states = States(flat[0], flat[1], np.zeros_like(flat[0]))
+        found = fictitious_forces(self._system, states, in_space(replace(self._loads, t=np.array([t])), states))[0]
+        if self.own.given:
+            found = found + self.own.at(t, flat[0][0], flat[1][0])
+            if isinstance(self.own.error, BaseException):
+                raise self.own.error
+        return np.asarray(found.reshape(-1, 3)[:, :dim])
+
+
 def user_force_of(
-    system: System, function: Callable[..., Any] | None, x: NDArray[np.float64], v: NDArray[np.float64]
+    system: System,
+    function: Callable[..., Any] | None,
+    x: NDArray[np.float64],
+    v: NDArray[np.float64],
+    load_case: str | None = None,
 ) -> UserForce:
     """Prepare a function of the user, and call it once at the start: positions x and velocities v (3 n,).
+
+    In a base that rotates, the fictitious forces under the gravity of the load case are added.
 
     Raises
     ------
@@ -97,7 +142,8 @@ def user_force_of(
     """
     if function is not None and not callable(function):
         raise InputError(f"user_force is {type(function).__name__}, not a function f(t, x, v).")
-    user = UserForce(system, function)
+    loads = case_loads(system, np.zeros(1), load_case, rotating=True)
+    user = UserForce(system, function if loads.base is None else ForceInBase(system, loads, function))
     user.ready()
     push = user.at(0.0, x.copy(), v.copy())
     if user.error is not None:

@@ -57,7 +57,7 @@ class Problem:
             self,
             eq=self.eq.copy(),
             ws=self.ws.copy(),
-            user=UserForce(self.system, None),
+            user=self.user.again(),
             x0=self.x0.copy(),
             v0=self.v0.copy(),
             z0=self.z0.copy(),

@@ -11,6 +11,7 @@ from kinetruss.actuators.forward import unwrapped
 from kinetruss.dynamics.forward.rubbing import Rubbing, solved_along, with_forces
 from kinetruss.dynamics.motors.record import motor_histories, motor_names
 from kinetruss.dynamics.prescribed.bearings import rubbing
+from kinetruss.dynamics.prescribed.rotating import solved_in_space
 from kinetruss.dynamics.prescribed.tables import force_arrays
 from kinetruss.dynamics.remarks.energy_kept import energy_kept
 from kinetruss.kernels.solve.balance import balance
@@ -112,7 +113,8 @@ def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
 
 def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
-    loads = _with_user(work.problem, case_loads(system, trace.t, work.problem.load_case).at(trace.x), trace)
+    loads = case_loads(system, trace.t, work.problem.load_case, rotating=True).at(trace.x)
+    loads = _with_user(work.problem, loads, trace)
     states, user = States(trace.x, trace.v, trace.a), work.problem.user
     if isinstance(user, Rubbing):
         each = [user.couples(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)]
@@ -120,7 +122,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
         rubbed = rubbing(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
         solved = solved_along(system, rubbed, states, trace.N) | {"bearing": couple}
     else:
-        solved = solved_along(system, loads, states, trace.N)
+        solved = solved_in_space(system, loads, states, lambda pushed, space: solved_along(system, pushed, space, trace.N))
     data = force_arrays(system, motion, loads, solved, at_rest=False)
     unsure = list(work.problem.not_unique)
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
@@ -136,7 +138,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
 
 def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
     """The loads, with the user's force as one more load at each node on which it acts."""
-    user = problem.user.own if isinstance(problem.user, Rubbing) else problem.user
+    user = problem.user.own
     if not user.given:
         return loads
     push = np.array([user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])

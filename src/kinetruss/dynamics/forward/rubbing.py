@@ -18,6 +18,7 @@ from kinetruss.dynamics.assembly.user import UserForce
 from kinetruss.dynamics.prescribed.bearings import jammed, rubbing
 from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
 from kinetruss.dynamics.prescribed.tables import Read, carried
+from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.constraints.row_forces import row_forces
 from kinetruss.kernels.solve.kkt import accelerate_under, evaluate
@@ -26,7 +27,7 @@ from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.structure.user_call import no_force, python_force
 from kinetruss.mechanics import ends_of
 from kinetruss.mechanics.assembly import Loads, case_loads
-from kinetruss.mechanics.configuration import drive_values
+from kinetruss.mechanics.configuration import base_of, drive_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,12 +35,38 @@ if TYPE_CHECKING:
     from kinetruss.kernels.structure.equations import Equations, Workspace
     from kinetruss.mechanics import System
 
-__all__ = ["Rubbing", "solved_along"]
+__all__ = ["Rubbing", "rubbing_of", "solved_along", "with_forces"]
 
 CLOSE = 1e-14
 """Change of the couples that counts as none, relative to the largest."""
 MOST = 400
 """Rounds of the fixed point."""
+
+
+def rubbing_of(
+    system: System,
+    function: Callable[..., Any] | None,
+    eq: Equations,
+    ws: Workspace,
+    load_case: str | None,
+    start: tuple[NDArray[np.float64], NDArray[np.float64]],
+) -> Rubbing:
+    """The friction of bearings, called once at the start: positions and velocities (3 n,).
+
+    Raises
+    ------
+    InputError : the base rotates. AnalysisError : a joint jams at the start.
+    """
+    if base_of(system) is not None:
+        raise InputError(
+            "Bearings with friction cannot be simulated in a base that rotates. Take out the bearings, or the rotation."
+        )
+    found = Rubbing(system, function, eq, ws, load_case)
+    found.ready()
+    found.at(0.0, *(y.copy() for y in start))
+    if found.error is not None:
+        raise found.error
+    return found
 
 
 def solved_along(system: System, loads: Loads, states: States, N: NDArray[np.float64]) -> dict[str, Any]:
@@ -54,21 +81,33 @@ def solved_along(system: System, loads: Loads, states: States, N: NDArray[np.flo
 
 
 class Rubbing(UserForce):
-    """The friction of bearings as a force on nodes, with the force of the user. own : that of the user alone."""
-
-    words = "bearings have friction"
+    """The friction of bearings as a force on nodes, with the force of the user."""
 
     def __init__(
         self, system: System, function: Callable[..., Any] | None, eq: Equations, ws: Workspace, load_case: str | None
     ) -> None:
         super().__init__(system, None)
-        self.own = UserForce(system, function)
+        self._users = UserForce(system, function)
         self.given, self._plain, self.call = True, True, python_force
         self._eq, self._ws, self._case = eq, ws.copy(), load_case
 
+    @property
+    def words(self) -> str:
+        """What it is, for messages."""
+        return "bearings have friction"
+
+    @property
+    def own(self) -> UserForce:
+        """The force of the user alone."""
+        return self._users
+
+    def again(self) -> Rubbing:
+        """A new one without a force of the user, and with its own buffers."""
+        return Rubbing(self._system, None, self._eq, self._ws, self._case)
+
     def ready(self) -> None:
         """Clear the stored exceptions, and make this the force that kernels of this thread call."""
-        self.own.error = None
+        self._users.error = None
         super().ready()
 
     def _push(self, t: float, x: NDArray[np.float64], v: NDArray[np.float64], out: NDArray[np.float64]) -> None:
@@ -76,9 +115,9 @@ class Rubbing(UserForce):
             out.fill(np.nan)
             return
         try:
-            given = self.own.at(t, x, v)
-            if self.own.error is not None:
-                raise self.own.error
+            given = self._users.at(t, x, v)
+            if self._users.error is not None:
+                raise self._users.error
             node, force = couples_on_ends(self._system, x.reshape(1, -1, 3), self.couples(t, x, v, given)[None])
             out += given
             np.add.at(out.reshape(-1, 3), node, force[0])
@@ -103,7 +142,7 @@ class Rubbing(UserForce):
         most = np.array([seat.arm for seat in seats]) * np.tanh(size / np.array([seat.slip for seat in seats]))
         if not most.any():
             return np.zeros_like(way)
-        base, change = self._reactions(t, x.copy(), v.copy(), way, self.own.at(t, x, v) if given is None else given)
+        base, change = self._reactions(t, x.copy(), v.copy(), way, self._users.at(t, x, v) if given is None else given)
         amount, first = np.zeros(len(seats)), 0.0
         for _ in range(MOST):
             found = -most * np.linalg.norm(base + np.einsum("j,jkc->kc", amount, change), axis=1)

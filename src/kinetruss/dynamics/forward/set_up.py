@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.dynamics.assembly.equations import equations, held_by_none
 from kinetruss.dynamics.assembly.user import user_force_of
 from kinetruss.dynamics.forward.problem import Problem
-from kinetruss.dynamics.forward.rubbing import Rubbing
+from kinetruss.dynamics.forward.rubbing import rubbing_of
 from kinetruss.dynamics.motors.motors import held_instead, motors_of, refuse_method
 from kinetruss.dynamics.starting.series import by_default, refuse_series
 from kinetruss.dynamics.starting.singular_start import singular_note, singular_start
@@ -135,13 +135,9 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     if completed is not None:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
-    user = user_force_of(system, asked.user_force, x, v)
+    user = user_force_of(system, asked.user_force, x, v, load_case)
     if model.bearings:
-        user = Rubbing(system, asked.user_force, eq, ws, load_case)
-        user.ready()
-        user.at(0.0, x.copy(), v.copy())
-        if user.error is not None:
-            raise user.error
+        user = rubbing_of(system, asked.user_force, eq, ws, load_case, (x, v))
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)

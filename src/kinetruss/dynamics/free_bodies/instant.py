@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,7 @@ from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.assembly import Loads, body_masses, case_loads, continua_mass, resting_forces
+from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.model import Model
 
@@ -80,13 +81,16 @@ class OnBar:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Instant:
-    """x, v, a (n, dim); gravity (dim,), lump_gravity (n, dim); axes (m, dim, dim) member axes as rows; data: its forces."""
+    """x, v, a (n, dim), v and a in space where the base rotates; rate (n, dim): velocities relative to it; gravity (dim,),
+    lump_gravity (n, dim); axes (m, dim, dim) member axes as rows; data: its forces.
+    """
 
     system: System
     time: float
     x: NDArray[np.float64]
     v: NDArray[np.float64]
     a: NDArray[np.float64]
+    rate: NDArray[np.float64]
     gravity: NDArray[np.float64]
     lump_gravity: NDArray[np.float64]
     axes: NDArray[np.float64]
@@ -100,7 +104,7 @@ class Instant:
     def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
         """Actions on members; `unit`: of 1 N or 1 N m of every drive, coupling and spring, `still`: without accelerations."""
         system, dim = self.system, self.system.dim
-        moving = (self.x, self.v, 0 * self.a if still else self.a)
+        moving = (self.x, self.rate, 0 * self.a if still else self.a)
         states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in moving))
         drive, coupling, spring = (
             np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.springs)
@@ -302,20 +306,34 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     here = motion.data.isel(time=k)
     still = bool(forces.data.attrs.get("at_rest", 0))
     x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
-    loads = case_loads(system, times[k : k + 1], forces.load_case if forces.load_case in model.load_cases else None)
-    loads = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
+    v, a = (0 * v, 0 * a) if still else (v, a)
+    case = forces.load_case if forces.load_case in model.load_cases else None
+    loads = case_loads(system, times[k : k + 1], case, rotating=True)
+    given = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
+    loads = _turned(given)
+    change = loads.gravity - given.gravity
+    seen = rates_in_space(forces.attrs, times[k : k + 1], *(y[None] for y in (x, v, a)))
     return Instant(
         system=system,
         time=float(times[k]),
         x=x,
-        v=0 * v if still else v,
-        a=0 * a if still else a,
+        v=seen[0][0],
+        a=seen[1][0] + change[: model.dim],
+        rate=v,
         gravity=loads.gravity[: model.dim],
         lump_gravity=loads.lump_gravity[:, : model.dim],
         axes=local_axes(system, x[None])[0, :, : model.dim, : model.dim],
         loads=loads,
         data=forces.data.isel(time=k),
     )
+
+
+def _turned(loads: Loads) -> Loads:
+    """Loads of one instant with the gravity of that instant, where it turns as seen from the base."""
+    if loads.base is None:
+        return loads
+    change = loads.base.gravity_change(loads.t, loads.gravity)[0]
+    return replace(loads, gravity=loads.gravity + change, lump_gravity=loads.lump_gravity + change)
 
 
 def _nearest(times: NDArray[np.float64], time: float | None) -> int:

@@ -16,6 +16,7 @@ from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
 from kinetruss.kinematics.poses import carried, nodes_of, shared_nodes
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
+from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.model import Model, Pressure, body_mass, nearest
 from kinetruss.results import Forces, Simulation, variable
 
@@ -132,7 +133,7 @@ def _shared_out(body: str, names: Sequence[str]) -> str:
 
 def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> NDArray[np.float64]:
     """F_s (time, nodes, 3), N, on the body at each node."""
-    a = _spatial(forces.motion.arrays["acceleration"].values)
+    a = _spatial(_accelerations(forces))
     g = np.zeros(3)
     g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
     place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.nodes)}
@@ -152,6 +153,14 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
             if node in place:
                 out[:, place[node]] += _spatial(joint_force.sel(member=bar).values[:, end])
     return out
+
+
+def _accelerations(forces: Forces) -> NDArray[np.float64]:
+    """Accelerations in space (time, node, axis)."""
+    t, x, v, a = (forces.motion.arrays[name].values for name in ("time", "position", "velocity", "acceleration"))
+    if forces.attrs.get("at_rest", 0):
+        v, a = 0 * v, 0 * a
+    return rates_in_space(forces.attrs, t, x, v, a)[1]
 
 
 def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
@@ -183,7 +192,7 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
     system, own = compile(model), set(model.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
     case = forces.load_case if forces.load_case in model.load_cases else None
-    for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case).unit_loads:
+    for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case, rotating=True).unit_loads:
         record = model.loads[name]
         mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body
         if mine:

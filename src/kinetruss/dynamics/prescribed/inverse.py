@@ -8,6 +8,7 @@ import numpy as np
 
 from kinetruss.dynamics.prescribed.bearings import with_friction
 from kinetruss.dynamics.prescribed.free import free_forces, out_of_balance
+from kinetruss.dynamics.prescribed.rotating import solved_in_space
 from kinetruss.dynamics.prescribed.tables import Read, force_arrays
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
@@ -62,7 +63,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     system = compile(model)
     check_motion(system, motion, members=True)
     states = States(*(flat(system, motion, name) for name in ("position", "velocity", "acceleration")))
-    loads = case_loads(system, motion.arrays["time"].values, load_case).at(states.x)
+    loads = case_loads(system, motion.arrays["time"].values, load_case, rotating=True).at(states.x)
     values = motion.arrays["drive_position"].values
     solved = with_friction(system, Read.of(motion), loads, states, lambda pushed: solve(system, values, pushed, states))
     still = None
@@ -96,10 +97,14 @@ def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
     return full.reshape(len(values), -1)
 
 
-def solve(system: System, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
+def solve(system: System, values: NDArray[np.float64], loads: Loads, states: States) -> dict[str, Any]:
     """Constraint forces N (times, rows), joint forces (times, members, 2, 3), residuals at nodes (times, 3 n), N, and the
-    constraints whose force is not unique, at drive values (times, drives); with the states.
+    constraints whose force is not unique, at drive values (times, drives); with the states, in space if the base rotates.
     """
+    return solved_in_space(system, loads, states, lambda pushed, space: _solve(system, values, pushed, space))
+
+
+def _solve(system: System, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
     x, arrangement = states.x, arrange(system)
     held = None if arrangement.plan is not None else held_shapes(system)
     # beams that keep their shape carry what rigid ones would

@@ -66,7 +66,7 @@ class PreparedModel:
     def __init__(self, model: Model, load_case: str | None) -> None:
         self.model, self.load_case = model, load_case
         self._system = compile(model)
-        case_loads(self._system, np.zeros(1), load_case)
+        case_loads(self._system, np.zeros(1), load_case, rotating=True)
 
     def follow(
         self,
@@ -166,7 +166,7 @@ class PreparedModel:
             v = a = np.zeros((1, x.shape[1]))
         else:
             refuse_turns(system, places.t, x, v)
-        loads = case_loads(system, places.t, self.load_case).at(x)
+        loads = case_loads(system, places.t, self.load_case, rotating=True).at(x)
         states, read = States(x, v, a), Read(length, length_rate, places.drive_position, places.drive_velocity)
         solved = with_friction(
             system, read, loads, states, lambda pushed: solve(system, places.drive_position, pushed, states), at_rest=static

@@ -17,6 +17,7 @@ from kinetruss.dynamics.actions.bar_actions import (
     mean_tension,
 )
 from kinetruss.dynamics.actions.records import Acting, CarriedBy
+from kinetruss.dynamics.prescribed.rotating import fictitious_forces
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.interface import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
@@ -35,6 +36,7 @@ from kinetruss.mechanics.assembly import (
     structure_of,
 )
 from kinetruss.mechanics.beams import MODES
+from kinetruss.mechanics.configuration import ROTATION
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 
@@ -81,7 +83,7 @@ def carried(
     system: System, read: Read, loads: Any, solved: dict[str, Any], at_rest: bool
 ) -> tuple[Carried, BarActions, Acting]:
     """Forces of members, supports and drives, and the actions on bars. `solved` holds flat x, v, a (times, 3 n), N, joint,
-    rest; the actions are subtracted from its joint forces.
+    rest; the actions are subtracted from its joint forces. With ``relative`` the base rotates, and v and a are those in space.
     """
     joint, rest = solved["joint"], solved["rest"]
     count = len(rest)
@@ -91,7 +93,7 @@ def carried(
     index, fixed = _supports(system)
     reaction = np.where(fixed, -rest.reshape(count, len(system.nodes), 3)[:, index], 0.0)
     by = _carried_by(system, mean, reaction, solved.get("bearing", np.zeros((count, 0, 3))))
-    states = States(solved["x"], solved["v"], solved["a"])
+    states = States(solved["x"], _relative(solved).v, solved["a"])
     found, acting = acting_along(system, loads, states, drive_force, coupling_force, carried=by)
     _take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
@@ -120,10 +122,9 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
     if system.springs:
         if not at_rest:
-            t, states = motion.arrays["time"].values, (solved["x"], solved["v"], solved["a"])
-            whole = refined(t, *states, Passed.of(system, motion))
+            whole = refined(motion.arrays["time"].values, *_relative(solved), Passed.of(system, motion))
             refuse_turns(system, whole.t, whole.x, whole.v)
-        data |= _springs(system, solved["x"], solved["v"])
+        data |= _springs(system, solved["x"], _relative(solved).v)
     if "bearing" in solved:
         turns = slice(2, 3) if dim == 2 else slice(0, 3)
         couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"
@@ -135,6 +136,8 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     if not at_rest:
         data |= _power(system, read, loads, solved, every.drive_force)
     attrs = {"gravity": loads.gravity[:dim].tolist()}
+    if loads.base is not None:
+        attrs[ROTATION] = loads.base.numbers
     return Arrays(_axes(system, loads.name, "mode_force" in solved), motion.arrays["time"].values, data, attrs)
 
 
@@ -186,6 +189,12 @@ def _carried_by(
     support = np.zeros((len(mean), len(system.nodes), 3))
     support[:, _supports(system)[0]] = reaction
     return CarriedBy(mean.copy(), support, couple)
+
+
+def _relative(solved: dict[str, Any]) -> States:
+    """Positions, velocities and accelerations relative to the base."""
+    found = solved.get("relative")
+    return States(solved["x"], solved["v"], solved["a"]) if found is None else cast("States", found)
 
 
 def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
@@ -295,8 +304,8 @@ def _power(
     solved: dict[str, Any],
     drive_force: NDArray[np.float64],
 ) -> dict[str, Column]:
-    """Energy, its rate, and the power supplied."""
-    x, v, a, held = solved["x"], solved["v"], solved["a"], _held(system)
+    """Energy, its rate, and the power supplied; relative to the base, if it rotates, with the power of fictitious forces."""
+    (x, v, a), held = _relative(solved), _held(system)
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:
@@ -306,6 +315,9 @@ def _power(
     if len(loads.node):
         nodal = v.reshape(len(v), len(system.nodes), 3)
         power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+    if loads.base is not None:
+        pushed = fictitious_forces(system, States(x, v, a), States(x, solved["v"], solved["a"]))
+        power += np.einsum("tc,tc->t", pushed, v)
     if "bearing" in solved:
         place, moving = (y.reshape(len(y), -1, 3) for y in (x, v))
         energy[:, 2] -= np.einsum("tkc,tkc->t", solved["bearing"], relative_rates(system, place, moving))

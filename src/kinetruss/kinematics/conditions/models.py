@@ -45,7 +45,7 @@ def under(model: Model, condition: str | Condition) -> Model:
     Raises
     ------
     ModelError : the condition names what the model does not have, or what is left is no model.
-    InputError : rigid bars that cannot have their new lengths together; an active member let go.
+    InputError : rigid bars that cannot have their new lengths together; a released active member.
 
     Notes
     -----
@@ -97,8 +97,10 @@ def _laden(model: Model, condition: Condition) -> Model:
     def felt(gravity: Any) -> tuple[float, ...]:
         return tuple((np.array(gravity) - shift).tolist())
 
-    own = condition.gravity or model.gravity or (0.0,) * model.dim
     changes: dict[str, Any] = {}
+    if condition.base_rotation is not None:
+        changes["base_rotation"] = condition.base_rotation
+    own = condition.gravity or model.gravity or (0.0,) * model.dim
     if condition.gravity is not None or shift.any():
         changes["gravity"] = felt(own)
     nodes = dict(model.nodes)
@@ -140,14 +142,14 @@ def _free_name(name: str, taken: Iterable[str]) -> str:
 
 
 def _without(model: Model, condition: Condition) -> Model:
-    """Failed members taken out, and drives let go."""
+    """Failed members and released drives taken out."""
     if not (condition.failed or condition.released):
         return model
     failed, released = set(condition.failed), set(condition.released)
     if slack := sorted(released & set(model.active)):
         raise InputError(
-            f"{slack[0]!r} is let go, and its rods then slide: only forces tell how it moves. Simulate it "
-            "(analysis: dynamics.simulate), or find its equilibrium (statics.equilibrium)."
+            f"Active member {slack[0]!r} is released: its rods slide as the forces on them make them, so its motion cannot be "
+            "prescribed. Simulate it (analysis: dynamics.simulate), or find its equilibrium (statics.equilibrium)."
         )
     drives = {
         name: drive

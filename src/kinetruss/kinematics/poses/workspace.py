@@ -123,7 +123,8 @@ def workspace(
     ``singular`` (not to be reached without passing a singular pose) or the drive that is farthest beyond its limits,
     ``M7 short`` or ``M7 long``; ``drive_position`` (..., drive) m or rad, NaN elsewhere; ``stroke`` (..., drive): share of the
     way from the least to the largest limit, NaN without limits; ``serial``: smallest singular value of the derivatives of the
-    task by the drives, angles times the shortest bar (0 at the border of the workspace); ``parallel``: smallest singular value
+    task (its angles times the shortest bar) by the drives, per m or rad of these (0 at the border of the workspace);
+    ``parallel``: smallest singular value
     of the prescribed rows with the drives held (0 at a pose in which the drives do not hold the structure); ``conditioning``:
     the same over their largest (1: all directions held alike). `report.map_picture` draws each of them.
 

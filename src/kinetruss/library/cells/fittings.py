@@ -15,6 +15,7 @@ from kinetruss.library.sections import SECTIONS, TUBE_LACY_SPATIAL
 from kinetruss.model import (
     Active,
     Bar,
+    Compliance,
     Flag,
     Gear,
     LeadScrew,
@@ -48,6 +49,7 @@ class Actuator(Record):
     gear: Gear | Name | None = None
     motor: Motor | Name | None = None
     limits: tuple[PositiveLength, PositiveLength] | None = None
+    compliance: Compliance | None = None
     buckling: EndCondition | None = None
 
 
@@ -151,11 +153,11 @@ def _rods(pattern: str, actuator: Actuator, bar: Bar) -> Active:
     tube = actuator.tube
     if tube.mass is None and tube.section is None:
         tube = changed(tube, section=bar.section, material=bar.material)
-    kept = {key: getattr(actuator, key) for key in ("base", "screw", "gear", "motor", "limits")}
+    kept = {key: getattr(actuator, key) for key in ("base", "screw", "gear", "motor", "limits", "compliance")}
     return Active(ends=bar.ends, orientation=bar.orientation, tube=tube, buckling=actuator.buckling or bar.buckling, **kept)
 
 
 def _no_train(pattern: str, actuator: Actuator) -> None:
-    if odd := [key for key in ("screw", "gear", "motor", "limits") if getattr(actuator, key) is not None]:
+    if odd := [key for key in ("screw", "gear", "motor", "limits", "compliance") if getattr(actuator, key) is not None]:
         mend = "Give its two rods: base: {length: .., mass: ..}, tube: {length: ..}."
         raise ModelError([Fault(("active", pattern), f"has {odd[0]}, but no rods.", mend)])

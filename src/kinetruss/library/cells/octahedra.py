@@ -22,6 +22,7 @@ from kinetruss.model import (
     Active,
     Angle,
     Bar,
+    Compliance,
     Gear,
     GimbalPose,
     LeadScrew,
@@ -92,6 +93,7 @@ class Rods(Fittings, total=False):
     gear: Gear | Name | None
     motor: Motor | Name | None
     limits: tuple[PositiveLength, PositiveLength] | None
+    compliance: Compliance | None
 
 
 @ready("double_octahedron", Rods)
@@ -210,6 +212,7 @@ def _hardware(given: Rods) -> tuple[dict[str, Any], dict[str, Any]]:
             rotary_inertia=given.get("rotary_inertia", False),
         ),
         "limits": given.get("limits"),
+        "compliance": given.get("compliance"),
     }
     fields |= {"buckling": given["buckling"]} if "buckling" in given else {}
     sections = {name: record for name, record in rods.items() if record is not None}

@@ -14,6 +14,7 @@ from kinetruss.library.sections import TUBE_LACY_SPATIAL
 from kinetruss.limits import MOST_ENTRIES, whole
 from kinetruss.model import (
     Angle,
+    Compliance,
     Count,
     Flag,
     ForceVector,
@@ -68,6 +69,7 @@ def double_octahedral(
     gear: Gear | Name | None = None,
     motor: Motor | Name | None = None,
     limits: tuple[PositiveLength, PositiveLength] | None = None,
+    compliance: Compliance | None = None,
     buckling: EndCondition = "pinned-pinned",
     safety: Safety = Safety(),
     title: str = "",
@@ -95,7 +97,7 @@ def double_octahedral(
     gravity : m/s^2; None for none. The thesis' truss hangs: (0, 0, 9.81).
     rotary_inertia : include that of the finite diameter of bars and tubes.
     screw, gear, motor : of every active member, records or library names, e.g. ``screw_lacy_spatial``. limits : least and
-        largest length of the active members, m.
+        largest length of the active members, m. compliance : of their screw, nut and base, in elastic analyses.
     buckling : ends of all members. safety : factors on yield and buckling.
 
     Returns
@@ -127,6 +129,7 @@ def double_octahedral(
         gear=gear,
         motor=motor,
         limits=limits,
+        compliance=compliance,
     )
     pose: Any = {"beta": beta, "gamma": gamma, "height": height}
     bay = double_octahedron(base=base, longeron=longeron, active_length=active_length, **pose, **hardware)

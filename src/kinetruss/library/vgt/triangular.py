@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.library._arguments import own_arguments
@@ -13,6 +14,7 @@ from kinetruss.library.sections import SECTIONS, TUBE_LACY_PLANAR
 from kinetruss.model import (
     Active,
     Bar,
+    Compliance,
     Flag,
     ForceVector,
     Gear,
@@ -58,6 +60,7 @@ def triangular(
     gear: Gear | Name | None = None,
     motor: Motor | Name | None = None,
     limits: tuple[PositiveLength, PositiveLength] | None = None,
+    compliance: Compliance | None = None,
     buckling: EndCondition = "pinned-pinned",
     safety: Safety = Safety(),
     title: str = "Triangular variable-geometry truss",
@@ -78,7 +81,7 @@ def triangular(
     gravity : m/s^2; None for none.
     rotary_inertia : count the tubes' finite diameter, as the thesis does; the base rod stays thin.
     screw, gear, motor : of the actuator, records or library names, e.g. ``screw_lacy_planar``. limits : its least and
-        largest length, m.
+        largest length, m. compliance : of its screw, nut and base, in elastic analyses.
     buckling : ends of the follower and the actuator. safety : factors on yield and buckling.
 
     Returns
@@ -98,33 +101,28 @@ def triangular(
     tube = section if tube_section is None else tube_section
     sections = {"follower": section, "tube": tube} | ({} if base_section is None else {"base": base_section})
     rod = {} if base_section is None else {"section": "base", "material": "tube"}
+    turning: Any = {"rotary_inertia": rotary_inertia}
+    actuator = Active(
+        ends=("O2", "B"),
+        base=Part(length=base_length, mass=base_mass, **rod),
+        tube=Part(length=tube_length, mass=tube_mass, section="tube", material="tube", **turning),
+        screw=named(SCREWS, screw, "screw"),
+        gear=named(GEARS, gear, "gear"),
+        motor=named(MOTORS, motor, "motor"),
+        limits=limits,
+        compliance=compliance,
+        buckling=buckling,
+    )
+    follower = Bar(ends=("O1", "B"), section="follower", material="tube", buckling=buckling, **turning)
+    top = Node(at=_top(actuator_length, follower_length, span), mass=payload_mass)
     return Model(
         title=title,
-        nodes={
-            "O1": (span, 0.0),
-            "O2": (0.0, 0.0),
-            "B": Node(at=_top(actuator_length, follower_length, span), mass=payload_mass),
-        },
+        nodes={"O1": (span, 0.0), "O2": (0.0, 0.0), "B": top},
         fixed=["O1", "O2"],
         sections={name: named(SECTIONS, chosen, "section") for name, chosen in sections.items()},
         materials={"tube": named(MATERIALS, material, "material")},
-        bars={
-            "follower": Bar(
-                ends=("O1", "B"), section="follower", material="tube", rotary_inertia=rotary_inertia, buckling=buckling
-            )
-        },
-        active={
-            "actuator": Active(
-                ends=("O2", "B"),
-                base=Part(length=base_length, mass=base_mass, **rod),
-                tube=Part(length=tube_length, mass=tube_mass, section="tube", material="tube", rotary_inertia=rotary_inertia),
-                screw=named(SCREWS, screw, "screw"),
-                gear=named(GEARS, gear, "gear"),
-                motor=named(MOTORS, motor, "motor"),
-                limits=limits,
-                buckling=buckling,
-            )
-        },
+        bars={"follower": follower},
+        active={"actuator": actuator},
         loads={} if tip_force is None else {"tip_B": NodalForce(node="B", force=tip_force)},
         gravity=gravity,
         safety=safety,

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
         row_tensions,
         sum_stiffness,
     )
-    from kinetruss.mechanics.assembly.cases import Loads, case_loads
+    from kinetruss.mechanics.assembly.cases import ROTATES, Loads, case_loads
     from kinetruss.mechanics.assembly.continua import (
         beam_losses,
         continua_arrays,
@@ -49,6 +49,7 @@ __all__ = [
     "Balance",
     "Follower",
     "Loads",
+    "ROTATES",
     "SpringHistories",
     "balance_of",
     "balanced_rows",
@@ -91,7 +92,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "balance": "Balance balance_of balanced_rows row_tensions measure_forces sum_stiffness",
-        "cases": "Loads case_loads",
+        "cases": "ROTATES Loads case_loads",
         "continua": (
             "beam_losses continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
             "resting_forces strain_balance"

@@ -12,20 +12,28 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.assembly.followers import Follower, history_of, on_ground, unit_loads_of
+from kinetruss.mechanics.configuration import RotatingBase, base_of
 from kinetruss.model import LoadCase, NodalForce
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Loads", "case_loads"]
+__all__ = ["ROTATES", "Loads", "case_loads"]
+
+
+ROTATES = (
+    "The base rotates (base_rotation), which this analysis does not take into account. These do: dynamics.inverse, "
+    "dynamics.simulate, statics.at_poses, missions, explain. Use one of them, or leave out base_rotation."
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Loads:
-    """gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N.
+    """t (times,) s; gravity (3,), lump_gravity (n, 3) m/s^2; loads (k,) names, node (k,) and force (times, k, 3) N.
 
     unit_loads : loads on bodies: name, unit load, amount (times,); `at` turns them into nodal forces. couples : by load, those
     that enter hubs through members (times, 3), N m; on a hub on the ground they are no nodal forces.
+    base : its rotation, or None.
     """
 
     name: str
@@ -36,6 +44,8 @@ class Loads:
     force: NDArray[np.float64]
     unit_loads: tuple[tuple[str, Follower, NDArray[np.float64]], ...] = ()
     couples: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    t: NDArray[np.float64] = field(default_factory=lambda: np.zeros(1))
+    base: RotatingBase | None = None
 
     def at(self, x: NDArray[np.float64]) -> Loads:
         """A copy with the loads on bodies turned into nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
@@ -52,8 +62,18 @@ class Loads:
         )
 
 
-def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Loads:
-    """Gravity and nodal forces of a load case of the model (None: all loads with factor 1)."""
+def case_loads(system: System, t: NDArray[np.float64], name: str | None, *, rotating: bool = False) -> Loads:
+    """Gravity and nodal forces of a load case of the model (None: all loads with factor 1).
+
+    rotating : the caller takes account of `base`.
+
+    Raises
+    ------
+    InputError : an unknown load case; a base that rotates, of which the caller takes no account.
+    """
+    base = base_of(system)
+    if base is not None and not rotating:
+        raise InputError(ROTATES)
     loads, (steady, factors) = system.model.loads, _steady(system, name)
     force = np.zeros((len(t), len(steady.loads), 3))
     for k, load in enumerate(steady.loads):
@@ -68,7 +88,7 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None) -> Load
     couples = {
         load: factor * history_of(loads[load], t) for load, factor in factors.items() if getattr(loads[load], "member", None)
     }
-    return replace(steady, force=force, unit_loads=tuple(unit_loads), couples=couples)
+    return replace(steady, force=force, unit_loads=tuple(unit_loads), t=t, couples=couples, base=base)
 
 
 @kept()

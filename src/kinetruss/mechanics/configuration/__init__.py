@@ -12,11 +12,15 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.configuration.positions import names_of, number_of, positions_of, vectors_of
     from kinetruss.mechanics.configuration.readings import drive_places, drive_values, row_values, shortest
     from kinetruss.mechanics.configuration.rigid_motion import centred, spin_of
+    from kinetruss.mechanics.configuration.rotating_base import ROTATION, RotatingBase, base_of, rates_in_space
 
 __all__ = [
     "FIT",
     "Rates",
     "POSE",
+    "ROTATION",
+    "RotatingBase",
+    "base_of",
     "bay_of",
     "centred",
     "departs",
@@ -30,6 +34,7 @@ __all__ = [
     "pose_members",
     "pose_values",
     "positions_of",
+    "rates_in_space",
     "row_values",
     "shortest",
     "size",
@@ -47,5 +52,6 @@ __getattr__, __dir__ = late(
         "positions": "names_of number_of positions_of vectors_of",
         "readings": "drive_places drive_values row_values shortest",
         "rigid_motion": "centred spin_of",
+        "rotating_base": "ROTATION RotatingBase base_of rates_in_space",
     },
 )

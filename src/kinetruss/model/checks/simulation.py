@@ -17,8 +17,8 @@ from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
-    from kinetruss.model.motion.conditions import Condition
-    from kinetruss.model.motion.runs import Run
+    from kinetruss.model.motion.conditions import BaseRotation, Condition
+    from kinetruss.model.motion.runs import Elastic, Run
 
 MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
 """Analyses whose motion, or poses, a mission can take."""
@@ -170,9 +170,21 @@ def run_faults(model: ModelData) -> Iterator[Fault]:
         yield from event_faults(model, run.events, ("runs", name, "events"))
         if run.condition is not None and run.condition not in model.conditions:
             yield unknown("condition", run.condition, model.conditions, ("runs", name, "condition"))
+        yield from _elastic_faults(model, run.elastic, ("runs", name, "elastic"))
         yield from _mission_faults(model, name, run)
         for pose, values in run.poses.items():
             yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def _elastic_faults(model: ModelData, elastic: Elastic, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Members and drives of the options of a run of elastic members."""
+    for field in ("stiffness", "rigid"):
+        for name in getattr(elastic, field):
+            if name not in model.members:
+                yield unknown("member", name, model.members, (*path, field, name))
+    for name in elastic.drives or ():
+        if name not in model.all_drives:
+            yield unknown("drive", name, model.all_drives, (*path, "drives", name))
 
 
 def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
@@ -193,7 +205,8 @@ def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
 
 
 def all_condition_faults(model: ModelData) -> Iterator[Fault]:
-    """Faults of all conditions of a model."""
+    """Faults of all conditions of a model, and of the rotation of its base."""
+    yield from base_rotation_faults(model, model.base_rotation, ("base_rotation",))
     for name, condition in model.conditions.items():
         yield from condition_faults(model, condition, ("conditions", name))
 
@@ -209,6 +222,7 @@ def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ..
         yield from components(force, dim, (*path, "forces", node))
     for field in ("gravity", "base_acceleration"):
         yield from components(getattr(condition, field), dim, (*path, field))
+    yield from base_rotation_faults(model, condition.base_rotation, (*path, "base_rotation"))
     for member in condition.temperatures:
         if member not in model.members:
             yield unknown("member", member, model.members, (*path, "temperatures", member))
@@ -220,6 +234,25 @@ def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ..
         for index, name in enumerate(getattr(condition, field)):
             if name not in known:
                 yield unknown(what, name, known, (*path, field, index))
+
+
+def base_rotation_faults(model: ModelData, base: BaseRotation | None, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Faults of a rotation of the base: one component in the plane, three in space; which gravity turns."""
+    if base is None:
+        return
+    dim = len(next(iter(model.nodes.values())).at)
+    yield from components(base.center, dim, (*path, "center"))
+    wanted, place = (1, "in the plane: about z") if dim == 2 else (3, "in space")
+    for field in ("angular_velocity", "angular_acceleration"):
+        vector = getattr(base, field)
+        if vector is not None and len(vector) != wanted:
+            yield Fault((*path, field), f"has {len(vector)} components, the model has {wanted} {place}.", f"Give {wanted}.")
+    if left := [*model.beams, *(name for name, node in model.nodes.items() if node.scalar)]:
+        mend = "Leave out base_rotation, or make beams of bars."
+        yield Fault(path, f"is not taken into account by beams and scalar coordinates, and the model has {left[0]!r}.", mend)
+    if base.gravity_turns and (own := [name for name, node in model.nodes.items() if node.gravity is not None]):
+        mend = "Leave out gravity_turns, or the gravity of the node."
+        yield Fault((*path, "gravity_turns"), f"turns one gravity, but node {own[0]!r} has one of its own.", mend)
 
 
 def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, ...]) -> Iterator[Fault]:

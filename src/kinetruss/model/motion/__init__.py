@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.model.motion.runs import MISSION, STANDING, STATIC
+    from kinetruss.model.motion.runs import FLEXIBLE, MISSION, STANDING, STATIC
 
-__all__ = ["MISSION", "STANDING", "STATIC"]
+__all__ = ["FLEXIBLE", "MISSION", "STANDING", "STATIC"]
 
-__getattr__, __dir__ = late(__name__, {"runs": "MISSION STANDING STATIC"})
+__getattr__, __dir__ = late(__name__, {"runs": "FLEXIBLE MISSION STANDING STATIC"})

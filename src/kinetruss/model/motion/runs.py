@@ -7,7 +7,17 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import Field, model_validator
 
 from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
-from kinetruss.model._record import Coordinate, Name, Record, Span, Whole
+from kinetruss.model._record import (
+    Coordinate,
+    Name,
+    Number,
+    PositiveNumber,
+    Record,
+    Span,
+    Stiffness,
+    Time,
+    Whole,
+)
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.motion.events import Event
 from kinetruss.model.motion.methods import Method
@@ -15,7 +25,7 @@ from kinetruss.model.motion.targets import Combined, Target
 from kinetruss.model.motion.tasks import Task
 from kinetruss.model.motion.trajectories import TrajectoryOrName
 
-__all__ = ["MISSION", "STANDING", "STATIC", "Run"]
+__all__ = ["FLEXIBLE", "MISSION", "STANDING", "STATIC", "Elastic", "Run"]
 
 STANDING = "A structure that stands still: analysis: statics.linear, statics.equilibrium, or statics.at_poses with poses."
 """The fix for a run of a structure that does not move."""
@@ -28,12 +38,17 @@ Analysis = Literal[
     "statics.equilibrium",
     "statics.at_poses",
     "statics.deflection",
+    "flexible.corrected",
+    "flexible.frequencies",
+    "flexible.vibration",
     "mission",
 ]
 
 MISSION = "mission"
 STATIC = tuple(name for name in get_args(Analysis) if name.startswith("statics."))
 """Analyses of structures that stand still, or, for the deflection, of small displacements from a motion."""
+FLEXIBLE = tuple(name for name in get_args(Analysis) if name.startswith("flexible."))
+"""Analyses of elastic members along a motion."""
 
 _MOTION = ("trajectory", "motion", "targets", "samples")
 _USED = {
@@ -44,11 +59,57 @@ _USED = {
     "statics.equilibrium": ("tasks",),
     "statics.at_poses": (*_MOTION, "poses"),
     "statics.deflection": _MOTION,
+    **dict.fromkeys(FLEXIBLE, (*_MOTION, "elastic")),
     MISSION: ("motions", "conditions", "samples"),
 }
 """The fields of each analysis besides load cases, stations and condition."""
 
-_OWN = ("trajectory", "motion", "targets", "samples", "t_end", "tasks", "method", "events", "poses", "motions", "conditions")
+_OWN = (
+    "trajectory",
+    "motion",
+    "targets",
+    "samples",
+    "t_end",
+    "tasks",
+    "method",
+    "events",
+    "poses",
+    "motions",
+    "conditions",
+    "elastic",
+)
+
+
+_ELASTIC = {
+    "flexible.corrected": ("at", "drives"),
+    "flexible.frequencies": ("modes",),
+    "flexible.vibration": ("damping", "rest", "tolerance"),
+}
+"""The options of each analysis besides stiffness and rigid."""
+
+
+class Elastic(Record):
+    """Options of a run of elastic members along a motion: the arguments of `flexible.corrected` and its neighbours.
+
+    stiffness : member -> N/m, in place of E A/l. rigid : members kept inextensible.
+    Of ``flexible.corrected``: at : coordinates that shall have the values of the rigid motion. drives : those that are changed;
+    None: all driven lengths. Of ``flexible.frequencies``: modes : number of modes. Of ``flexible.vibration``: damping : ratio
+    of the lowest mode; rest : s after the end of a motion that ends at rest, for its residual; tolerance : change of the
+    displacements, as a fraction of the largest, at which steps are short enough.
+    """
+
+    stiffness: Table[Name, Stiffness] = ReadOnly()
+    rigid: tuple[Name, ...] = ()
+    at: tuple[Name, ...] = ()
+    drives: tuple[Name, ...] | None = None
+    modes: Annotated[Whole, Field(ge=1)] = 6
+    damping: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    rest: Annotated[Time, Field(ge=0)] = 0.0
+    tolerance: PositiveNumber = 1e-3
+
+    def arguments(self, analysis: str) -> dict[str, Any]:
+        """The arguments of an analysis."""
+        return {name: getattr(self, name) for name in ("stiffness", "rigid", *_ELASTIC[analysis])}
 
 
 class Run(Record):
@@ -57,7 +118,8 @@ class Run(Record):
     analysis : ``dynamics.inverse`` (motion, forces, strength, drives), ``kinematics.follow`` (motion only),
         ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``); at rest ``statics.linear`` (small
         displacements), ``statics.equilibrium`` (large ones), ``statics.at_poses`` (forces in poses) and ``statics.deflection``
-        (of elastic members along a motion, besides all of ``dynamics.inverse``); or ``mission``.
+        (of elastic members along a motion, besides all of ``dynamics.inverse``); with elastic members likewise
+        ``flexible.corrected``, ``flexible.frequencies`` and ``flexible.vibration``; or ``mission``.
     trajectory : a trajectory or the name of one in the model; or `motion`, a node-history CSV (t, NODE.x, NODE.vx ...); or
         `targets`, a task of the structure (`Gimbal`, `Positioning`, `Docking` ...), which says what the drives must do.
         A simulation needs neither; its trajectory moves the drives that have no task.
@@ -75,6 +137,7 @@ class Run(Record):
     Of ``statics.at_poses``: poses : name of a pose -> drive or pose coordinate -> value, m or rad (what is not named stands as
     in the model); or a trajectory, whose samples are the poses.
 
+    Of ``flexible.*``: elastic : an `Elastic`, its options.
     Of a mission: motions : names of other runs and of trajectories (with `samples` each). conditions : names; None: the model
     as it is. Every motion is done under every condition and every load case.
     """
@@ -94,6 +157,7 @@ class Run(Record):
     poses: Table[Name, Table[Name, Coordinate]] = ReadOnly()
     motions: tuple[Name, ...] = ()
     conditions: tuple[Name, ...] | None = None
+    elastic: Elastic = Elastic()
 
     @model_validator(mode="after")
     def _fitting(self) -> Run:
@@ -111,7 +175,22 @@ class Run(Record):
             self._one_case()
         if "motion" in _USED[self.analysis]:
             self._one_motion()
+        if self.analysis in FLEXIBLE:
+            self._elastic()
         return self
+
+    def _elastic(self) -> None:
+        own = _ELASTIC[self.analysis]
+        for analysis, names in _ELASTIC.items():
+            for name in names:
+                if name not in own and getattr(self.elastic, name) != Elastic.model_fields[name].default:
+                    raise ValueError(
+                        f"has elastic.{name}, which {self.analysis} does not use. Remove it, or change analysis: {analysis}."
+                    )
+        if "at" in own and not self.elastic.at:
+            raise ValueError(
+                "has no elastic.at: what shall have the values of the rigid motion. Write for example elastic: {at: [N8.z]}."
+            )
 
     def _one_motion(self) -> None:
         given = [name for name in ("trajectory", "motion", "targets", "poses") if getattr(self, name)]

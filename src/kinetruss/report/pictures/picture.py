@@ -218,7 +218,7 @@ def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Ar
 
     model = what.model
     case = next(iter(what.forces), None) if case is None else case
-    found = case_loads(compile(model), time, case if case in model.load_cases else None)
+    found = case_loads(compile(model), time, case if case in model.load_cases else None, rotating=True)
     return [int(one) for one in found.node], found.force[:, :, : model.dim]
 
 

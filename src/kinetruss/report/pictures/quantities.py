@@ -82,9 +82,14 @@ DEMAND = (
     "screw_torque_frictionless", "motor_torque_frictionless", "holding_torque", "breakaway_torque", "mechanical_power",
     "electrical_power", "stroke", "drive_torque", "angle_rate", "axis_torque",
 )  # fmt: skip
+ELASTIC = (
+    "displacement", "settled", "elongation", "difference", "frequency", "actuator_share", "mac", "drive_length",
+    "change", "error",
+)  # fmt: skip
+"""Quantities of statics and of elastic members along a motion."""
 TURNING = ("drive_torque", "angle_rate")
 _STRAINS = tuple(f"{name}_microstrain" for name in COMPONENTS)
-QUANTITIES = (*STRESSES, *COMPONENTS, *_STRAINS, *MOTION, *SIMULATION, *FORCES, *SECTIONS, *DEMAND)
+QUANTITIES = (*STRESSES, *COMPONENTS, *_STRAINS, *MOTION, *SIMULATION, *FORCES, *SECTIONS, *DEMAND, *ELASTIC)
 
 ALIASES = {
     "x": "drive_position",
@@ -206,6 +211,8 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
     # at rest all powers are zero
     static = None if quantity.startswith(("power", "energy")) else forces.static
     yield lambda: forces.data, lambda: None if static is None else static.data
+    if case in run.statics:
+        yield lambda: run.statics[case].data, lambda: None
     if case in run.demand:
         demand = run.demand[case].data
         yield lambda: demand, lambda: None if static is None else _held(run, quantity, static, demand)
@@ -246,6 +253,8 @@ def _is_there(run: RunResult, name: str) -> bool:
         return name in run.motion.data
     if name in (*SIMULATION, *FED):
         return run.simulation is not None and name in run.simulation.data
+    if name in ELASTIC:
+        return any(name in one.data for one in run.statics.values())
     if name in TURNING:
         return any(name in demand.data for demand in run.demand.values())
     return bool(run.demand) if name in DEMAND else bool(run.forces)

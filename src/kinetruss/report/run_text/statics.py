@@ -8,27 +8,35 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant, number, quantity
-from kinetruss.model.motion import STATIC
+from kinetruss.model.motion import FLEXIBLE
 
 if TYPE_CHECKING:
     from kinetruss.results import Result
     from kinetruss.runs import RunResult
 
-__all__ = ["LACKS", "statics_lines", "statics_record"]
+__all__ = ["LACKS", "statics_lines", "statics_record", "statics_title"]
 
 LACKS = {
     "statics.linear": "at rest: it has no rates, no powers and no motor demands; the place is that without displacements",
     "statics.equilibrium": "at rest: it has no rates and no powers",
     "statics.at_poses": "at rest: it has no rates, no powers and no forces of inertia",
+    "flexible.corrected": "forces, strength and drives are those of the rigid motion, with its lengths",
+    "flexible.frequencies": "small vibrations with locked actuators; forces, strength and drives are those of the rigid motion",
+    "flexible.vibration": "small displacements; strength and drives are those of the rigid motion",
     "statics.deflection": "small displacements: they change neither the geometry nor the forces",
 }
-"""What the result of a static analysis has not."""
+"""What the result of an analysis of statics or of elastic members has not."""
+
+
+def statics_title(run: RunResult) -> str:
+    """The title of these lines."""
+    return "Elastic members along the motion" if run.told.analysis in FLEXIBLE else "Static analysis"
 
 
 def statics_record(run: RunResult) -> dict[str, Any] | None:
-    """What a static analysis finds besides forces, by load case, as plain data; None for other runs."""
+    """What statics or elastic members add to forces, by load case, as plain data; None for other runs."""
     analysis = run.told.analysis
-    if analysis not in STATIC:
+    if analysis not in LACKS:
         return None
     return {
         "analysis": analysis,
@@ -55,7 +63,33 @@ def _case(run: RunResult, found: Result) -> dict[str, Any]:
     if "stiffness" in data and data["stiffness"].size:
         told["least_stiffness"] = float(data["stiffness"].values.min())
         told["unstable"], told["neutral"] = int(data.attrs["unstable"]), int(data.attrs["neutral"])
+    return told | _elastic(found)
+
+
+def _elastic(found: Result) -> dict[str, Any]:
+    """Lowest and highest frequency of each mode; the largest change of a length; overshoot, residual and largest difference."""
+    data = found.data
+    told: dict[str, Any] = {}
+    if "frequency" in data:
+        values = data["frequency"].values
+        told["frequencies"] = [{"least": float(one.min()), "largest": float(one.max())} for one in values.T]
+    if "change" in data and data["change"].size:
+        told["change"] = _largest(data["change"])
+        told["error"] = float(np.abs(data["error"].values).max(initial=0.0))
+    if "difference" in data and data["difference"].size:
+        told["difference"] = _largest(data["difference"])
+        told |= {name: float(data.attrs[name]) for name in ("overshoot", "residual") if np.isfinite(data.attrs[name])}
     return told
+
+
+def _largest(values: Any) -> dict[str, Any]:
+    """The entry (time, name) of the largest size."""
+    i, k = np.unravel_index(int(np.abs(values.values).argmax()), values.shape)
+    return {
+        "of": str(values[values.dims[1]].values[k]),
+        "value": float(values.values[i, k]),
+        "time": float(values["time"].values[i]),
+    }
 
 
 def _shift(run: RunResult, found: Result) -> Any:
@@ -79,9 +113,31 @@ def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:
             vector = ", ".join(quantity(value, "m") for value in far["vector"])
             when = f" at t = {instant(far['time'])}" if len(run.motion.data["time"]) > 1 else ""
             yield f"displacement, {case}", f"largest {quantity(far['size'], 'm')} at {far['node']}: ({vector}){when}"
+        yield from _elastic_lines(case, one)
         if "strain_energy" in one:
             yield f"strain energy, {case}", quantity(one["strain_energy"], "J")
         if "least_stiffness" in one:
             state = "stable" if not (one["unstable"] or one["neutral"]) else f"{one['unstable']} unstable modes"
             state += f", {one['neutral']} without stiffness" if one["neutral"] else ""
             yield f"stability, {case}", f"{state}; least stiffness {number(one['least_stiffness'], 4)} N/m"
+
+
+def _elastic_lines(case: str, one: dict[str, Any]) -> Iterator[tuple[str, str]]:
+    """Rows of elastic members along a motion."""
+    if "frequencies" in one:
+        ranges = []
+        for mode in one["frequencies"]:
+            least, largest = (number(mode[name], 4) for name in ("least", "largest"))
+            ranges.append(least if least == largest else f"{least} to {largest}")
+        yield f"frequencies, {case}", f"{', '.join(ranges)} Hz"
+    for name, words, unit in (("change", "change of length", "m"), ("difference", "force less the rigid one", "N")):
+        if name in one:
+            most = one[name]
+            where = f"largest {quantity(most['value'], unit)}, {most['of']} at t = {instant(most['time'])}"
+            yield f"{words}, {case}", where
+    if "error" in one:
+        yield f"remaining error, {case}", f"{one['error']:.1e} m or rad"
+    if "overshoot" in one:
+        yield f"overshoot, {case}", f"{number(one['overshoot'], 4)} times the largest displacement without vibration"
+    if "residual" in one:
+        yield f"residual, {case}", f"{quantity(one['residual'], 'm')} after the motion"

@@ -15,7 +15,7 @@ from kinetruss.report.missions import mission_record, mission_text
 from kinetruss.report.run_text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.run_text.simulation import simulation_lines, simulation_record
 from kinetruss.report.run_text.springs import spring_loads, springs_text
-from kinetruss.report.run_text.statics import statics_lines, statics_record
+from kinetruss.report.run_text.statics import statics_lines, statics_record, statics_title
 from kinetruss.report.run_text.trains import MOST, exceeded, trains, trains_text
 from kinetruss.runs import MissionRun
 
@@ -84,7 +84,7 @@ def _text(run: RunResult) -> str:
     if told := list(simulation_lines(run)):
         parts.append(Table(("", ""), told, "Simulation").text)
     if told := list(statics_lines(run)):
-        parts.append(Table(("", ""), told, "Statics").text)
+        parts.append(Table(("", ""), told, statics_title(run)).text)
     if forces := largest_forces(run):
         parts.append(f"Largest member forces (tension positive)\n{Table(FORCE_HEAD, map(_force_cells, forces)).text}")
     if rows := worst_rows(run):

@@ -18,6 +18,7 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.freedom import Coordinate, coordinate_values, coordinates, flat_positions
 from kinetruss.model import Model, Quintic
 from kinetruss.results import Result, variable
+from kinetruss.runs.accuracy.instant import at_instant
 from kinetruss.runs.accuracy.parameters import Parameter, driven_lengths, parameters
 
 if TYPE_CHECKING:
@@ -94,7 +95,8 @@ def budget(
         members expand; or a dotted path as for `io.set_value`, ``*`` for every name (``materials.*.density``,
         ``active.M7.base.mass``, ``screws.screw.friction``), as a number or as text, ``"2 %"``.
     at : coordinates of a pose (others as in the model), or (trajectory, time) of a motion: with its inertia forces. By default
-        the model's own pose. The commanded lengths are those of the model without errors.
+        the model's own pose. The commanded lengths are those of the model without errors. Loads in time are those at this
+        time; of a pose those at 0 s.
     samples, seed : of the Monte Carlo. deviations : standard deviations that a tolerance stands for; the draws are normal.
     expansion : 1/K, of materials without their own.
 
@@ -107,7 +109,8 @@ def budget(
 
     Raises
     ------
-    InputError : unknown quantities or parameters, tolerances that are not positive, a length that cannot change alone.
+    InputError : unknown quantities or parameters, tolerances that are not positive, a length that cannot change alone, moving
+        supports.
     AnalysisError : the pose is out of reach, or not within the tolerances.
 
     Notes
@@ -157,6 +160,8 @@ class _Job:
     """The nonlinear model of a budget: values of all quantities for rows of parameters."""
 
     def __init__(self, model: Model, chosen: list[Parameter], of: list[str], at: Any, load_case: str | None) -> None:
+        # the poses are counted along the time axis, so loads are those of the instant
+        model = at_instant(model, at[1] if isinstance(at, tuple) else 0.0)
         self.model, self.drives = driven_lengths(model, chosen)
         self.chosen, self.load_case = chosen, load_case
         self.jets = _command(model, at)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 from kinetruss.runs.blocks.block import Block, judged
 from kinetruss.runs.blocks.conditioned import followed
-from kinetruss.runs.blocks.planned import SIMULATED, STATIC, Plan
+from kinetruss.runs.blocks.planned import FLEXIBLE, SIMULATED, STATIC, Plan
 from kinetruss.runs.blocks.simulated import simulated
 from kinetruss.runs.blocks.standing import along, standing
 
@@ -86,7 +86,7 @@ def _analysed(plan: Plan, motion: Motion) -> Block:
     """All requested results of a motion, load case by load case."""
     if plan.run.analysis == "kinematics.follow":
         return Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
-    if plan.run.analysis in STATIC:
+    if plan.run.analysis in (*STATIC, *FLEXIBLE):
         return along(plan, motion)
     found = [dynamics.inverse(plan.model, motion, case, static=plan.full) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in found})

@@ -13,14 +13,14 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.given import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Condition, Model, Run
-from kinetruss.model.motion import STANDING, STATIC
+from kinetruss.model.motion import FLEXIBLE, STANDING, STATIC
 from kinetruss.results import Motion
 from kinetruss.runs.blocks.conditioned import SIMULATED, conditioned
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["SIMULATED", "STATIC", "Plan", "block_size", "chosen_run", "plan"]
+__all__ = ["FLEXIBLE", "SIMULATED", "STATIC", "Plan", "block_size", "chosen_run", "plan"]
 
 LARGEST_BLOCK, SMALLEST_BLOCK, MEMBER_SAMPLES = 2000, 50, 100_000
 
@@ -80,6 +80,8 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     else:
         times = np.linspace(0.0, run.trajectory.duration, run.samples)  # type: ignore[union-attr]
         check_supports(model, 0.0, float(times[-1]))
+    if run.analysis in FLEXIBLE:  # modes are followed, and a vibration goes on, from sample to sample
+        block = len(times)
     block = block_size(model) if block is None else whole(block, "block")
     return Plan(
         model=model,

@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss import dynamics, kinematics, statics
+from kinetruss import dynamics, flexible, kinematics, statics
 from kinetruss.dynamics.actions import actions_of
 from kinetruss.dynamics.prescribed import at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
 from kinetruss.model import LengthDrive, Model
+from kinetruss.model.motion import FLEXIBLE
 from kinetruss.results import Forces, Motion, Result, Status, variable
 from kinetruss.runs.blocks.block import Block, judged
 from kinetruss.runs.blocks.conditioned import poses_under
@@ -21,21 +22,38 @@ from kinetruss.runs.blocks.planned import Plan
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["along", "standing"]
+__all__ = ["ELASTIC", "along", "standing"]
+
+ELASTIC = ("statics.deflection", *FLEXIBLE)
+"""Analyses of elastic members along a motion."""
 
 
 def along(plan: Plan, motion: Motion) -> Block:
-    """Forces of the poses of a motion at rest; or those of the motion with the deflection of elastic members."""
+    """Forces of the poses of a motion at rest; or those of the motion with what elastic members make of it."""
     model = plan.model
-    if plan.run.analysis == "statics.deflection":
-        moving = [dynamics.inverse(model, motion, case, static=plan.full) for case in plan.cases]
-        found = {forces.load_case: statics.deflection(model, forces) for forces in moving}
-        return judged(plan, motion, {forces.load_case: forces for forces in moving}).with_(statics=found)
+    if plan.run.analysis in ELASTIC:
+        return _elastic(plan, motion)
     system, t = compile(model), motion.arrays["time"].values
     rates = [name for name, one in motion.data.data_vars.items() if "/s" in one.attrs.get("units", "")]
     motion = motion.with_(data=motion.data.assign({name: 0.0 * motion.data[name] for name in rates}))
-    still = [at_rest(system, motion, case_loads(system, t, case)) for case in plan.cases]
+    still = [at_rest(system, motion, case_loads(system, t, case, rotating=True)) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in still})
+
+
+def _elastic(plan: Plan, motion: Motion) -> Block:
+    """Forces of a motion, with its deflection, corrected lengths, frequencies or vibration."""
+    model, analysis = plan.model, plan.run.analysis
+    options = plan.run.elastic.arguments(analysis) if analysis in FLEXIBLE else {}
+    package, _, verb = analysis.partition(".")
+    analyse = getattr({"statics": statics, "flexible": flexible}[package], verb)
+    moving, found = {}, {}
+    for case in plan.cases:
+        forces = dynamics.inverse(model, motion, case, static=plan.full)
+        one = analyse(model, forces, **options)
+        own = slice(0, len(motion.arrays["time"].values))  # a vibration goes on after the motion
+        found[forces.load_case] = one.with_(data=one.data.isel(time=own))
+        moving[forces.load_case] = forces.with_(message=one.message)
+    return judged(plan, motion, moving).with_(statics=found)
 
 
 def standing(plan: Plan) -> Block:

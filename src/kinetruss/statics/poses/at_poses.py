@@ -223,7 +223,9 @@ def _refuse_contradiction(system: System, x: NDArray[np.float64], wanted: NDArra
 def _forces(system: System, motion: Motion, names: list[str], load_case: str | None, word: str, time: float) -> Forces:
     """Forces of the poses, the time axis counting them."""
     count = motion.data.sizes["time"]
-    loads = loads_at(system, np.full(count, time), load_case, word)
+    loads = loads_at(system, np.full(count, time), load_case, word, rotating=True)
+    if loads.base is not None and loads.base.turns:
+        raise InputError("Poses have no time, so gravity cannot turn with it. Leave out gravity_turns, or give a motion.")
     motion = motion.with_(data=_counted(motion.data, names[:count]))
     forces = at_rest(system, motion, loads)
     forces.data.attrs |= {"weight": word, "load_time": time}

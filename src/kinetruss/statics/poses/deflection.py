@@ -13,7 +13,8 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.assembly import Loads, continua_stiffness
+from kinetruss.mechanics.assembly import ROTATES, Loads, continua_stiffness
+from kinetruss.mechanics.configuration import ROTATION
 from kinetruss.mechanics.freedom import displacements, flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
@@ -109,7 +110,14 @@ def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDAr
 
 
 def loads_of(system: System, forces: Forces) -> Loads:
-    """The loads of the forces."""
+    """The loads of the forces.
+
+    Raises
+    ------
+    InputError : forces in a base that rotates.
+    """
+    if ROTATION in forces.attrs:
+        raise InputError(ROTATES)
     t = forces.arrays["time"].values
     if "load_time" in forces.data.attrs:
         t = np.full(len(t), float(forces.data.attrs["load_time"]))

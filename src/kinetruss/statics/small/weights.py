@@ -30,11 +30,18 @@ def weight_word(weight: Weight) -> str:
     )
 
 
-def loads_at(system: System, t: NDArray[np.float64], load_case: str | None, word: str) -> Loads:
-    """Loads of a case with the chosen weights; loads in time are taken at the times t."""
-    loads = case_loads(system, t, load_case)
+def loads_at(system: System, t: NDArray[np.float64], load_case: str | None, word: str, *, rotating: bool = False) -> Loads:
+    """Loads of a case with the chosen weights; loads in time are taken at the times t. rotating : as of `case_loads`.
+
+    Raises
+    ------
+    InputError : a base that rotates, with masses left out.
+    """
+    loads = case_loads(system, t, load_case, rotating=rotating)
     if word == "all":
         return loads
+    if loads.base is not None:
+        raise InputError("Masses that do not weigh do not rotate with the base. Give weight=True, or leave out base_rotation.")
     lump = loads.lump_gravity if word == "lumped" else np.zeros_like(loads.lump_gravity)
     return replace(loads, gravity=np.zeros(3), lump_gravity=lump)
 

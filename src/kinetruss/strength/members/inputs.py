@@ -13,6 +13,7 @@ from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.mechanics.structure import orientation
 from kinetruss.model import Model
 from kinetruss.results import Forces
@@ -47,6 +48,8 @@ class Given:
 def histories(model: Model, forces: Forces) -> Given:
     """Arrays behind forces; velocities and accelerations are zero for forces at rest, joint forces of bodies NaN.
 
+    Velocities and accelerations are those in space: under a base that rotates not those of the motion.
+
     Raises
     ------
     InputError : forces of another model, or motion and forces of different instants.
@@ -64,6 +67,7 @@ def histories(model: Model, forces: Forces) -> Given:
         velocity, acceleration = np.zeros_like(position), np.zeros_like(position)
     else:
         velocity, acceleration = (np.ascontiguousarray(motion[name].values) for name in ("velocity", "acceleration"))
+    velocity, acceleration = rates_in_space(forces.attrs, found["time"].values, position, velocity, acceleration)
     joint_force = np.ascontiguousarray(found["joint_force"].values)
     if system.is_body.any():
         joint_force = joint_force.copy()

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import numpy as np
 
 import kinetruss as kt
@@ -75,3 +78,52 @@ def conditions() -> dict[str, float]:
         "clamped": held / (STEEL.E * TUBE.area * 12e-6 * 45.0),
         "pushed": kt.statics.at_poses(pushed, [{}]).member_force.item(),
     }
+
+
+def rotating_base() -> dict[str, float]:
+    """A uniform bar, a slider, a lever that starts to turn, and gravity that turns as seen from a wheel, in closed form."""
+    L, m, w, alpha, g = 1.2, STEEL.density * TUBE.area * 1.2, 9.0, 7.0, 9.81
+    fields = {"section": TUBE, "material": STEEL}
+    arm = kt.Model(nodes={"O": (0, 0), "P": (L, 0)}, fixed={"O": "xy", "P": "y"}, bars={"b": ("O", "P")}, **fields)
+    spun = _under(arm, angular_velocity=[w])
+    forces = kt.statics.at_poses(spun, [{}])
+    middle = kt.strength.sections(spun, forces, stations=[0.5]).section_T.values.item()
+    lever = kt.Model(nodes={"O": (0, 0), "P": (L, 0)}, fixed=["O"], bars={"b": ("O", "P")}, gravity=(0, -g),
+                     drives={"turn": kt.AngleDrive("b")}, **fields)  # fmt: skip
+    started = _under(lever.with_(gravity=None), angular_acceleration=[alpha])
+    wheel = _under(lever, angular_velocity=[w], gravity_turns=True)
+    held = kt.Quintic(moves={"turn": (0.0, 0.0)}, duration=1.0)
+    turned = kt.dynamics.inverse(wheel, kt.kinematics.follow(wheel, held, times=[0.0, 0.3]))
+    slide = kt.Model(nodes={"O": (0, 0), "S": {"at": (0.5, 0), "mass": 2.0}}, fixed={"O": "xy", "S": "y"},
+                     bars={"b": kt.Bar(ends=("O", "S"), kind="driven", mass=0.0)})  # fmt: skip
+    moving = _under(slide, angular_velocity=[w])
+    outwards = kt.kinematics.follow(moving, kt.ConstantRate(rates={"b": 0.4}, duration=0.5), samples=2)
+    sliding = kt.dynamics.inverse(moving, outwards)
+    return {
+        "root": forces.end_force.sel(member="b", end="A").item() / (m * w**2 * L / 2),
+        "middle": middle / (m * w**2 * L * 3 / 8),
+        "euler": kt.statics.at_poses(started, [{}]).drive_force.item() / (m * L**2 / 3 * alpha),
+        "coriolis": sliding.reaction.sel(support="S", axis="y").values[-1] / (2 * 2.0 * w * 0.4),
+        "centrifugal": sliding.drive_force.values[-1, 0] / (-2.0 * w**2 * 0.7),
+        "gravity": turned.drive_force.values[1, 0] / (m * g * L / 2),
+    }
+
+
+def _under(model: kt.Model, **base: Any) -> kt.Model:
+    return kt.under(model, kt.Condition(base_rotation=kt.BaseRotation(**base)))
+
+
+def arm_map() -> dict[str, float]:
+    """The map of an arm of two bars, 0.4 m and 0.3 m: its border, and the least singular value at three radii."""
+    a, b = 0.4, 0.3
+    elbow = (a * math.cos(0.6), a * math.sin(0.6))
+    arm = kt.Model(
+        nodes={"O": (0, 0), "E": elbow, "T": (elbow[0] + b * math.cos(-0.7), elbow[1] + b * math.sin(-0.7))},
+        fixed=["O"], bars={"upper": ("O", "E"), "fore": ("E", "T")},
+        drives={"first": kt.AngleDrive("upper"), "second": kt.AngleDrive("fore")},
+    )  # fmt: skip
+    radii = np.array([0.08, 0.12, 0.3, 0.5, 0.69, 0.71])
+    found = kt.kinematics.workspace(arm, "T", ("x", radii), ("y", [0.0, 0.02]))
+    line = found.isel(y=0)
+    values = {f"serial_{round(1000 * r)}": float(line.serial.sel(x=r)) for r in (0.12, 0.3, 0.5)}
+    return {"reached": float(line.reachable.sum()), "beyond": float(line.reachable.sel(x=0.71)), **values}

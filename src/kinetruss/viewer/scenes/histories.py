@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
+from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.mechanics.structure import skin_of
 from kinetruss.model import Pressure
 from kinetruss.viewer.scenes.channels import CHANNELS
@@ -54,6 +55,9 @@ def moving(
     time = motion.data["time"].values
     names = ("time", "position", "velocity", "acceleration", "drive_position")
     found = {name: motion.data[name].values for name in names if name in motion.data.variables}
+    if forces:  # the page computes section forces from them
+        rates = rates_in_space(forces[0].attrs, time, found["position"], found["velocity"], found["acceleration"])
+        found["velocity"], found["acceleration"] = rates
     if scalars := [i for i, node in enumerate(model.nodes.values()) if node.scalar]:
         # a scalar coordinate has no position: it is drawn at the first node
         found["position"] = found["position"].copy()
@@ -204,7 +208,7 @@ def loads_of(
     full = np.broadcast_to(system.x0, (len(time), *system.x0.shape)).copy()
     if position is not None:
         full[:, :, : model.dim] = position
-    loads = case_loads(system, time, case).at(full)
+    loads = case_loads(system, time, case, rotating=True).at(full)
     pressing = np.array([isinstance(model.loads[name], Pressure) for name in loads.loads], np.bool_)
     single = np.flatnonzero(~pressing)
     where = [{"name": loads.loads[k], "node": int(loads.node[k])} for k in single]

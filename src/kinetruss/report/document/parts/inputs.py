@@ -25,6 +25,9 @@ ANALYSES = {
     "statics.equilibrium": "statics: the equilibrium with large displacements, its forces and its stability",
     "statics.at_poses": "statics: the forces of poses at rest",
     "statics.deflection": "inverse dynamics, and the small displacements of elastic members along the motion",
+    "flexible.corrected": "inverse dynamics, and the drive lengths with which the loaded elastic structure has the rigid pose",
+    "flexible.frequencies": "inverse dynamics, and the natural frequencies of the elastic structure along the motion",
+    "flexible.vibration": "inverse dynamics, and the vibration of elastic members that the motion excites",
     "mission": "a mission: all motions under all conditions and load cases, and their envelope",
     "dynamics.simulate": "forward dynamics: the motion caused by weight, loads, springs and motors, and its forces",
 }
@@ -100,6 +103,8 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
     if masses:
         yield "lumped masses", _listed(masses)
     yield "gravity", _vector(model.gravity, "m/s²") if model.gravity else "none"
+    if model.base_rotation is not None:
+        yield "rotation of the base", worded(model.base_rotation)
     if model.support_motion:
         yield "moving supports", _listed(model.support_motion)
     yield "safety factors", f"{model.safety.yielding:g} on yielding, {model.safety.buckling:g} on buckling"

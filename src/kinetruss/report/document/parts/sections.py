@@ -11,7 +11,7 @@ from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
 from kinetruss.report.run_text.drives import drive_cells
-from kinetruss.report.run_text.statics import statics_lines
+from kinetruss.report.run_text.statics import statics_lines, statics_title
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -90,9 +90,9 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
 
 
 def standing(run: RunResult) -> list[Markup]:
-    """Displacements, energies and stability of a static analysis."""
+    """Displacements, energies and stability of a static analysis; what elastic members do along a motion."""
     rows = list(statics_lines(run))
-    return [Table(("", ""), rows, "Static analysis").html] if rows else []
+    return [Table(("", ""), rows, statics_title(run)).html] if rows else []
 
 
 def forces(record: Record) -> list[Markup]:
