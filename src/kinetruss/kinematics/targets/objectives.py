@@ -13,10 +13,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.motion.profiles import spline
-from kinetruss.kinematics.rates.jacobian import sensitivities
+from kinetruss.kinematics.limited.holding import holding_forces
 from kinetruss.kinematics.targets.solve import MET, Problem, State, drive_path
-from kinetruss.mechanics.assembly import balance_of
-from kinetruss.mechanics.freedom import coordinates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -125,13 +123,9 @@ def _costs(given: Problem, objective: str, parameters: NDArray[np.float64]) -> A
             return -float(np.log(np.maximum(np.linalg.svd(A, compute_uv=False), 1e-300)).sum())
 
         return shape
-    forces = balance_of(system)
-    drives = coordinates(system, system.drives)
 
     def effort(state: State) -> float:
-        # sum w F^2 with the drive forces F = -(dx/dq)^T f at rest
-        x = state.x.reshape(1, -1)
-        F = forces.applied(state.x.reshape(-1, 3)) @ sensitivities(system, x, drives)[0]
+        F = holding_forces(system, state.x[None])[0]
         return float((weight * F**2)[free].sum())
 
     unit = effort(given.begin)
