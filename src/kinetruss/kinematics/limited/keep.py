@@ -34,7 +34,7 @@ EVERY = 2
 """Of these instants, one in so many has rows in the quadratic problem."""
 ROUNDS = 10
 """Quadratic problems at most."""
-FLAT = 1e-4
+FLAT = 2e-3
 """Change of the objective in one round, as a share of it, below which it counts as least."""
 INSET, MOST = 1e-4, 0.02
 """Share of a limit that the quadratic problem leaves for what it does not see, at first and at most."""
@@ -48,7 +48,10 @@ STILL = 1e-9
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Course:
-    """Values, rates and accelerations (times, d) of the drives; states x (times, 3 n); cost: mean of w (q - goal)^2 + w h^4 (q'' - bend)^2."""
+    """Values, rates and accelerations (times, d) of the drives; states x (times, 3 n).
+
+    cost : mean of w (q - goal)^2 + w h^4 (q'' - bend)^2 with h an interval of the spline.
+    """
 
     drive: tuple[NDArray[np.float64], ...]
     x: NDArray[np.float64]
@@ -187,7 +190,7 @@ def _change(
     def rows(*terms: tuple[Any, Any]) -> NDArray[np.float64]:
         # sum of P_i b_ik over the terms, at the instants of the problem
         found = [np.einsum("iab,ik->iakb", p[at], b[at]) for p, b in terms]
-        return np.sum(found, axis=0).reshape(len(at), d, k * d)
+        return np.asarray(np.sum(found, axis=0).reshape(len(at), d, k * d))
 
     maps = rows((P, B)), rows((P, Bd), (Pd, B)), rows((P, Bdd), (2.0 * Pd, Bd), (Pdd, B))
     w, scale = given.drives.weight, given.scale
@@ -206,7 +209,7 @@ def _change(
     r = (scale * c).reshape(k, d)
 
     def applied(*terms: tuple[Any, Any]) -> NDArray[np.float64]:
-        return np.sum([np.einsum("iab,ib->ia", p, b @ r) for p, b in terms], axis=0)
+        return np.asarray(np.sum([np.einsum("iab,ib->ia", p, b @ r) for p, b in terms], axis=0))
 
     return [applied((P, B)), applied((P, Bd), (Pd, B)), applied((P, Bdd), (2.0 * Pd, Bd), (Pdd, B))]
 
@@ -237,11 +240,12 @@ def _within(H: Any, g: Any, G: Any, h: Any) -> NDArray[np.float64] | None:
     wider = np.zeros((n + 1, n + 1))
     wider[:n, :n], wider[n, n] = 1e-6 * H + 1e-12 * np.eye(n), 1e-9
     rows = np.hstack([np.vstack([G, np.zeros(n)]), -np.ones((len(G) + 1, 1))])
-    first, good = least(wider, np.append(np.zeros(n), 1.0), rows, np.append(h, 0.0))
-    if not good:
+    first = least(wider, np.append(np.zeros(n), 1.0), rows, np.append(h, 0.0))[0][:n]
+    if not np.isfinite(first).all():
         return None
-    found, good = least(H, g, G, h + first[n] + 0.1 * EDGE)
-    return found if good else first[:n]
+    excess = max(0.0, float((G @ first - h).max()))
+    found, good = least(H, g, G, h + excess + 0.1 * EDGE)
+    return found if good else first
 
 
 def _projectors(own: _Task, course: _Course) -> tuple[NDArray[np.float64], ...]:

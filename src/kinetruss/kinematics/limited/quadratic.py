@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,37 +25,43 @@ def least(
     H (n, n) positive definite, G (m, n). Predictor and corrector of Mehrotra (1992), with one step length for primal and
     dual variables.
     """
-    from scipy.linalg import LinAlgError, cho_factor, cho_solve
+    from scipy.sparse import csr_array
 
+    rows: Any = csr_array(G)
     x = np.zeros(len(g))
     s = np.maximum(h, 1.0)
     z = np.ones(len(h))
     size = 1.0 + max(float(np.abs(g).max(initial=0.0)), float(np.abs(h).max(initial=0.0)))
     for _ in range(ROUNDS):
-        dual, primal, gap = H @ x + g + G.T @ z, G @ x + s - h, float(s @ z) / max(1, len(h))
+        dual, primal, gap = H @ x + g + rows.T @ z, rows @ x + s - h, float(s @ z) / max(1, len(h))
         if max(float(np.abs(dual).max(initial=0.0)), float(np.abs(primal).max(initial=0.0)), gap) < CLOSE * size:
             return x, True
-        M = H + G.T @ ((z / s)[:, None] * G)
+        M = H + (rows.T @ (rows.multiply((z / s)[:, None]))).toarray()
         # Newton's matrix may be singular to round-off; residuals stay exact
         M += 1e-13 * float(np.diag(M).max()) * np.eye(len(g))
         try:
-            factors = cho_factor(M)
-        except LinAlgError:
+            inverse = np.linalg.inv(M)
+        except np.linalg.LinAlgError:
             return x, False
-
-        def step(centre: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
-            # (H + G^T Z S^-1 G) dx = -dual - G^T S^-1 (Z primal - centre), with centre = s z + ds dz - sigma mu
-            dx = cho_solve(factors, -dual - G.T @ ((z * primal - centre) / s))
-            ds = -primal - G @ dx
-            return dx, ds, -(centre + z * ds) / s
-
-        _, ds, dz = step(s * z)
+        given = (inverse, rows, dual, primal, s, z)
+        _, ds, dz = _step(given, s * z)
         ahead = min(_room(s, ds), _room(z, dz))
         sigma = (float((s + ahead * ds) @ (z + ahead * dz)) / max(1, len(h)) / gap) ** 3
-        dx, ds, dz = step(s * z + ds * dz - sigma * gap)
+        dx, ds, dz = _step(given, s * z + ds * dz - sigma * gap)
         share = 0.995 * min(_room(s, ds), _room(z, dz))
         x, s, z = x + share * dx, s + share * ds, z + share * dz
     return x, False
+
+
+def _step(given: tuple[Any, ...], centre: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+    """Newton's step of x, s, z: (H + G^T Z S^-1 G) dx = -dual - G^T S^-1 (Z primal - centre).
+
+    centre : s z + ds dz - sigma mu.
+    """
+    inverse, G, dual, primal, s, z = given
+    dx = inverse @ (-dual - G.T @ ((z * primal - centre) / s))
+    ds = -primal - G @ dx
+    return dx, ds, -(centre + z * ds) / s
 
 
 def _room(s: NDArray[np.float64], ds: NDArray[np.float64]) -> float:

@@ -190,7 +190,7 @@ def uses_text(uses: list[Use], t: NDArray[np.float64], why: str) -> str:
         said.append("A jump of rates exceeds any acceleration: give longer strokes, or a law without jumps.")
     elif factor > 0.0:
         said.append(
-            f"Slowed down by the factor {factor:.6g}, to {factor * float(t[-1] - t[0]):.6g} s, this motion keeps those of rates "
-            "and accelerations (dynamics.quickest)."
+            f"Slowed down by the factor {factor:.6g}, to {factor * float(t[-1] - t[0]):.6g} s, this motion keeps those of "
+            "rates and accelerations (dynamics.quickest)."
         )
     return " ".join(said)
