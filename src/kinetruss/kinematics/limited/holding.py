@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,14 +16,18 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import System
 
-__all__ = ["holding_forces"]
+__all__ = ["holding"]
 
 
-def holding_forces(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Drive forces (times, d), N or N m, that hold gravity and all loads at rest at positions x (times, 3 n).
+def holding(system: System) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
+    """The drive forces (times, d), N or N m, that hold gravity and all loads at rest, as a function of positions (times, 3 n).
 
     By virtual work: F = -(dx/dq)^T f. Positive if they do positive work when the coordinate grows.
     """
-    balance = balance_of(system)
-    f = np.stack([balance.applied(one.reshape(-1, 3)) for one in x])
-    return np.asarray(-np.einsum("ti,tid->td", f, sensitivities(system, x, coordinates(system, system.drives))))
+    balance, drives = balance_of(system), coordinates(system, system.drives)
+
+    def at(x: NDArray[np.float64]) -> NDArray[np.float64]:
+        f = np.stack([balance.applied(one.reshape(-1, 3)) for one in x])
+        return np.asarray(-np.einsum("ti,tid->td", f, sensitivities(system, x, drives)))
+
+    return at

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kinematics.limited.holding import holding_forces
+from kinetruss.kinematics.limited.holding import holding
 from kinetruss.kinematics.limited.uses import LIMIT_ATTRS, Limits, motion_uses, uses_text
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def reported(
     good = len(x)
     if not good:
         return {}
-    t, force = t[:good], holding_forces(system, x) if np.isfinite(limits.force).any() else None
+    t, force = t[:good], holding(system)(x) if np.isfinite(limits.force).any() else None
     uses = motion_uses(limits, system.drives, t, (drives[1][:good], drives[2][:good]), force)
     words = [uses_text(uses, t, why)]
     if limits.others:

@@ -68,6 +68,16 @@ class Problem:
         """Shortest bar, m."""
         return shortest(self.system)
 
+    @property
+    def turning(self) -> NDArray[np.bool_]:
+        """Which drives (d,) are angles."""
+        return np.array([_turning(self.system, d) for d in range(len(self.reference))])
+
+    @property
+    def units(self) -> NDArray[np.float64]:
+        """Changes (d,) of drives that count as much as each other: the shortest bar, m, or 1 rad."""
+        return np.where(self.turning, 1.0, self.scale)
+
     def linear(self, state: State, parameters: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """What tasks are off by (m,), and their derivatives by the drives (m, d)."""
         room = self.room(state, parameters)
@@ -98,6 +108,13 @@ class Problem:
         cold.reach(self.plan, self.drives, self.tape, room, self.scale)
         found = State(x=room.x[0].copy(), q=room.q[0].copy(), s=room.s[0].copy(), miss=start.miss)
         return replace(found, miss=self.linear(found, parameters)[0])
+
+    def closed(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> State | None:
+        """The state of drives q (d,) near those of a state, by Newton's method from there; None if it does not converge."""
+        room = self.room(replace(near, q=q), parameters)
+        return (
+            replace(near, x=room.x[0].copy(), q=q) if cold.linear(self.plan, self.drives, self.tape, room, self.scale) else None
+        )
 
     def polished(self, parameters: NDArray[np.float64], state: State) -> State:
         """A state that meets the tasks after one more step of Newton's method, if that comes nearer."""
