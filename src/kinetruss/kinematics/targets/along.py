@@ -161,7 +161,11 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     ends = np.minimum(np.abs(state.q - given.drives.lower), np.abs(state.q - given.drives.upper)) < 1e-9
     at = [name for name, there in zip(given.system.drives, ends, strict=True) if there]
     edge = f" At the ends of their strokes: {', '.join(at)}." if at else ""
-    return f"The nearest pose has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} Ask for less, or give longer strokes."
+    starts = f"best of {state.starts} starts, {state.same} of them came as near" if state.starts > 1 else "from one start"
+    return (
+        f"The nearest pose found ({starts}) has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} "
+        "Ask for less, or give longer strokes."
+    )
 
 
 def asked_for(given: Problem, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -197,7 +201,7 @@ def _ended(given: Problem, last: State, asked: Any, t: NDArray[np.float64], good
     when = f"between t = {t[good - 1]:g} s and {t[good]:g} s"
     nearest = given.reach(parameters, last)
     if nearest.far > MET * given.scale:
-        end = given.reach(final, nearest, tries=2)
+        end = given.reach(final, nearest)
         return Status.OUT_OF_REACH, f"The task gets out of reach {when}. Of its end: {nearest_text(given, end, final)}"
     left, _, _ = np.linalg.svd(A)
     worst = given.tasks.labels[int(np.argmax(np.abs(left[:, -1])))]

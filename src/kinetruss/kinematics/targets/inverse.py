@@ -62,7 +62,7 @@ def inverse(
     ------
     ModelError : names of a task that the model does not have, all faults at once.
     InputError : unknown names, targets that the drives cannot do to first order (with the rank, and the direction that they
-        lack), a start out of reach. AnalysisError : as in `follow`, or out of reach; the message has the nearest pose.
+        lack), a start out of reach. AnalysisError : as in `follow`, or out of reach; the message has the nearest pose found.
 
     Notes
     -----

@@ -135,7 +135,7 @@ def _stepped(given: Problem, parameters: NDArray[np.float64], start: State, cost
         return None
     # exactly onto the tasks, by the least change from there
     near = replace(given, reference=best.q.copy())
-    settled = near.reach(parameters, best, tries=0)
+    settled = near.reach(parameters, best, starts=1)
     return settled if settled.far <= MET * scale else None
 
 

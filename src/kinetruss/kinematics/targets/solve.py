@@ -32,18 +32,23 @@ __all__ = ["Problem", "State", "problem", "strokes"]
 
 MET = 1e-8
 """Largest miss of a task that counts as met, as a fraction of the shortest bar."""
-TRIES = 12
-"""Other places from which a pose out of reach is tried again."""
+SAME = 1e-5
+"""Difference of misses, as a fraction of the shortest bar, up to which two poses out of reach count as equally near."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class State:
-    """Positions x (3 n,), drives q (d,), and factors s (m,) of tasks; miss (m,), m, of the tasks."""
+    """Positions x (3 n,), drives q (d,), and factors s (m,) of tasks; miss (m,), m, of the tasks.
+
+    starts, same : of a nearest pose, from how many starts it was sought, and how many of them came as near.
+    """
 
     x: NDArray[np.float64]
     q: NDArray[np.float64]
     s: NDArray[np.float64]
     miss: NDArray[np.float64]
+    starts: int = 1
+    same: int = 1
 
     @property
     def far(self) -> float:
@@ -91,16 +96,18 @@ class Problem:
         room.ref[0], room.moving[0] = self.reference, state.x[self.plan.moving]
         return room
 
-    def reach(self, parameters: NDArray[np.float64], start: State | None = None, *, tries: int = TRIES) -> State:
-        """The state that meets the tasks at these parameters, or the one that comes nearest to it."""
-        first, rng = start or self.begin, np.random.default_rng(1)
-        best = self._reached(parameters, first)
-        for _ in range(tries):
-            if best.far <= MET * self.scale:
-                break
-            found = self._reached(parameters, self._elsewhere(rng, first))
-            best = found if found.far < best.far else best
-        return best
+    def reach(self, parameters: NDArray[np.float64], start: State | None = None, *, starts: int | None = None) -> State:
+        """The state that meets the tasks at these parameters, or the one of least sum of squares of misses from some starts."""
+        from kinetruss.kinematics.targets.starts import STARTS, starts_of
+
+        found: list[State] = []
+        for one in starts_of(self, start or self.begin, STARTS if starts is None else starts):
+            found.append(self._reached(parameters, one))
+            if found[-1].far <= MET * self.scale:
+                return found[-1]
+        sizes = np.array([np.linalg.norm(one.miss) for one in found])
+        same = int(np.count_nonzero(sizes <= sizes.min() + SAME * self.scale))
+        return replace(found[int(np.argmin(sizes))], starts=len(found), same=same)
 
     def _reached(self, parameters: NDArray[np.float64], start: State) -> State:
         self.drives.held[self.drives.held != 3] = 0
@@ -127,16 +134,6 @@ class Problem:
         good = cold.linear(self.plan, self.drives, self.tape, room, self.scale)
         found = replace(state, x=room.x[0].copy(), q=q, miss=room.r[len(q) :].copy())
         return found if good and found.far < state.far else state
-
-    def _elsewhere(self, rng: Any, start: State) -> State:
-        """Some other drives near by, and the positions that they give."""
-        free = self.drives.held != 3
-        room = np.minimum(0.15 * self.scale, 0.4 * (self.drives.upper - self.drives.lower))
-        q = start.q.copy()
-        q[free] += (rng.uniform(-1, 1, len(q)) * room)[free]
-        q = np.where(free, np.clip(q, self.drives.lower, self.drives.upper), q)
-        there = drive_path(self.system, np.stack([start.q, q]), start.x)
-        return start if there is None else replace(start, x=there, q=q)
 
     def track(self, t: NDArray[np.float64], parameters: NDArray[np.float64], start: State, reference: Any = None) -> Any:
         """`kernels.tasks.track` from a start that meets the first sample; reference (3, times, d) Taylor coefficients."""
