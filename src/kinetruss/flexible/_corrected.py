@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
+from scipy.sparse import block_array, csc_array, diags_array
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.flexible._structure import Instant, Softness, instants_of
@@ -15,6 +16,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_scales
 from kinetruss.mechanics.assembly import bar_laws
 from kinetruss.mechanics.configuration import row_values
+from kinetruss.mechanics.constraints import factors_of
 from kinetruss.mechanics.freedom import Coordinate, coordinate_values, coordinates, derivatives_of
 from kinetruss.model import Model, Spline, nearest
 from kinetruss.results import Forces, Result, provenance, variable
@@ -137,17 +139,18 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
     base = here.balance.applied(here.x)[free]
     size, before = float(np.ptp(here.x, axis=0).max()), np.inf
     for step in range(1, STEPS + 1):
-        G = constraint_jacobian(system, x)[:, free].toarray()
+        G = constraint_jacobian(system, x)[:, free]
         own = bar_laws(system, ends_of(system, x)[1]).tension - here.balance.push
-        K = here.balance.tangents(x, N, own)[0][free][:, free].toarray()
+        K = here.balance.tangents(x, N, own)[0][free][:, free]
         away = _away(system, start, x)
         pushed = np.zeros((m, 1 + len(rows)))
         pushed[:, 0] = -away
         pushed[rows, 1 + np.arange(len(rows))] = 1.0
         force = np.zeros((n, 1 + len(rows)))
         force[:, 0] = here.load + here.balance.applied(x)[free] - base
-        matrix = np.block([[K, G.T], [G, -np.diag(here.f)]])
-        both = np.linalg.solve(matrix, np.vstack([force, pushed]))
+        both = _balanced(K, G, here.f, np.vstack([force, pushed]))
+        if both is None:
+            break
         derived = derivatives_of(system, wanted, x)
         T = (derived.g[0][:, free].toarray()) / derived.r[:, [0]]
         missing = aim - coordinate_values(system, wanted, x.reshape(1, -1))[0]
@@ -170,6 +173,16 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
         f"No equilibrium with corrected lengths was found at sample {sample}. The deflection is large there: stiffen the "
         "members, or correct other coordinates."
     )
+
+
+def _balanced(K: Any, G: Any, f: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """The solution of [[K, G^T], [G, -f]] for several right-hand sides, by sparse factors and one refinement; None if singular."""
+    matrix = csc_array(block_array([[K, G.T], [G, diags_array(-f)]]))
+    if (factors := factors_of(matrix)) is None:
+        return None
+    found = factors.solve(right)
+    found += factors.solve(right - matrix @ found)
+    return np.asarray(found) if np.isfinite(found).all() else None
 
 
 def _away(system: System, start: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
