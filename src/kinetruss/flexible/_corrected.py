@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -142,23 +142,19 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
         G = constraint_jacobian(system, x)[:, free]
         own = bar_laws(system, ends_of(system, x)[1]).tension - here.balance.push
         K = here.balance.tangents(x, N, own)[0][free][:, free]
-        away = _away(system, start, x)
-        pushed = np.zeros((m, 1 + len(rows)))
-        pushed[:, 0] = -away
-        pushed[rows, 1 + np.arange(len(rows))] = 1.0
-        force = np.zeros((n, 1 + len(rows)))
-        force[:, 0] = here.load + here.balance.applied(x)[free] - base
-        both = _balanced(K, G, here.f, np.vstack([force, pushed]))
-        if both is None:
+        solve = _balanced(K, G, here.f)
+        if solve is None:
             break
         derived = derivatives_of(system, wanted, x)
         T = (derived.g[0][:, free].toarray()) / derived.r[:, [0]]
         missing = aim - coordinate_values(system, wanted, x.reshape(1, -1))[0]
-        reach = T @ both[:n, 1:]
+        right = np.concatenate([here.load + here.balance.applied(x)[free] - base, -_away(system, start, x)])
+        # T du by a change of lengths: T M^-1 of their columns, by one transposed solution for each coordinate
+        reach = solve(np.vstack([T.T, np.zeros((m, len(wanted)))]), "T")[n + rows].T
         _refuse_unmoved(system, wanted, reach, rows)
-        change = np.linalg.lstsq(reach, missing - T @ both[:n, 0], rcond=RANK_TOLERANCE)[0]
-        u = both[:n, 0] + both[:n, 1:] @ change
-        N = both[n:, 0] + both[n:, 1:] @ change
+        change = np.linalg.lstsq(reach, missing - T @ solve(right, "N")[:n], rcond=RANK_TOLERANCE)[0]
+        right[n + rows] += change
+        u, N = np.split(solve(right, "N"), [n])
         x = x.copy()
         x.reshape(-1)[free] += u
         moved = float(np.abs(u).max(initial=0.0)) / size
@@ -175,14 +171,19 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
     )
 
 
-def _balanced(K: Any, G: Any, f: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """The solution of [[K, G^T], [G, -f]] for several right-hand sides, by sparse factors and one refinement; None if singular."""
+def _balanced(K: Any, G: Any, f: NDArray[np.float64]) -> Callable[[NDArray[np.float64], str], NDArray[np.float64]] | None:
+    """Solutions with M = [[K, G^T], [G, -f]] ("N") or its transpose ("T") by sparse factors; None if it is singular."""
     matrix = csc_array(block_array([[K, G.T], [G, diags_array(-f)]]))
     if (factors := factors_of(matrix)) is None:
         return None
-    found = factors.solve(right)
-    found += factors.solve(right - matrix @ found)
-    return np.asarray(found) if np.isfinite(found).all() else None
+
+    def solve(right: NDArray[np.float64], kind: str) -> NDArray[np.float64]:
+        M = matrix if kind == "N" else matrix.T
+        found = factors.solve(right, kind)
+        # one step of refinement
+        return np.asarray(found + factors.solve(right - M @ found, kind))
+
+    return solve
 
 
 def _away(system: System, start: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
