@@ -184,7 +184,7 @@ def _costs(given: Problem, objective: str, parameters: NDArray[np.float64]) -> A
         def shape(states: list[State]) -> NDArray[np.float64]:
             # -log sqrt det A W^-1 A^T: manipulability (Yoshikawa, 1985)
             A = [given.linear(one, parameters)[1][:, free] / np.sqrt(weight[free]) for one in states]
-            return -np.log(np.maximum(np.linalg.svd(np.stack(A), compute_uv=False), 1e-300)).sum(axis=1)
+            return np.asarray(-np.log(np.maximum(np.linalg.svd(np.stack(A), compute_uv=False), 1e-300)).sum(axis=1))
 
         return shape
     forces = holding(system)
