@@ -105,6 +105,14 @@ def test_a_mast_keeps_rates_accelerations_and_strokes():
     assert np.abs(kt.kinematics.assemble(model, lengths) - motion.position.values[-1]).max() < 1e-9
 
 
+def test_an_equal_division_of_angles_keeps_the_limits_of_its_task():
+    model = kt.library.vgt.double_octahedral(bays=2)
+    top = ("B2.N7", "B2.N9", "B2.N8")
+    motion = kt.kinematics.inverse(model, kt.Gimbal(platform=top, moves={"beta": "8 deg"}, division="equal", rate=0.01))
+    assert motion.attrs["worst_ratio"] == pytest.approx(largest(motion, "drive_velocity").max() / 0.01, rel=1e-3)
+    assert "the task leaves the drives no freedom" in motion.message
+
+
 def test_force_at_rest_and_speed_of_motors_are_compared_and_the_rest_is_named():
     trains = {"screw": "screw_lacy_spatial", "gear": "gear_lacy", "motor": "motor_lacy"}
     model = kt.library.vgt.double_octahedral(tip_force=(0, 0, "-20 N"), gravity=(0, 0, -9.81), **trains)

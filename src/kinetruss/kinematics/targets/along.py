@@ -245,8 +245,9 @@ def divided(system: System, targets: Any) -> tuple[Any, Gimbal | None]:
             first = now[f"{pose}.{name}"]
             shares = tuple(first + (value - float(start[name])) / len(poses) for value in values)
             moves[f"{pose}.{name}"] = way.with_(values=shares)
-    timing = {name: getattr(targets, name) for name in ("duration", "law", "ramp", "dwell", "hold", "within_stroke")}
-    return Coordinates(moves=moves, **timing), targets.with_(division="exact")
+    kept = ("duration", "law", "ramp", "dwell", "hold", "within_stroke", "rate", "acceleration", "force", "within_rates")
+    own_fields = {name: getattr(targets, name) for name in kept}
+    return Coordinates(moves=moves, **own_fields), targets.with_(division="exact")
 
 
 def _division(system: System, wanted: Gimbal, x: NDArray[np.float64], t: NDArray[np.float64]) -> str:
