@@ -12,6 +12,7 @@ from scipy.special import ellipj
 from reference.beam_forms import beams, conditions
 from reference.joint_forms import joints
 from reference.spring_forms import springs
+from reference.task_forms import tasks
 
 __all__ = ["ALL"]
 
@@ -393,4 +394,5 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     springs,
     beams,
     conditions,
+    tasks,
 )

@@ -300,7 +300,9 @@ def test_several_tasks_at_once_with_timing_of_their_own():
 def test_out_of_reach_reports_the_nearest_pose():
     task = kt.Positioning(nodes=TOP, moves={"z": 9.0})
     limited = kt.library.vgt.double_octahedral(bays=3, limits=("1.0 m", "1.35 m"))
-    with pytest.raises(kt.AnalysisError, match=r"out of reach.*nearest pose has z .* \(wanted 9\).*strokes") as caught:
+    with pytest.raises(
+        kt.AnalysisError, match=r"out of reach.*nearest pose found .best of 16 starts, .*has z .* \(wanted 9\).*strokes"
+    ) as caught:
         kt.kinematics.inverse(limited, task)
     assert 0 < len(caught.value.result.time) < 201
     found = kt.kinematics.reach(limited, task)

@@ -23,12 +23,13 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.linear.record import Linearisation
     from kinetruss.dynamics.linear.reduced_equations import reduced_equations
     from kinetruss.dynamics.prescribed.inverse_along import inverse_along
+    from kinetruss.dynamics.prescribed.limits_kept import LimitsKept, limits_kept
     from kinetruss.dynamics.prescribed.quickest import Quickest, quickest
 
 __all__ = [
-    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "Linearisation", "NotOnBars", "Prepared",
-    "Quickest", "Term", "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "linearise",
-    "newton_euler", "not_on_bars", "prepare", "quickest", "reduced_equations", "simulate",
+    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "LimitsKept", "Linearisation", "NotOnBars",
+    "Prepared", "Quickest", "Term", "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "limits_kept",
+    "linearise", "newton_euler", "not_on_bars", "prepare", "quickest", "reduced_equations", "simulate",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -42,6 +43,7 @@ __getattr__, __dir__ = late(
         "linear.record": "Linearisation",
         "linear.reduced_equations": "reduced_equations",
         "prescribed.inverse_along": "inverse_along",
+        "prescribed.limits_kept": "LimitsKept limits_kept",
         "prescribed.quickest": "Quickest quickest",
     },
 )

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
+from scipy.sparse import block_array, csc_array, diags_array
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.flexible._structure import Instant, Softness, instants_of
@@ -15,6 +16,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_scales
 from kinetruss.mechanics.assembly import bar_laws
 from kinetruss.mechanics.configuration import row_values
+from kinetruss.mechanics.constraints import factors_of
 from kinetruss.mechanics.freedom import Coordinate, coordinate_values, coordinates, derivatives_of
 from kinetruss.model import Model, Spline, nearest
 from kinetruss.results import Forces, Result, provenance, variable
@@ -137,25 +139,22 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
     base = here.balance.applied(here.x)[free]
     size, before = float(np.ptp(here.x, axis=0).max()), np.inf
     for step in range(1, STEPS + 1):
-        G = constraint_jacobian(system, x)[:, free].toarray()
+        G = constraint_jacobian(system, x)[:, free]
         own = bar_laws(system, ends_of(system, x)[1]).tension - here.balance.push
-        K = here.balance.tangents(x, N, own)[0][free][:, free].toarray()
-        away = _away(system, start, x)
-        pushed = np.zeros((m, 1 + len(rows)))
-        pushed[:, 0] = -away
-        pushed[rows, 1 + np.arange(len(rows))] = 1.0
-        force = np.zeros((n, 1 + len(rows)))
-        force[:, 0] = here.load + here.balance.applied(x)[free] - base
-        matrix = np.block([[K, G.T], [G, -np.diag(here.f)]])
-        both = np.linalg.solve(matrix, np.vstack([force, pushed]))
+        K = here.balance.tangents(x, N, own)[0][free][:, free]
+        solve = _balanced(K, G, here.f)
+        if solve is None:
+            break
         derived = derivatives_of(system, wanted, x)
         T = (derived.g[0][:, free].toarray()) / derived.r[:, [0]]
         missing = aim - coordinate_values(system, wanted, x.reshape(1, -1))[0]
-        reach = T @ both[:n, 1:]
+        right = np.concatenate([here.load + here.balance.applied(x)[free] - base, -_away(system, start, x)])
+        # T du by a change of lengths: T M^-1 of their columns, by one transposed solution for each coordinate
+        reach = solve(np.vstack([T.T, np.zeros((m, len(wanted)))]), "T")[n + rows].T
         _refuse_unmoved(system, wanted, reach, rows)
-        change = np.linalg.lstsq(reach, missing - T @ both[:n, 0], rcond=RANK_TOLERANCE)[0]
-        u = both[:n, 0] + both[:n, 1:] @ change
-        N = both[n:, 0] + both[n:, 1:] @ change
+        change = np.linalg.lstsq(reach, missing - T @ solve(right, "N")[:n], rcond=RANK_TOLERANCE)[0]
+        right[n + rows] += change
+        u, N = np.split(solve(right, "N"), [n])
         x = x.copy()
         x.reshape(-1)[free] += u
         moved = float(np.abs(u).max(initial=0.0)) / size
@@ -170,6 +169,21 @@ def _solved(system: System, here: Instant, wanted: list[Coordinate], rows: NDArr
         f"No equilibrium with corrected lengths was found at sample {sample}. The deflection is large there: stiffen the "
         "members, or correct other coordinates."
     )
+
+
+def _balanced(K: Any, G: Any, f: NDArray[np.float64]) -> Callable[[NDArray[np.float64], str], NDArray[np.float64]] | None:
+    """Solutions with M = [[K, G^T], [G, -f]] ("N") or its transpose ("T") by sparse factors; None if it is singular."""
+    matrix = csc_array(block_array([[K, G.T], [G, diags_array(-f)]]))
+    if (factors := factors_of(matrix)) is None:
+        return None
+
+    def solve(right: NDArray[np.float64], kind: str) -> NDArray[np.float64]:
+        M = matrix if kind == "N" else matrix.T
+        found = factors.solve(right, kind)
+        # one step of refinement
+        return np.asarray(found + factors.solve(right - M @ found, kind))
+
+    return solve
 
 
 def _away(system: System, start: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -55,10 +55,12 @@ __all__ = [
     "Of",
     "OneForBoth",
     "Point",
+    "PositiveForce",
     "PositiveLength",
     "PositiveNumber",
     "PositiveRate",
     "PositiveResistance",
+    "PositiveSecondRate",
     "PositiveTime",
     "Rate",
     "Record",
@@ -352,6 +354,8 @@ SpringDamping = Annotated[float, Of("spring damping", _not_negative)]
 SpringForce = Annotated[float, Of("force or moment")]
 Resisting = Annotated[float, Of("force or moment", _not_negative)]
 SecondRate = Annotated[float, Of("second rate")]
+PositiveSecondRate = Annotated[float, Of("second rate", positive)]
+PositiveForce = Annotated[float, Of("force or moment", positive)]
 
 Point = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 ForceVector = Annotated[tuple[Force, ...], Field(min_length=2, max_length=3), Series]

@@ -11,17 +11,18 @@ import numpy as np
 from kinetruss import actuators
 from kinetruss.dynamics.prescribed.inverse import inverse
 from kinetruss.errors import InputError
-from kinetruss.mechanics.configuration import number_of
-from kinetruss.model import Model, nearest
+from kinetruss.kinematics.limited import LIMIT_ATTRS, limit_values
+from kinetruss.model import Model
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.results import Motion
 
-__all__ = ["Quickest", "quickest"]
+__all__ = ["Given", "Quickest", "quickest"]
 
 Given = Mapping[str, float] | float | None
+"""A limit of all drives, or of some by name."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -91,7 +92,7 @@ def quickest(
     if not motion.status.ok:
         raise InputError(f"The motion ended early: {motion.message or motion.status.value} Give one that is whole.")
     names = [str(name) for name in motion.arrays["drive"].values]
-    limits = {what: _limits(names, given, what) for what, given in
+    limits = {what: limit_values(names, given, what) for what, given in
               (("rate", rate), ("acceleration", acceleration), ("force", force))}  # fmt: skip
     found = [
         *_bounds(names, "rate", motion.arrays["drive_velocity"].values, limits["rate"], 1.0),
@@ -120,20 +121,6 @@ def quickest(
         time=float(made.arrays["time"].values[best.sample]),
         use=use,
     )
-
-
-def _limits(names: list[str], given: Given, what: str) -> NDArray[np.float64]:
-    found = np.full(len(names), np.inf)
-    if given is None:
-        return found
-    table = given if isinstance(given, Mapping) else dict.fromkeys(names, given)
-    for name, value in table.items():
-        if name not in names:
-            raise InputError(f"No drive called {name!r} in {what}. {nearest(name, names)}".rstrip())
-        if not (number := number_of(value, f"{what} of {name}", "SI")) > 0:
-            raise InputError(f"The largest {what} of {name!r} is {number:g}. Give a positive number.")
-        found[names.index(name)] = number
-    return found
 
 
 def _bounds(names: list[str], what: str, y: NDArray[np.float64], limit: NDArray[np.float64], power: float) -> list[_Bound]:
@@ -177,6 +164,7 @@ def _scaled(motion: Motion, k: float) -> Motion:
             data[name] = data[name].copy(data=data[name].values / k**power)
         elif text == "between_time":
             data[name] = data[name].copy(data=data[name].values * k)
+    data.attrs = {name: value for name, value in data.attrs.items() if name not in LIMIT_ATTRS}
     return motion.with_(data=data.assign_coords(time=data["time"].values * k))
 
 

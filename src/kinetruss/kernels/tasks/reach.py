@@ -130,7 +130,7 @@ def _approach(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
         _keep(o, n)
         good = _go(plan, w, drives, tape, o, share, scale)
         now = missed(tape, o) if good else np.inf
-        if now < miss * (1.0 - 1e-6 * share):
+        if now < miss * (1.0 - 1e-11 * share):
             damping = max(0.1 * damping, 1e-14)
             miss = now
             task_rows(plan, w, drives, tape, o)

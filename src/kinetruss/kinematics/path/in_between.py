@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.path.sample import Sampled
     from kinetruss.mechanics import System
 
-__all__ = ["REFINED", "between", "halved"]
+__all__ = ["REFINED", "between", "divided_into", "halved"]
 
 FAR = 0.8
 """Largest turn (rad) from one instant to the next; if something turns more, instants are added in between."""
@@ -40,6 +40,13 @@ def between(trajectory: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
         knots = np.array(trajectory.times) - trajectory.times[0]
         return np.union1d(t, knots[(knots > t[0]) & (knots < t[-1])])
     return t
+
+
+def divided_into(t: NDArray[np.float64], parts: int) -> NDArray[np.float64]:
+    """Instants t (s,), with added ones so that there are at least so many parts, none longer than the duration over them."""
+    if len(t) < 2:
+        return t
+    return _filled(t, np.ceil(np.diff(t) * parts / (t[-1] - t[0]) - 1e-9))
 
 
 def halved(

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -38,7 +39,8 @@ def _axes(system: System) -> Axes:
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Course:
     """Histories of a motion: t (times,) s; x, v, a (times, 3 n); drive : values, rates and second rates (times or more,
-    drives); gauge (times,) : singularity measure, None if not computed; passed : the states between samples.
+    drives); gauge (times,) : singularity measure, None if not computed; passed : the states between samples; attrs : more
+    attributes.
     """
 
     t: NDArray[np.float64]
@@ -48,6 +50,7 @@ class Course:
     drive: tuple[NDArray[np.float64], ...]
     gauge: NDArray[np.float64] | None = None
     passed: Passed | None = None
+    attrs: Mapping[str, Any] = field(default_factory=dict)
 
     def until(self, k: int) -> Course:
         """The first k samples."""
@@ -81,7 +84,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
     }
     if found.passed is not None:
         data |= found.passed.variables(system)
-    kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space})
+    kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space, **found.attrs})
     message = f"{message} {rods_that_stick_out(system, t, L)}".strip()
     return Motion(data=kept.later, status=status, message=message, provenance=provenance(system.model, space=space))
 

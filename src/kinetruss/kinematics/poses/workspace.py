@@ -290,7 +290,7 @@ def _entered(given: Problem, grid: _Grid, least: float) -> dict[Cell, _Pose]:
 def _step(given: Problem, row: NDArray[np.float64], near: _Pose) -> _Pose | None:
     """The pose of a row of values, from one near by; None if it is out of reach."""
     parameters = at_values(given.tasks, row[None])[0]
-    state = given.reach(parameters, near.state, tries=0)
+    state = given.reach(parameters, near.state, starts=1)
     if not state.far <= MET * given.scale:
         return None
     state = given.polished(parameters, state)

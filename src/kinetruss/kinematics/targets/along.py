@@ -9,8 +9,11 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.tasks import track as warm
+from kinetruss.kinematics.limited.keep import INSTANTS, kept_within
+from kinetruss.kinematics.limited.report import reported
+from kinetruss.kinematics.limited.uses import Limits, limits_of
 from kinetruss.kinematics.path.follow import Swept, course_at
-from kinetruss.kinematics.path.in_between import REFINED, halved
+from kinetruss.kinematics.path.in_between import REFINED, divided_into, halved
 from kinetruss.kinematics.path.motion import Course
 from kinetruss.kinematics.targets.courses import parameters_of
 from kinetruss.kinematics.targets.objectives import KNOTTED, reference_along
@@ -36,6 +39,7 @@ class Choice:
     weights: Any = None
     hold: tuple[str, ...] = ()
     within_stroke: bool = True
+    within_rates: bool = True
 
 
 def choice_of(targets: Any) -> Any:
@@ -49,20 +53,31 @@ def tasks_course(system: System, targets: Any, t: NDArray[np.float64]) -> tuple[
     choice = choice_of(targets)
     given = problem(system, targets, choice)
     readings = given.tasks.start(given.begin.x)
-    dense = t
+    limits = limits_of(system, choice)
+    dense = divided_into(t, INSTANTS) if limits.moving else t
     for _ in range(REFINED):
-        found, drives, notes = _swept(given, choice, readings, dense)
+        found, drives, notes = _swept(given, choice, limits, readings, dense)
         finer = halved(system, found.x, found.v, dense)
         if len(finer) == len(dense):
             break
         dense = finer
     if wanted is not None and len(found.x):
         notes = f"{notes} {_division(system, wanted, found.x[-1], t)}"
-    found = replace(found, message=f"{found.message} {notes}".strip())
-    return course_at(dense, t, found, drives), found
+    kept = reported(system, limits, _why(given, choice), dense, found.x, drives)
+    found = replace(found, message=f"{found.message} {notes} {kept.pop('words', '')}".strip())
+    return replace(course_at(dense, t, found, drives), attrs=kept), found
 
 
-def _swept(given: Problem, choice: Any, readings: Any, t: NDArray[np.float64]) -> tuple[Swept, Any, str]:
+def _why(given: Problem, choice: Any) -> str:
+    """Why limits that are not kept are not."""
+    if np.count_nonzero(given.drives.held != 3) <= len(given.tasks.labels):
+        return "the task leaves the drives no freedom"
+    if not choice.within_rates:
+        return "redundant drives do not mind them"
+    return "no choice of the redundant drives was found that keeps them all"
+
+
+def _swept(given: Problem, choice: Any, limits: Limits, readings: Any, t: NDArray[np.float64]) -> tuple[Swept, Any, str]:
     """The sweep along the drives that do the tasks at t (s,); drives; what is to be said."""
     parameters = parameters_of(given.tasks, readings, t)
     state = first_state(given, parameters[0, 0], float(t[0]))
@@ -70,6 +85,10 @@ def _swept(given: Problem, choice: Any, readings: Any, t: NDArray[np.float64]) -
     if objective in KNOTTED:
         reference, state = reference_along(given, t, parameters, state, objective)
         given = replace(given, reference=reference[0, 0].copy())
+        state = first_state(given, parameters[0, 0], float(t[0]), state)
+    if limits.moving and choice.within_rates:
+        reference = kept_within(given, limits, t, parameters, state, reference)
+        given = given if reference is None else replace(given, reference=reference[0, 0].copy())
         state = first_state(given, parameters[0, 0], float(t[0]), state)
     reason, good, out = given.track(t, parameters, state, reference)
     d = len(given.reference)
@@ -142,7 +161,11 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     ends = np.minimum(np.abs(state.q - given.drives.lower), np.abs(state.q - given.drives.upper)) < 1e-9
     at = [name for name, there in zip(given.system.drives, ends, strict=True) if there]
     edge = f" At the ends of their strokes: {', '.join(at)}." if at else ""
-    return f"The nearest pose has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} Ask for less, or give longer strokes."
+    starts = f"best of {state.starts} starts, {state.same} of them came as near" if state.starts > 1 else "from one start"
+    return (
+        f"The nearest pose found ({starts}) has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} "
+        "Ask for less, or give longer strokes."
+    )
 
 
 def asked_for(given: Problem, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -178,7 +201,7 @@ def _ended(given: Problem, last: State, asked: Any, t: NDArray[np.float64], good
     when = f"between t = {t[good - 1]:g} s and {t[good]:g} s"
     nearest = given.reach(parameters, last)
     if nearest.far > MET * given.scale:
-        end = given.reach(final, nearest, tries=2)
+        end = given.reach(final, nearest)
         return Status.OUT_OF_REACH, f"The task gets out of reach {when}. Of its end: {nearest_text(given, end, final)}"
     left, _, _ = np.linalg.svd(A)
     worst = given.tasks.labels[int(np.argmax(np.abs(left[:, -1])))]
@@ -222,8 +245,9 @@ def divided(system: System, targets: Any) -> tuple[Any, Gimbal | None]:
             first = now[f"{pose}.{name}"]
             shares = tuple(first + (value - float(start[name])) / len(poses) for value in values)
             moves[f"{pose}.{name}"] = way.with_(values=shares)
-    timing = {name: getattr(targets, name) for name in ("duration", "law", "ramp", "dwell", "hold", "within_stroke")}
-    return Coordinates(moves=moves, **timing), targets.with_(division="exact")
+    kept = ("duration", "law", "ramp", "dwell", "hold", "within_stroke", "rate", "acceleration", "force", "within_rates")
+    own_fields = {name: getattr(targets, name) for name in kept}
+    return Coordinates(moves=moves, **own_fields), targets.with_(division="exact")
 
 
 def _division(system: System, wanted: Gimbal, x: NDArray[np.float64], t: NDArray[np.float64]) -> str:

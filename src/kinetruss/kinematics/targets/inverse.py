@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +12,8 @@ from kinetruss.errors import AnalysisError, InputError, ModelError
 from kinetruss.kernels.motion.platform_motion import platform_motion
 from kinetruss.kinematics.given.support import Histories, with_supports
 from kinetruss.kinematics.given.tables import table_notes
+from kinetruss.kinematics.limited.report import reported
+from kinetruss.kinematics.limited.uses import limits_of
 from kinetruss.kinematics.path.follow import Swept, course_at, instants, sweep_path, with_note
 from kinetruss.kinematics.path.in_between import REFINED, between, halved
 from kinetruss.kinematics.path.motion import Course, motion_of
@@ -59,7 +62,7 @@ def inverse(
     ------
     ModelError : names of a task that the model does not have, all faults at once.
     InputError : unknown names, targets that the drives cannot do to first order (with the rank, and the direction that they
-        lack), a start out of reach. AnalysisError : as in `follow`, or out of reach; the message has the nearest pose.
+        lack), a start out of reach. AnalysisError : as in `follow`, or out of reach; the message has the nearest pose found.
 
     Notes
     -----
@@ -67,6 +70,10 @@ def inverse(
     all driven lengths and angles are released, and the same sweep as in `follow` solves for the other coordinates. All else
     is solved for the drives: those that meet the tasks and have the least objective (see `Coordinates`), by Newton's method
     with exact rates; strokes (`Active.limits`) are kept.
+
+    Limits of rates and accelerations (of the task, and of the largest speed of motors) are kept by redundant drives where that
+    is found (see `docs/tasks.md`). Attributes of ``motion.data``: ``limits_kept`` (1 or 0), ``worst_limit``, ``worst_drive``,
+    ``worst_time`` (s) and ``worst_ratio`` (value over limit); the message says what is not kept, and what is not checked.
     """
     system = compile(model)
     targets = task_of(system, targets, platform)
@@ -151,7 +158,9 @@ def course_to(
         dense = finer
     shape = (len(found.x), len(system.nodes), 3)
     drives = drive_values(system, *(y.reshape(shape) for y in (found.x, found.v, found.a)))
-    return course_at(dense, t, found, drives), found
+    kept = reported(system, limits_of(system, None), "the targets leave the drives no freedom", dense, found.x, drives)
+    found = replace(found, message=f"{found.message} {kept.pop('words', '')}".strip())
+    return replace(course_at(dense, t, found, drives), attrs=kept), found
 
 
 def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Sequence[str] | None, least: float) -> Swept:

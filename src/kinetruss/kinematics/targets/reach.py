@@ -15,6 +15,8 @@ from kinetruss.kinematics.targets.courses import at_values, parameters_of
 from kinetruss.kinematics.targets.inverse import task_of
 from kinetruss.kinematics.targets.objectives import KNOTTED, best_state
 from kinetruss.kinematics.targets.solve import MET, Problem, State, problem
+from kinetruss.kinematics.targets.starts import STARTS
+from kinetruss.limits import whole
 from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import variable
@@ -26,31 +28,34 @@ __all__ = ["reach"]
 
 
 def reach(
-    model: Model, targets: Any, values: Mapping[str, ArrayLike] | None = None, *, onward: bool = False, tries: int = 12
+    model: Model, targets: Any, values: Mapping[str, ArrayLike] | None = None, *, onward: bool = False, starts: int = STARTS
 ) -> xr.Dataset:
-    """Drives and positions for single poses of a task: exact where it can be met, else the nearest.
+    """Drives and positions for single poses of a task: exact where it can be met, else the nearest that is found.
 
     Parameters
     ----------
     targets : a task, several of them, or a trajectory, as in `inverse`; of its moves the end counts.
     values : coordinate of the task -> (poses,), m or rad: these poses instead; coordinates not named stay at the start.
     onward : start each pose from the one before, not from the model's own configuration.
-    tries : other places from which a pose that is not met is tried again.
+    starts : places from which a pose that is not met is sought, at most: the given one, the model's own, a spread of drives
+        over their strokes (without limits: about the start) and some near by; the same in every call.
 
     Returns
     -------
     Dataset over `pose`: ``drive_position`` (pose, drive) m or rad, ``position`` (pose, node, axis) m, ``asked`` and ``found``
-    (pose, coordinate), ``miss`` (pose) m (angles times the shortest bar), ``reached`` (pose), ``message`` (pose): empty, or
-    what the nearest pose has.
+    (pose, coordinate), ``miss`` (pose) m (angles times the shortest bar), ``reached`` (pose), ``starts`` (pose): how many
+    were used, ``same`` (pose): how many of them came as near as the best, ``message`` (pose): empty, or what the nearest
+    pose has.
 
     Raises
     ------
-    ModelError, InputError : unknown names, values of different lengths.
+    ModelError, InputError : unknown names, values of different lengths, fewer than one start.
 
     Notes
     -----
     Damped least squares (Levenberg, 1944; Marquardt, 1963) within the strokes, then the drives of least objective on the
-    tasks' surface. The nearest pose is the one of least sum of squares of the misses.
+    tasks' surface. The nearest pose is the best of some starts, by the sum of squares of the misses (lengths
+    in m, angles times the shortest bar); every start leads to a local minimum, and no other one is excluded.
 
     >>> import kinetruss as kt
     >>> bay = kt.library.vgt.double_octahedral()
@@ -58,6 +63,7 @@ def reach(
     >>> round(float(kt.kinematics.reach(bay, top).position.sel(node="N8", axis="z").values[0]), 9)
     0.95
     """
+    starts = whole(starts, "starts", least=1)
     system = compile(model)
     task = task_of(system, targets, None)
     choice = choice_of(task)
@@ -70,7 +76,7 @@ def reach(
         parameters = at_values(given.tasks, _table(names, start, values))
     states, state = [], given.begin
     for row in parameters:
-        found = given.reach(row, state, tries=tries)
+        found = given.reach(row, state, starts=starts)
         if choice.objective in KNOTTED and found.far <= MET * given.scale:
             found = best_state(given, row, found, choice.objective)
         states.append(found)
@@ -113,6 +119,8 @@ def _dataset(given: Problem, names: list[str], parameters: Any, states: list[Sta
         "found": variable(("pose", "coordinate"), given.tasks.read(np.stack([one.x for one in states])), "m or rad", "found"),
         "miss": variable(("pose",), far, "m", "largest miss of a coordinate"),
         "reached": ("pose", reached),
+        "starts": ("pose", np.array([one.starts for one in states])),
+        "same": ("pose", np.array([one.same for one in states])),
         "message": ("pose", said),
     }
     coords = {"drive": list(system.drives), "node": list(system.nodes), "axis": list("xyz"[: system.dim]), "coordinate": names}

@@ -32,18 +32,23 @@ __all__ = ["Problem", "State", "problem", "strokes"]
 
 MET = 1e-8
 """Largest miss of a task that counts as met, as a fraction of the shortest bar."""
-TRIES = 12
-"""Other places from which a pose out of reach is tried again."""
+SAME = 1e-5
+"""Difference of misses, as a fraction of the shortest bar, up to which two poses out of reach count as equally near."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class State:
-    """Positions x (3 n,), drives q (d,), and factors s (m,) of tasks; miss (m,), m, of the tasks."""
+    """Positions x (3 n,), drives q (d,), and factors s (m,) of tasks; miss (m,), m, of the tasks.
+
+    starts, same : of a nearest pose, from how many starts it was sought, and how many of them came as near.
+    """
 
     x: NDArray[np.float64]
     q: NDArray[np.float64]
     s: NDArray[np.float64]
     miss: NDArray[np.float64]
+    starts: int = 1
+    same: int = 1
 
     @property
     def far(self) -> float:
@@ -68,6 +73,16 @@ class Problem:
         """Shortest bar, m."""
         return shortest(self.system)
 
+    @property
+    def turning(self) -> NDArray[np.bool_]:
+        """Which drives (d,) are angles."""
+        return np.array([_turning(self.system, d) for d in range(len(self.reference))])
+
+    @property
+    def units(self) -> NDArray[np.float64]:
+        """Changes (d,) of drives that count as much as each other: the shortest bar, m, or 1 rad."""
+        return np.where(self.turning, 1.0, self.scale)
+
     def linear(self, state: State, parameters: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """What tasks are off by (m,), and their derivatives by the drives (m, d)."""
         room = self.room(state, parameters)
@@ -81,16 +96,18 @@ class Problem:
         room.ref[0], room.moving[0] = self.reference, state.x[self.plan.moving]
         return room
 
-    def reach(self, parameters: NDArray[np.float64], start: State | None = None, *, tries: int = TRIES) -> State:
-        """The state that meets the tasks at these parameters, or the one that comes nearest to it."""
-        first, rng = start or self.begin, np.random.default_rng(1)
-        best = self._reached(parameters, first)
-        for _ in range(tries):
-            if best.far <= MET * self.scale:
-                break
-            found = self._reached(parameters, self._elsewhere(rng, first))
-            best = found if found.far < best.far else best
-        return best
+    def reach(self, parameters: NDArray[np.float64], start: State | None = None, *, starts: int | None = None) -> State:
+        """The state that meets the tasks at these parameters, or the one of least sum of squares of misses from some starts."""
+        from kinetruss.kinematics.targets.starts import STARTS, starts_of
+
+        found: list[State] = []
+        for one in starts_of(self, start or self.begin, STARTS if starts is None else starts):
+            found.append(self._reached(parameters, one))
+            if found[-1].far <= MET * self.scale:
+                return found[-1]
+        sizes = np.array([np.linalg.norm(one.miss) for one in found])
+        same = int(np.count_nonzero(sizes <= sizes.min() + SAME * self.scale))
+        return replace(found[int(np.argmin(sizes))], starts=len(found), same=same)
 
     def _reached(self, parameters: NDArray[np.float64], start: State) -> State:
         self.drives.held[self.drives.held != 3] = 0
@@ -98,6 +115,13 @@ class Problem:
         cold.reach(self.plan, self.drives, self.tape, room, self.scale)
         found = State(x=room.x[0].copy(), q=room.q[0].copy(), s=room.s[0].copy(), miss=start.miss)
         return replace(found, miss=self.linear(found, parameters)[0])
+
+    def closed(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> State | None:
+        """The state of drives q (d,) near those of a state, by Newton's method from there; None if it does not converge."""
+        room = self.room(replace(near, q=q), parameters)
+        return (
+            replace(near, x=room.x[0].copy(), q=q) if cold.linear(self.plan, self.drives, self.tape, room, self.scale) else None
+        )
 
     def polished(self, parameters: NDArray[np.float64], state: State) -> State:
         """A state that meets the tasks after one more step of Newton's method, if that comes nearer."""
@@ -110,16 +134,6 @@ class Problem:
         good = cold.linear(self.plan, self.drives, self.tape, room, self.scale)
         found = replace(state, x=room.x[0].copy(), q=q, miss=room.r[len(q) :].copy())
         return found if good and found.far < state.far else state
-
-    def _elsewhere(self, rng: Any, start: State) -> State:
-        """Some other drives near by, and the positions that they give."""
-        free = self.drives.held != 3
-        room = np.minimum(0.15 * self.scale, 0.4 * (self.drives.upper - self.drives.lower))
-        q = start.q.copy()
-        q[free] += (rng.uniform(-1, 1, len(q)) * room)[free]
-        q = np.where(free, np.clip(q, self.drives.lower, self.drives.upper), q)
-        there = drive_path(self.system, np.stack([start.q, q]), start.x)
-        return start if there is None else replace(start, x=there, q=q)
 
     def track(self, t: NDArray[np.float64], parameters: NDArray[np.float64], start: State, reference: Any = None) -> Any:
         """`kernels.tasks.track` from a start that meets the first sample; reference (3, times, d) Taylor coefficients."""

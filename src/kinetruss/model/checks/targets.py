@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
@@ -40,8 +40,9 @@ def target_faults(model: ModelData, target: Any, path: Place = ("targets",)) -> 
 
 def _drives(model: ModelData, target: Any, path: Place) -> Iterator[Fault]:
     drives = model.all_drives
-    for field, names in (("hold", target.hold), ("weights", target.weights)):
-        for name in names:
+    for field in ("hold", "weights", "rate", "acceleration", "force"):
+        given = getattr(target, field)
+        for name in given if isinstance(given, Iterable) else ():
             if name not in drives:
                 yield unknown("drive", name, drives, (*path, field, name))
     if drives and set(target.hold) >= set(drives):

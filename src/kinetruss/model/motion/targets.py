@@ -6,7 +6,20 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, PlainSerializer, TypeAdapter, WithJsonSchema, model_validator
 
-from kinetruss.model._record import Coordinate, Flag, Name, Number, Point, PositiveNumber, PositiveTime, Record, Time
+from kinetruss.model._record import (
+    Coordinate,
+    Flag,
+    Name,
+    Number,
+    Point,
+    PositiveForce,
+    PositiveNumber,
+    PositiveRate,
+    PositiveSecondRate,
+    PositiveTime,
+    Record,
+    Time,
+)
 from kinetruss.model._table import ReadOnly, Table
 from kinetruss.model.motion.drives import Direction
 from kinetruss.model.motion.trajectories import ConstantRate, Cyclic, Quintic, Sine, Spline, StepResponse, Trapezoid
@@ -111,12 +124,19 @@ class _Resolved(Record):
         strokes; ``least_effort``: small drive forces under gravity and loads; ``conditioning``: far from singular positions.
     weights : of drives in the objective, 1 by default. hold : drives that stand still.
     within_stroke : drives keep to their `limits`.
+    rate, acceleration : largest magnitudes, of all drives or by name, m/s or rad/s, m/s^2 or rad/s^2; the largest speed of a
+        motor limits the rate too. Redundant drives are chosen so that all keep them; within_rates : False leaves them where
+        the objective wants them. force : largest drive force at rest, N or N m. The motion says which limit is not kept.
     """
 
     objective: Objective = "least_change"
     weights: Table[Name, PositiveNumber] = ReadOnly()
     hold: tuple[Name, ...] = ()
     within_stroke: Flag = True
+    rate: PositiveRate | Table[Name, PositiveRate] | None = None
+    acceleration: PositiveSecondRate | Table[Name, PositiveSecondRate] | None = None
+    force: PositiveForce | Table[Name, PositiveForce] | None = None
+    within_rates: Flag = True
 
 
 class _Task(_Resolved):
