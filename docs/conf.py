@@ -10,7 +10,7 @@ from kinetruss import __version__  # noqa: E402
 
 project = "kinetruss"
 author = "kinetruss contributors"
-copyright = "kinetruss contributors, BSD-3-Clause"  # noqa: A001
+copyright = "kinetruss contributors, BSD-3-Clause"
 version = release = __version__
 
 extensions = ["myst_nb", "sphinx_design", "made"]

@@ -4,6 +4,7 @@ import inspect
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import kinetruss as kt
 
@@ -39,7 +40,10 @@ def pages(_made: Path) -> Iterator[tuple[str, str]]:
     """Name and text of every page."""
     found = {name: question for name, question in PACKAGES.items() if name in kt.__all__}
     lines = ["# API reference", "", "```{toctree}", ":maxdepth: 1", "", *(f"{name}" for name in found), "```", ""]
-    lines += ["Nouns (`kt.Model`, `kt.Bar`, ...) are also names of `kinetruss` itself. In all examples: `import kinetruss as kt`.", ""]
+    lines += [
+        "Nouns (`kt.Model`, `kt.Bar`, ...) are also names of `kinetruss` itself. In all examples: `import kinetruss as kt`.",
+        "",
+    ]
     yield "api/index.md", "\n".join(lines)
     for name, question in found.items():
         yield f"api/{name}.md", _page(name, question)
@@ -50,27 +54,25 @@ def _page(name: str, question: str) -> str:
     lines = [f"# kt.{name}", "", question + ".", "", *text_of(inspect.getdoc(module) or ""), ""]
     for what, test in (("Functions", inspect.isroutine), ("Records", inspect.isclass)):
         chosen = [(key, one) for key in sorted(module.__all__, key=str.lower) if test(one := getattr(module, key))]
-        if chosen:
-            lines += [f"## {what}", ""]
-            for key, one in chosen:
-                lines += [f"({name}.{key}{'.record' * inspect.isclass(one)})=", f"### {key}", "", *_signature(f"kt.{name}.{key}", one), *text_of(inspect.getdoc(one) or ""), ""]
-    modules = [key for key in sorted(module.__all__) if inspect.ismodule(getattr(module, key))]
-    for key in modules:
-        lines += _module(f"{name}.{key}", getattr(module, key))
+        lines += [f"## {what}", ""] if chosen else []
+        for key, one in chosen:
+            lines += _entry(f"{name}.{key}", key, one)
+    for key in sorted(module.__all__):
+        if inspect.ismodule(part := getattr(module, key)):
+            lines += [f"## {name}.{key}", "", *text_of(inspect.getdoc(part) or ""), ""]
+            for word in getattr(part, "__all__", ()):
+                if inspect.isfunction(one := getattr(part, word)):
+                    lines += _entry(f"{name}.{key}.{word}", f"{name}.{key}.{word}", one)
     return "\n".join(lines)
 
 
-def _module(name: str, module: object) -> list[str]:
-    """A module of a package, e.g. library.vgt: its functions."""
-    lines = [f"## {name}", "", *text_of(inspect.getdoc(module) or ""), ""]
-    for key in getattr(module, "__all__", ()):
-        one = getattr(module, key)
-        if inspect.isfunction(one):
-            lines += [f"({name}.{key})=", f"### {name}.{key}", "", *_signature(f"kt.{name}.{key}", one), *text_of(inspect.getdoc(one) or ""), ""]
-    return lines
+def _entry(name: str, heading: str, one: Any) -> list[str]:
+    """One function or record: anchor, heading, signature, text. Anchors do not tell capitals, so records have their own."""
+    anchor = f"({name}.record)=" if inspect.isclass(one) else f"({name})="
+    return [anchor, f"### {heading}", "", *_signature(f"kt.{name}", one), *text_of(inspect.getdoc(one) or ""), ""]
 
 
-def _signature(name: str, one: object) -> list[str]:
+def _signature(name: str, one: Any) -> list[str]:
     try:
         signature = inspect.signature(one)
     except (TypeError, ValueError):
@@ -114,4 +116,6 @@ def _block(block: str) -> Iterator[str]:
 def _escaped(text: str) -> str:
     """Text whose signs Markdown shows as they are; code stays code."""
     parts = re.split(r"(``[^`]*``|`[^`]*`)", text)
-    return "".join(re.sub(r"([*$<|\\_])", r"\\\1", part) if k % 2 == 0 else f"`{part.strip('`')}`" for k, part in enumerate(parts))
+    return "".join(
+        re.sub(r"([*$<|\\_])", r"\\\1", part) if k % 2 == 0 else f"`{part.strip('`')}`" for k, part in enumerate(parts)
+    )

@@ -9,13 +9,22 @@ import kinetruss as kt
 
 SECONDS, FPS = 4.0, 18.0
 """Length of a film, and its frames per second."""
+VIDEO = """```{{raw}} html
+<video class="film" src="../../_static/films/{name}.mp4" controls loop muted preload="none"></video>
+```
+"""
 
 
 def pages(made: Path) -> Iterator[tuple[str, str]]:
     """The one page; pictures and films lie beside it."""
     folder = made / "gallery"
     folder.mkdir(parents=True, exist_ok=True)
-    lines = ["# Gallery", "", "Every example that comes with kinetruss: `kinetruss examples NAME --copy my`, `kinetruss run my/NAME.yaml -o my/run`.", ""]
+    lines = [
+        "# Gallery",
+        "",
+        "Every example that comes with kinetruss: `kinetruss examples NAME --copy my`, `kinetruss run my/NAME.yaml -o my/run`.",
+        "",
+    ]
     lines += ["`````{grid} 1 1 2 2", ":gutter: 3", ""]
     for name, (file, *_) in kt.library.example_files().items():
         lines += _card(name, file, folder)
@@ -25,10 +34,10 @@ def pages(made: Path) -> Iterator[tuple[str, str]]:
 def _card(name: str, file: Path, folder: Path) -> list[str]:
     model = kt.read(file)
     run = next(iter(model.runs))
-    film = _drawn(name, model, run, folder, max(file.stat().st_mtime, Path(kt.__file__).stat().st_mtime))
-    return [f"````{{grid-item-card}} {model.title}", "", f"![{model.title}]({name}.png)", "",
-            *([f'```{{raw}} html\n<video class="film" src="../../_static/films/{name}.mp4" controls loop muted preload="none"></video>\n```', ""] if film else []),
-            f"`{name}`, run `{run}`. {_comment(file)}", "````", ""]  # fmt: skip
+    newer = max(file.stat().st_mtime, Path(kt.__file__).stat().st_mtime)
+    film = VIDEO.format(name=name) if _drawn(name, model, run, folder, newer) else ""
+    words = f"`{name}`, run `{run}`. {_comment(file)}"
+    return [f"````{{grid-item-card}} {model.title}", "", f"![{model.title}]({name}.png)", "", film, words, "````", ""]
 
 
 def _drawn(name: str, model: kt.Model, run: str, folder: Path, newer: float) -> bool:

@@ -25,7 +25,12 @@ def pages(_made: Path) -> Iterator[tuple[str, str]]:
 
 
 def _group(name: str, entries: list[Any]) -> str:
-    lines = [f"# Verification: {name}", "", "| entry | expected | computed | difference | tolerance | class | source |", "|---|---|---|---|---|---|---|"]
+    lines = [
+        f"# Verification: {name}",
+        "",
+        "| entry | expected | computed | difference | tolerance | class | source |",
+        "|---|---|---|---|---|---|---|",
+    ]
     for one in entries:
         cells = (one.id, number(one.expected, 10), number(one.computed, 10), number(one.relative_difference, 2),
                  number(one.tolerance, 2), one.kind, one.source)  # fmt: skip

@@ -7,18 +7,18 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import yaml
-
 from api import text_of
 
 import kinetruss as kt
-from kinetruss.model import Record, _record as types
+from kinetruss.model import Record
+from kinetruss.model import _record as types
 from kinetruss.model._data import ModelData
 from kinetruss.units import unit_of
 
 SOURCE = yaml.safe_load((Path(__file__).parent / "tables.yaml").read_text("utf-8"))
 INTRODUCTION = """# Model reference
 
-Every table of a model file, with the same in Python. A file is read by `kt.read(FILE)`; `kinetruss check FILE` lists all its faults.
+Every table of a model file, with the same in Python. `kt.read(FILE)` reads a file; `kinetruss check FILE` lists all its faults.
 In Python, tables are arguments of `kt.Model`. Numbers without a unit are SI; text may have a unit, in Python too (`"100 mm"`).
 A name of a section, material, screw, gear, motor or amplifier refers to the model's own table, or to the library.
 """
@@ -82,9 +82,16 @@ def _record(record: type[Record]) -> list[str]:
     words = _words(record)
     lines = [f"### {record.__name__}", "", *text_of(_head(record)), "", "| field | type | default | |", "|---|---|---|---|"]
     for name, parameter in record.__signature__.parameters.items():
-        default = "required" if parameter.default is parameter.empty else f"`{parameter.default!r}`" if parameter.default not in (None, ()) else ""
+        default = (
+            "required"
+            if parameter.default is parameter.empty
+            else f"`{parameter.default!r}`"
+            if parameter.default not in (None, ())
+            else ""
+        )
         kind = _kind(str(parameter.annotation)).replace("|", "\\|")
-        lines.append(f"| `{name}` | {kind} | {default} | {words.get(name, '').replace('|', chr(92) + '|')} |")
+        said = words.get(name, "").replace("|", "\\|")
+        lines.append(f"| `{name}` | {kind} | {default} | {said} |")
     return [*lines, ""]
 
 
