@@ -10,7 +10,7 @@ import kinetruss as kt
 SECONDS, FPS = 4.0, 18.0
 """Length of a film, and its frames per second."""
 VIDEO = """```{{raw}} html
-<video class="film" src="../../_static/films/{name}.mp4" controls loop muted preload="none"></video>
+<video class="film" src="../../_static/films/{name}.mp4" controls loop muted preload="metadata"></video>
 ```
 """
 
