@@ -8,6 +8,7 @@ house: they may change without notice.
 from __future__ import annotations
 
 import importlib
+import sys
 from functools import partial
 from typing import Any
 
@@ -64,5 +65,9 @@ __getattr__, __dir__ = late(__name__, _NAMES, _PACKAGES)
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """``%load_ext kinetruss`` in a notebook: models and runs are shown as pictures."""
+    """``%load_ext kinetruss`` in a notebook: models, runs and results are shown as pictures."""
     importlib.import_module("kinetruss.notebook").register(shell)
+
+
+if "IPython" in sys.modules and (_shell := sys.modules["IPython"].get_ipython()) is not None:
+    load_ipython_extension(_shell)  # so that no notebook needs %load_ext

@@ -80,7 +80,7 @@ def test_help_and_check_load_nothing_heavy(folder):
 def test_check_counts_what_is_whole(folder):
     done = call("check", folder / "tripod.yaml")
     assert done.exit_code == 0
-    assert "no faults. 4 nodes, 0 bars, 3 active members, runs: lift." in done.stdout
+    assert "no faults. 4 nodes (3 fixed), 3 active members, 1 load, 2 load cases, runs: lift." in done.stdout
     assert json.loads(call("check", folder / "tripod.yaml", "--json").stdout)["ok"] is True
 
 

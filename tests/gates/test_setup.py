@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    for name in ("Makefile", "pyproject.toml", "requirements.lock"):
+    for name in ("Makefile", "pyproject.toml", "requirements.lock", "requirements-demo.lock"):
         shutil.copy(ROOT / name, tmp_path)
     return tmp_path
 
@@ -42,8 +42,9 @@ def test_an_old_python_is_named_with_the_way_to_another(copy):
     assert not (copy / ".venv").exists()
 
 
-def test_the_lock_pins_everything_by_hash_and_names_no_registry():
-    text = (ROOT / "requirements.lock").read_text()
+@pytest.mark.parametrize("lock", ["requirements.lock", "requirements-demo.lock"])
+def test_a_lock_pins_everything_by_hash_and_names_no_registry(lock):
+    text = (ROOT / lock).read_text()
     assert not re.search(r"https?://", text)
     pins = re.findall(r"^[a-z0-9].*", text, re.MULTILINE)
     assert len(pins) > 40
@@ -57,3 +58,11 @@ def test_the_lock_covers_what_the_project_needs():
     project = re.sub(r"(?m)^peers = .*$", "", (ROOT / "pyproject.toml").read_text())  # other codes, for one benchmark only
     needed = re.findall(r'"([A-Za-z][\w-]*)>=|"(types-PyYAML)"', project)
     assert {(a or b).lower() for a, b in needed} <= pins
+
+
+def test_the_demo_installs_what_tests_install_and_neither_vtk_nor_a_browser():
+    everything, demo = ((ROOT / lock).read_text() for lock in ("requirements.lock", "requirements-demo.lock"))
+    assert set(re.findall(r"^[a-z0-9].*==[^ ;]*", demo, re.MULTILINE)) <= set(
+        re.findall(r"^[a-z0-9].*==[^ ;]*", everything, re.MULTILINE)
+    )
+    assert not re.search(r"^(vtk|pyvista|playwright|pyarrow|mujoco)==", demo, re.MULTILINE)

@@ -11,6 +11,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
+from kinetruss.report.pictures.histories import histories_svg
 from samples import fourbar, tripod
 
 CELLS = (
@@ -106,3 +107,20 @@ def test_a_run_is_a_picture_and_what_cannot_be_shown_stays_text():
 def test_importing_the_library_loads_no_notebook():
     code = "import sys, kinetruss as kt; kt.Model; assert not {'IPython', 'anywidget', 'fastapi'} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+def test_motions_and_forces_are_drawn():
+    from IPython.core.interactiveshell import InteractiveShell
+
+    shell = InteractiveShell()
+    kt.load_ipython_extension(shell)
+    model = fourbar()
+    turn = kinematics.follow(model, kt.ConstantRate(rates={"motor": 1.0}, duration=0.2), samples=11)
+    rest = kinematics.follow(model, kt.ConstantRate(rates={"motor": 0.0}, duration=0.2), samples=11)
+    for result in (turn, dynamics.inverse(model, turn)):
+        html = shell.display_formatter.format(result)[0]["text/html"]
+        assert html.count("<svg") == 1
+        assert f"<pre>{type(result).__name__}: " in html
+    alone = kinematics.follow(model, kt.ConstantRate(rates={"motor": 0.0}, duration=1.0), times=[0.0])
+    assert "<svg" not in shell.display_formatter.format(alone)[0]["text/html"]
+    assert histories_svg(rest).count("<svg") == 1  # the drive's position, although nothing moves

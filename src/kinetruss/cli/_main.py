@@ -12,6 +12,7 @@ from kinetruss.cli.models.check import check
 from kinetruss.cli.models.examples import examples
 from kinetruss.cli.models.explain import explain
 from kinetruss.cli.models.info import info
+from kinetruss.cli.models.new import new
 from kinetruss.cli.models.size import size
 from kinetruss.cli.pages.picture import picture
 from kinetruss.cli.pages.render import render
@@ -38,14 +39,30 @@ Exit codes: 0 done; 1 not converged, or a check failed; 2 wrong usage or a fault
 """
 
 
-@click.group(context_settings=HELP, epilog=EPILOG)
+FIRST = """\
+kinetruss computes mechanisms, parallel robots and adaptive structures made of bars. To start:
+
+  kinetruss new leg --like four_bar          a model file with comments, to change
+  kinetruss run leg.yaml -o runs/leg         its motion, forces, stresses and motors
+  kinetruss view runs/leg                    the same in the browser
+  kinetruss studio leg.yaml                  move its drives by hand; draw
+
+  kinetruss examples                         models to learn from
+  kinetruss -h                               all commands
+"""
+
+
+@click.group(context_settings=HELP, epilog=EPILOG, invoke_without_command=True)
 @click.version_option(__version__, "--version", prog_name="kinetruss")
-def main() -> None:
+@click.pass_context
+def main(context: click.Context) -> None:
     """Motion, member forces, stresses, margins and motor demands of structures made of bars."""
+    if context.invoked_subcommand is None:
+        click.echo(FIRST, nl=False)
 
 
 for _verb in (
-    check, run, info, verify, examples, export, plot, compare, size, budget, explain, gauges, view, picture, render, report,
-    studio, compile_kernels,
+    new, check, run, info, verify, examples, export, plot, compare, size, budget, explain, gauges, view, picture, render,
+    report, studio, compile_kernels,
 ):  # fmt: skip
     main.add_command(_verb)

@@ -11,6 +11,7 @@ __all__ = [
     "cells",
     "drives",
     "example_files",
+    "example_text",
     "joints",
     "materials",
     "mechanisms",
@@ -23,7 +24,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "_build": "build builders",
-        "_examples": "example_files",
+        "_examples": "example_files example_text",
     },
     modules="bodies cells drives joints materials mechanisms meshes sections vgt",
 )

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-__all__ = ["example_files"]
+__all__ = ["example_files", "example_text"]
 
 FOLDER = Path(__file__).parent / "examples"
 MISSION = ".mission."
 """Part of the names of mission files, between the name of the model and the suffix."""
+SCHEMA = "# yaml-language-server: $schema="
+"""Start of the first line of every example: editors complete and check the file by the schema that it names."""
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
@@ -21,3 +23,17 @@ def example_files() -> dict[str, tuple[Path, ...]]:
         tables = (table for table in sorted(FOLDER.glob("*.csv")) if table.name in text)
         found[model.stem] = (model, *tables, *sorted(FOLDER.glob(f"{model.stem}{MISSION}*")))
     return found
+
+
+def example_text(file: Path) -> str:
+    """Text of a file of an example, for a copy in another folder: its first line names the schema by its full address.
+
+    >>> first = example_text(example_files()["four_bar"][0]).splitlines()[0]
+    >>> first.startswith("# yaml-language-server: $schema=file:///") and first.endswith("/kinetruss.schema.json")
+    True
+    """
+    text = file.read_text(encoding="utf-8")
+    first, _, rest = text.partition("\n")
+    if not first.startswith(SCHEMA):
+        return text
+    return f"{SCHEMA}{(FOLDER / first.removeprefix(SCHEMA)).resolve().as_uri()}\n{rest}"

@@ -3,6 +3,7 @@
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._data import FORMAT
+from kinetruss.model._described import contents
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety
 from kinetruss.model._plausibility import plausibility
@@ -214,6 +215,7 @@ __all__ = [
     "Hinge",
     "Joint",
     "body_mass",
+    "contents",
     "faults",
     "moved_by",
     "nearest",

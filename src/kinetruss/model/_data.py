@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
 from kinetruss.model._record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model._table import Filled, ReadOnly, Table
@@ -67,46 +67,89 @@ class Safety(Record):
 
 
 class ModelData(Record):
-    """The data of a model, and properties derived from them. `Model` adds the checks."""
+    """The data of a model, and properties derived from them. `Model` adds the checks.
+
+    The text below a table is its description in the schema, in the model reference and in new model files.
+    """
+
+    model_config = ConfigDict(use_attribute_docstrings=True)
 
     kinetruss: Format = FORMAT
+    """Version of the file format."""
     title: str = ""
+    """What the model is; the heading of reports and pictures."""
     nodes: Filled[Name, Node]
+    """Points by name: place [x, y] or [x, y, z] in the start configuration, or a record with a mass."""
     fixed: Table[Name, Axes] = ReadOnly()
+    """Supports: a list of nodes, or node -> the axes in which it is held, e.g. xy."""
     bars: Table[Name, Bar] = ReadOnly()
+    """Members by name: their two nodes, or a record with kind, section, mass and length. Rigid unless a kind is given."""
     active: Table[Name, Active] = ReadOnly()
+    """Active members: a base and a tube with a lead screw, whose length a motor changes."""
     beams: Table[Name, Beam] = ReadOnly()
+    """Members that bend and share the rotation of the nodes at which they meet."""
     clamped: Clamps = ReadOnly()
+    """Nodes of beams whose rotation is held: a list (by the ground), or node -> body."""
     bodies: Table[Name, Body] = ReadOnly()
+    """Rigid or straining masses on nodes: mass, centre and inertia."""
     joints: Table[Name, Joint] = ReadOnly()
+    """Joints between bodies that `library.joints` has built from nodes and bars."""
     hubs: Table[Name, Hub] = ReadOnly()
+    """Nodes of finite size: arms from the node to the joints of its members."""
     bearings: Table[Name, Bearing] = ReadOnly()
+    """Pins and balls whose friction follows from the force in them."""
     membranes: Table[Name, Membrane] = ReadOnly()
+    """Meshes of elastic triangles on nodes."""
     solids: Table[Name, Solid] = ReadOnly()
+    """Meshes of elastic tetrahedra on nodes."""
     section: SectionOrName | None = None
+    """Cross-section of all bars that name none: a record, or a name."""
     material: MaterialOrName | None = None
+    """Material of all bars that name none: a record, or a name, e.g. steel_s235."""
     sections: Table[Name, Section] = ReadOnly()
+    """Cross-sections by name, for bars to refer to."""
     materials: Table[Name, Material] = ReadOnly()
+    """Materials by name, for bars to refer to."""
     screws: Table[Name, LeadScrew] = ReadOnly()
+    """Lead screws by name, for active members and drive trains."""
     gears: Table[Name, Gear] = ReadOnly()
+    """Gears by name."""
     motors: Table[Name, Motor] = ReadOnly()
+    """Motors by name: torque constant, resistance, inertia, limits."""
     amplifiers: Table[Name, Amplifier] = ReadOnly()
+    """Amplifiers of motors by name: largest voltage and current."""
     gravity: GravityVector | None = None
+    """Acceleration of gravity as a vector; by default there is none."""
     base_rotation: BaseRotation | None = None
+    """Rotation of the base, with all that stands on it."""
     loads: Table[Name, Load] = ReadOnly()
+    """Forces, pressures and couples by name: at nodes, on bodies, constant or along time."""
     load_cases: Table[Name, LoadCase] = ReadOnly()
+    """Loads and gravity that act together, by name; by default all loads are one case."""
     conditions: Table[Name, Condition] = ReadOnly()
+    """States of missions by name: gravity, base motion, temperature, locked or released members."""
     support_motion: Table[Name, History] = ReadOnly()
+    """Prescribed motion of fixed nodes."""
     velocities: Table[Name, VelocityVector] = ReadOnly()
+    """Velocities of nodes at the start of a simulation."""
     drives: Table[Name, Drive] = ReadOnly()
+    """What moves, besides active members: lengths, angles and coordinates that a trajectory prescribes."""
     couplings: Table[Name, Coupling] = ReadOnly()
+    """Linear relations between drives, e.g. of gears."""
     springs: Table[Name, Spring] = ReadOnly()
+    """Springs, dampers, friction and play on lengths and angles."""
     poses: Table[Name, Pose] = ReadOnly()
+    """Coordinates of a platform or tip by name, for trajectories and tasks."""
     trajectories: Table[Name, Trajectory] = ReadOnly()
+    """Motions by name, for runs to refer to."""
     runs: Table[Name, Run] = ReadOnly()
+    """Analyses by name: what `kinetruss run` does."""
     gauges: Table[Name, Gauge] = ReadOnly()
+    """Strain gauges on members."""
     gauge_zero: GaugeZero | None = None
+    """State in which the gauges read zero."""
     safety: Safety = Safety()
+    """Safety factors against yielding and buckling."""
 
     @property
     def dim(self) -> int:

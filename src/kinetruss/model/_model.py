@@ -10,6 +10,7 @@ from pydantic import BaseModel, ValidationError, model_validator
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._collect import Lost, collect, rests_on
 from kinetruss.model._data import AXES, ModelData, Safety
+from kinetruss.model._described import described
 from kinetruss.model._library_names import with_library_records
 from kinetruss.model._table import ReadOnly
 from kinetruss.model.beams.framing import chords, expanded, rigid_groups
@@ -80,6 +81,12 @@ class Model(ModelData):
         if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
             raise ModelError(found)
         return self
+
+    def __repr__(self) -> str:
+        """The title, and the number of each kind of part; drives by name."""
+        return described(self)
+
+    __str__ = __repr__
 
     def with_(self, **changes: Any) -> Self:
         """A new model with some fields changed; all checks run again.

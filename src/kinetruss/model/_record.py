@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from inspect import Parameter, Signature, get_annotations
@@ -134,6 +134,20 @@ class Record(BaseModel, metaclass=_Raising):
     def with_(self, **changes: Any) -> Self:
         """A new record with some fields changed; the result is checked like any other."""
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
+
+    def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
+        """Fields that are not at their default."""
+        for name, field in type(self).model_fields.items():
+            value = getattr(self, name)
+            if field.is_required() or value != field.get_default(call_default_factory=True):
+                yield name, value
+
+    def __str__(self) -> str:
+        return repr(self)
+
+    def __dir__(self) -> list[str]:
+        """Fields and own methods, without those of pydantic."""
+        return [name for name in super().__dir__() if name == "with_" or name.startswith("__") or not hasattr(BaseModel, name)]
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """A copy; with an update the same as `with_`, so that all checks run."""

@@ -1,28 +1,48 @@
-"""Registers the pictures of models and runs with IPython."""
+"""Registers the pictures of models, runs and results with IPython."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from kinetruss.display.html import Markup, element
 from kinetruss.errors import KinetrussError
-from kinetruss.notebook._show import show
 
 __all__ = ["register"]
 
-SHOWN = (("kinetruss.model._model", "Model"), ("kinetruss.runs._result", "RunResult"))
-"""Modules of the types that are shown; they are not imported here."""
+FRAMED = (("kinetruss.model._model", "Model"), ("kinetruss.runs._result", "RunResult"))
+"""Modules of the types that are shown in a frame; they are not imported here."""
+RESULT = ("kinetruss.results.records.records", "Result")
+"""The base of motions, forces and all other results; shown by curves."""
 
 
 def register(shell: Any) -> None:
-    """Show models and runs as pictures in this IPython shell; ``%load_ext kinetruss`` calls it."""
+    """Show models, runs and results as pictures in this IPython shell.
+
+    ``import kinetruss`` in a notebook calls it, and so does ``%load_ext kinetruss``.
+    """
     formatter = shell.display_formatter.formatters["text/html"]
-    for module, name in SHOWN:
-        formatter.for_type_by_name(module, name, _html)
+    for module, name in FRAMED:
+        formatter.for_type_by_name(module, name, _framed)
+    formatter.for_type_by_name(*RESULT, _drawn)
 
 
-def _html(what: Any) -> str | None:
-    """The picture as HTML; None (plain text is shown) if it cannot be drawn."""
+def _framed(what: Any) -> str | None:
+    """The page of a model or run; None (plain text is shown) if it cannot be drawn."""
+    from kinetruss.notebook._show import show
+
     try:
         return show(what)._repr_html_()
     except KinetrussError:
         return None
+
+
+def _drawn(result: Any) -> str:
+    """The curves of a result, and below them what it holds."""
+    from kinetruss.report.pictures.histories import histories_svg
+
+    drawn = histories_svg(result)
+    text = element("pre", repr(result))
+    if drawn is None:
+        return text
+    picture = Markup(drawn[drawn.index("<svg") :])
+    return element("div", element("div", picture, style="max-width:900px;background:#fff"), element("details", text, open=True))

@@ -46,7 +46,7 @@ def check(model: Path, as_json: bool, max_size: int) -> None:
 
 
 def _counts(path: Path, model: Any) -> str:
-    active = f", {len(model.active)} active members" if model.active else ""
-    beams = f", {len(model.beams)} beams" if model.beams else ""
+    from kinetruss.model import contents
+
     runs = f", runs: {', '.join(model.runs)}" if model.runs else ""
-    return f"{path}: no faults. {len(model.nodes)} nodes, {len(model.bars)} bars{active}{beams}{runs}."
+    return f"{path}: no faults. {contents(model)}{runs}."

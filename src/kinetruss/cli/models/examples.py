@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
@@ -10,7 +11,7 @@ import click
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
-__all__ = ["examples"]
+__all__ = ["examples", "write_new"]
 
 EPILOG = """\b
 Examples:
@@ -57,13 +58,20 @@ def _title(model: Path) -> str:
 
 def _copy(sources: tuple[Path, ...], folder: Path) -> list[Path]:
     """Write files into a folder; an existing file with different contents is never replaced."""
-    contents = {folder / source.name: source.read_bytes() for source in sources}
-    for path, data in contents.items():
-        if path.exists() and path.read_bytes() != data:
-            raise InputError(f"{path} exists already, with different contents. Move it away, or name another folder.")
+    from kinetruss.library import example_text
+
+    contents = {folder / source.name: example_text(source) for source in sources}
+    write_new(contents)
+    return list(contents)
+
+
+def write_new(contents: Mapping[Path, str]) -> None:
+    """Write files; one that exists with different contents is never replaced."""
+    for path, text in contents.items():
+        if path.exists() and path.read_bytes() != text.encode():
+            raise InputError(f"{path} exists already, with different contents. Move it away, or give another name.")
     from kinetruss.results.store import whole_file
 
-    for path, data in contents.items():
+    for path, text in contents.items():
         with whole_file(path) as draft:
-            draft.write_bytes(data)
-    return list(contents)
+            draft.write_bytes(text.encode())

@@ -1,0 +1,123 @@
+"""The model reference: every table of a model in YAML and in Python, and the fields of its records."""
+
+import inspect
+import re
+import typing
+from collections.abc import Iterator
+from pathlib import Path
+
+import yaml
+from api import text_of
+
+import kinetruss as kt
+from kinetruss.model import Record
+from kinetruss.model import _record as types
+from kinetruss.model._data import ModelData
+from kinetruss.units import unit_of
+
+SOURCE = yaml.safe_load((Path(__file__).parent / "tables.yaml").read_text("utf-8"))
+INTRODUCTION = """# Model reference
+
+Every table of a model file, with the same in Python. `kt.read(FILE)` reads a file; `kinetruss check FILE` lists all its faults.
+In Python, tables are arguments of `kt.Model`. Numbers without a unit are SI; text may have a unit, in Python too (`"100 mm"`).
+A name of a section, material, screw, gear, motor or amplifier refers to the model's own table, or to the library.
+"""
+
+
+def pages(made: Path) -> Iterator[tuple[str, str]]:
+    """The one page."""
+    lines = [INTRODUCTION]
+    hints = typing.get_type_hints(ModelData, include_extras=True)
+    for table, field in ModelData.model_fields.items():
+        if table == "kinetruss":
+            continue
+        lines += [f"## {table}", "", field.description or "", ""]
+        if (example := SOURCE["tables"].get(table)) and example["yaml"]:
+            lines += _beside(table, example, made)
+        for record in dict.fromkeys(_records(hints[table])):
+            lines += _record(record)
+    yield "model_reference.md", "\n".join(lines)
+
+
+def model_of(table: str, folder: Path) -> kt.Model:
+    """The model in which the example of a table stands."""
+    example = SOURCE["tables"][table]
+    data = {"kinetruss": 1, **SOURCE["bases"][example["in"]], **yaml.safe_load(example["yaml"])}
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / f"{table}.yaml"
+    file.write_text(yaml.safe_dump(data, sort_keys=False), "utf-8")
+    return kt.read(file)
+
+
+def _beside(table: str, example: dict, made: Path) -> list[str]:
+    """YAML and Python in two columns."""
+    model = model_of(table, made / "models")
+    given = yaml.safe_load(example["yaml"])
+    parts = [_python(key, getattr(model, key), given[key]) for key in given]
+    return ["::::{grid} 1 1 2 2", ":gutter: 2", ":::{grid-item}", "```yaml", example["yaml"], "```", ":::", ":::{grid-item}",
+            "```python", *parts, "```", ":::", "::::", ""]  # fmt: skip
+
+
+def _python(key: str, value: object, given: object) -> str:
+    if isinstance(value, dict):
+        names = given if isinstance(given, (dict, list)) else value
+        inner = ",\n".join(f'    "{name}": {_called(value[name])}' for name in names)
+        return f"{key}={{\n{inner},\n}}"
+    return f"{key}={_called(value)}"
+
+
+def _called(value: object) -> str:
+    """A record as it is written in Python: with `kt.` before every noun."""
+    return re.sub(r"\b([A-Z]\w+)\(", r"kt.\1(", repr(value)).replace("'", '"')
+
+
+def _records(hint: object) -> Iterator[type[Record]]:
+    if isinstance(hint, type) and issubclass(hint, Record):
+        yield hint
+    for part in typing.get_args(hint):
+        yield from _records(part)
+
+
+def _record(record: type[Record]) -> list[str]:
+    words = _words(record)
+    lines = [f"### {record.__name__}", "", *text_of(_head(record)), "", "| field | type | default | |", "|---|---|---|---|"]
+    for name, parameter in record.__signature__.parameters.items():
+        default = (
+            "required"
+            if parameter.default is parameter.empty
+            else f"`{parameter.default!r}`"
+            if parameter.default not in (None, ())
+            else ""
+        )
+        kind = _kind(str(parameter.annotation)).replace("|", "\\|")
+        said = words.get(name, "").replace("|", "\\|")
+        lines.append(f"| `{name}` | {kind} | {default} | {said} |")
+    return [*lines, ""]
+
+
+def _kind(annotation: str) -> str:
+    """A type in words: quantities with their unit in place of the names of types."""
+    if annotation.startswith("Literal["):
+        return ", ".join(f"`{word}`" for word in re.findall(r"'([^']*)'", annotation))
+    return re.sub(r"\w+", lambda found: _quantity(found[0]), annotation).replace(" | None", "")
+
+
+def _quantity(word: str) -> str:
+    for one in getattr(getattr(types, word, None), "__metadata__", ()):
+        if isinstance(one, types.Of):
+            unit = unit_of(one.quantity)
+            return f"{one.quantity} ({unit})" if unit else one.quantity
+    return {"Flag": "true or false", "Name": "name"}.get(word, word)
+
+
+def _head(record: type[Record]) -> str:
+    """The docstring before its list of fields."""
+    return re.split(r"\n\s*\n?(?=[\w, ]+ : )", inspect.getdoc(record) or "", maxsplit=1)[0]
+
+
+def _words(record: type[Record]) -> dict[str, str]:
+    """What the docstring says of each field."""
+    doc = re.sub(r"\s*\n\s+", " ", re.sub(r"\n(?=[^\n]*? : )", "\n", record.__doc__ or ""))
+    names = "|".join(record.model_fields)
+    found = re.split(rf"(?:^|(?<=[.;\n] )|(?<=\n)|(?<= ))((?:{names})(?:, (?:{names}))*) : ", doc)
+    return {name: text.strip() for key, text in zip(found[1::2], found[2::2], strict=True) for name in key.split(", ")}

@@ -1,0 +1,53 @@
+"""A model in one line: what `repr` shows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from kinetruss.model._data import ModelData
+
+__all__ = ["contents", "described"]
+
+COUNTED = (
+    ("active", "active member"), ("beams", "beam"), ("bodies", "body"), ("hubs", "hub"), ("membranes", "membrane"),
+    ("solids", "solid"), ("springs", "spring"), ("loads", "load"), ("load_cases", "load case"),
+)  # fmt: skip
+"""Tables of a model that are counted -> the word for one entry."""
+NAMED = 6
+"""Largest number of drives that are named."""
+
+
+def described(model: ModelData) -> str:
+    """Dimension, number of nodes, bars and other parts, names of the drives.
+
+    >>> import kinetruss as kt
+    >>> described(kt.library.mechanisms.four_bar())
+    "<Model 'Four-bar linkage': planar, 4 nodes (2 fixed), 3 bars; drive: motor>"
+    """
+    drives = list(model.all_drives)
+    more = f" and {len(drives) - NAMED} more" if len(drives) > NAMED else ""
+    driven = f"; drive{'s' * (len(drives) > 1)}: {', '.join(drives[:NAMED])}{more}" if drives else ""
+    title = f" {model.title!r}" if model.title else ""
+    return f"<Model{title}: {'planar' if model.dim == 2 else 'spatial'}, {contents(model)}{driven}>"
+
+
+def contents(model: ModelData) -> str:
+    """Number of nodes, bars and other parts, without those that the model adds to represent bodies and rotations.
+
+    >>> import kinetruss as kt
+    >>> contents(kt.library.mechanisms.four_bar())
+    '4 nodes (2 fixed), 3 bars'
+    """
+    nodes = [name for name, node in model.nodes.items() if not node.director]
+    bars = sum(not bar.brace for bar in model.bars.values())
+    parts = [f"{_count(len(nodes), 'node')} ({sum(name in model.fixed for name in nodes)} fixed)"]
+    parts += [_count(bars, "bar")] if bars else []
+    parts += [_count(len(table), word) for field, word in COUNTED if (table := getattr(model, field))]
+    return ", ".join(parts)
+
+
+def _count(number: int, word: str) -> str:
+    if number != 1:
+        word = f"{word[:-1]}ies" if word.endswith("body") else f"{word}s"
+    return f"{number:,} {word}"

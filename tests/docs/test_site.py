@@ -1,0 +1,74 @@
+"""What the site shows is so: tutorials run, the model reference is of the schema, and its Python is its YAML."""
+
+import ast
+import inspect
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import kinetruss as kt
+from kinetruss.model import Model
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "site"))
+
+import api  # noqa: E402
+import tables  # noqa: E402
+
+TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
+CELL = re.compile(r"^```\{code-cell\}\n((?::[^\n]*\n)*)(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("page", TUTORIALS, ids=lambda page: page.stem)
+def test_a_tutorial_runs(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    cells = CELL.findall(page.read_text(encoding="utf-8"))
+    assert len(cells) >= 8
+    for _, code in cells:
+        exec(compile(code, page.name, "exec"), names)
+
+
+def test_every_table_has_a_description():
+    assert [name for name, field in Model.model_fields.items() if not field.description] == []
+
+
+def test_every_table_has_an_example_in_the_reference():
+    shown = {name for entry in tables.SOURCE["tables"].values() for name in re.findall(r"^(\w+):", entry["yaml"], re.MULTILINE)}
+    assert set(Model.model_fields) - shown == {"kinetruss", "title", "joints", "gauge_zero"}
+
+
+@pytest.mark.parametrize("table", tables.SOURCE["tables"])
+def test_the_python_of_the_reference_is_its_yaml(table, tmp_path):
+    model = tables.model_of(table, tmp_path)
+    shown = "\n".join(tables._beside(table, tables.SOURCE["tables"][table], tmp_path))
+    code = re.search(r"```python\n(.*?)```", shown, re.DOTALL)[1]
+    entries = [line for line in re.split(r"\n(?=\w)", code.strip()) if line]
+    again = {key: eval(value, {"kt": kt}) for key, _, value in (line.partition("=") for line in entries)}
+    for key, value in again.items():
+        held = getattr(model, key)
+        if isinstance(value, dict):
+            assert {name: held[name] for name in value} == value
+        else:
+            assert held == value
+
+
+def test_the_reference_lists_all_public_names(tmp_path):
+    written = dict(api.pages(tmp_path))
+    for package in api.PACKAGES:
+        if package not in kt.__all__:
+            continue
+        page = written[f"api/{package}.md"]
+        for name in getattr(kt, package).__all__:
+            one = getattr(getattr(kt, package), name)
+            if inspect.isfunction(one) or inspect.isclass(one):
+                assert f"\n### {name}\n" in page, name
+
+
+def test_examples_of_the_reference_are_code():
+    for _, page in api.pages(Path()):
+        for block in re.findall(r"```pycon\n(.*?)```", page, re.DOTALL):
+            lines = [line[4:] for line in block.splitlines() if line.startswith((">>> ", "... "))]
+            ast.parse("\n".join(lines))
