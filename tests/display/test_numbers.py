@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kinetruss.display import instant, number, palettes, quantity, scale
-from kinetruss.display.numbers import UNITS
+from kinetruss.display import instant, margin, number, palettes, quantity, round_up, scale, ticks
+from kinetruss.display.numbers import UNITS, column
 from kinetruss.display.script import script
 
 PAGE = Path(__file__).parents[2] / "viewer-src" / "src"
 CALLS = """
-import {{ instant, number, quantity, scale }} from "{page}/format.js";
+import {{ column, instant, margin, number, quantity, roundUp, scale, ticks }} from "{page}/format.js";
 import {{ colourOf, limitsOf }} from "{page}/colour.js";
 import {{ readFileSync }} from "node:fs";
 const given = JSON.parse(readFileSync(0, "utf8"));
@@ -24,6 +24,10 @@ const found = {{
   quantities: given.quantities.map(([value, unit]) => quantity(value, unit)),
   scales: given.quantities.map(([value, unit]) => scale(value, unit)),
   instants: given.quantities.map(([value]) => instant(value)),
+  margins: given.quantities.map(([value]) => margin(value)),
+  ends: given.quantities.map(([value]) => roundUp(Math.abs(value))),
+  ticks: given.quantities.map(([value], k) => (value > 0 ? ticks(k % 2 ? -0.37 * value : 0, value) : [0])),
+  columns: given.columns.map(([values, unit]) => column(values, unit)),
   limits: given.colours.map(([kind, values]) => limitsOf(kind, [[Math.min(...values), Math.max(...values)]])),
   colours: given.colours.map(([kind, values, limits]) => values.map((value) => colourOf(kind, value, limits))),
 }};
@@ -91,6 +95,11 @@ def test_the_page_writes_and_colours_as_python_does(tmp_path):
     given = {
         "numbers": [(value, digits) for digits in (2, 3, 4, 6, 9) for value in values],
         "quantities": [(value, names[k % len(names)]) for k, value in enumerate(values * 3)],
+        "columns": [
+            ([float(one) for one in rng.normal(size=7) * 10.0 ** rng.uniform(-14, 9) * np.resize([1, 1e-3, 1e-14], 7)], unit)
+            for unit in names
+            for _ in range(40)
+        ],
         "colours": [
             (kind, shown, [-high if kind == "diverging" else 0.0, high])
             for kind in ("diverging", "sequential", "capacity", "margin")
@@ -106,6 +115,12 @@ def test_the_page_writes_and_colours_as_python_does(tmp_path):
     assert found["numbers"] == [number(value, digits) for value, digits in given["numbers"]]
     assert found["quantities"] == [quantity(value, unit) for value, unit in given["quantities"]]
     assert found["scales"] == [list(scale(value, unit)) for value, unit in given["quantities"]]
+    assert found["margins"] == [margin(value) for value, _ in given["quantities"]]
+    assert found["ends"] == [round_up(abs(value)) for value, _ in given["quantities"]]
+    assert found["ticks"] == [
+        ticks(-0.37 * value if k % 2 else 0.0, value) if value > 0 else [0.0] for k, (value, _) in enumerate(given["quantities"])
+    ]
+    assert found["columns"] == [list(column(values, unit)) for values, unit in given["columns"]]
     assert found["instants"] == [instant(value) for value, _ in given["quantities"]]
     for (kind, shown, limits), page, ends in zip(given["colours"], found["colours"], found["limits"], strict=True):
         assert ends == list(palettes.limits_of(kind, np.array(shown)))

@@ -1,6 +1,6 @@
 // Numbers that a person can read: the rules of src/kinetruss/display/numbers.py, which a test compares with these.
 
-import { DIGITS, FLOORS, LONG, SHORT, UNITS } from "./display.js";
+import { DIGIT, DIGITS, ENDS, FAR, FLOORS, LONG, POINT, ROUND_OFF, SHORT, UNITS } from "./display.js";
 
 /** Factor and name of the unit in which the largest of some values is between 1 and 1000. */
 export function scale(largest, unit) {
@@ -40,6 +40,61 @@ export function instant(time) {
   return Number.isFinite(time) ? `${number(time)} s` : "-";
 }
 
+/** Texts of the values of a column, in one unit with one number of decimals, and the name of the unit. */
+export function column(values, unit, digits = 0) {
+  const sizes = values.filter(Number.isFinite).map(Math.abs);
+  const largest = sizes.reduce((best, size) => Math.max(best, size), 0);
+  return columnUpTo(largest, values, unit, digits);
+}
+
+/** The same for values that belong to a column whose largest is known. */
+export function columnUpTo(largest, values, unit, digits = 0) {
+  const [factor, name] = scale(largest, unit);
+  const floor = Math.max(UNITS[unit] ? FLOORS[unit] || FLOORS[""] : 0, ROUND_OFF * largest);
+  const top = largest * factor, power = top > 0 ? Math.floor(Math.log10(top) + 1e-9) : 0;
+  const wanted = digits || DIGITS[unit] || DIGITS[""];
+  const least = values.reduce((best, value) => (Number.isFinite(value) && Math.abs(value) > floor ? Math.min(best, Math.abs(value)) : best), 1);
+  if (power < SHORT || power >= Math.log10(LONG) || (name === "" && least < 10 ** SHORT)) {
+    return [values.map((value) => number(Math.abs(value) < floor ? 0 : value * factor, digits || DIGITS[""])), name];
+  }
+  const share = unit === "%" && !digits;
+  let decimals = share ? 1 : Math.max(0, wanted - 1 - power);
+  const shown = values.filter((value) => Number.isFinite(value) && Math.abs(value) >= floor);
+  while (decimals && !share && shown.every((value) => fixed(value * factor, decimals).endsWith("0"))) decimals--;
+  const zero = `0${decimals ? POINT + DIGIT.repeat(decimals) : ""}`;
+  return [values.map((value) => (!Number.isFinite(value) ? number(value) : Math.abs(value) < floor || !value ? zero : fixed(value * factor, decimals))), name];
+}
+
+function fixed(value, decimals) {
+  const text = Math.abs(value).toFixed(decimals);
+  return value < 0 && /[1-9]/.test(text) ? `-${text}` : text;
+}
+
+/** A margin: two decimals, and no more than that it is large. */
+export function margin(value) {
+  if (!Number.isFinite(value)) return number(value);
+  return value > FAR ? `> ${FAR}` : fixed(value, 2);
+}
+
+/** The end of a scale for values up to a size: the next number whose quarters are round. */
+export function roundUp(size) {
+  if (!(Number.isFinite(size) && size > 0)) return 1;
+  const power = Math.floor(Math.log10(size));
+  return [...ENDS, 12].map((one) => Number(`${one}e${power}`)).find((one) => one >= size * (1 - 1e-9));
+}
+
+/** Round numbers between two, at most so many: multiples of 1, 2 or 5 times a power of ten. */
+export function ticks(low, high, most = 5) {
+  if (!(Number.isFinite(low) && Number.isFinite(high) && high > low)) return [low];
+  const power = Math.floor(Math.log10((high - low) / most));
+  for (let k = 0; k < 9; k++) {
+    const factor = [1, 2, 5][k % 3], shift = power + Math.floor(k / 3), step = Number(`${factor}e${shift}`);
+    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    if (last - first < most) return Array.from({ length: last - first + 1 }, (_, n) => Number(`${(first + n) * factor}e${shift}`));
+  }
+  return [low];
+}
+
 /** The largest of 1, 2, 5 times a power of ten that is not above a size. */
 export function niceStep(size) {
   const power = 10 ** Math.floor(Math.log10(size));
@@ -49,10 +104,15 @@ export function niceStep(size) {
 
 /** What a channel's value means, in words; margins are 1/utilisation - 1. */
 export function channelText(channel, value, short = false) {
-  if (Number.isNaN(value)) return short ? "-" : ["capacity", "margin"].includes(channel.scale) ? "not checked" : "not known";
+  if (Number.isNaN(value)) return short ? "-" : held(channel) ? "not checked" : "not known";
   if (channel.scale === "margin") {
     if (value <= 0) return short ? "∞" : "∞ (no compression)";
-    return number(1 / value - 1, 3);
+    return margin(1 / value - 1);
   }
   return quantity(value, channel.unit);
+}
+
+/** Whether a channel is held against a capacity. */
+export function held(channel) {
+  return channel.scale === "capacity" || channel.scale === "margin";
 }

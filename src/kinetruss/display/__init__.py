@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinetruss.display.html import POLICY, Markup, element, html_page, joined
-from kinetruss.display.numbers import instant, number, quantity, scale
+from kinetruss.display.numbers import aligned, instant, margin, number, quantity, round_up, scale, ticks
 from kinetruss.display.tables import Table
 from kinetruss.late import late
 
@@ -13,21 +13,31 @@ if TYPE_CHECKING:
     from kinetruss.display.palettes import (
         COLOURS,
         DIVERGING,
+        DRIVEN,
+        ELASTIC,
         KINDS,
+        LOAD,
         MISSING,
         OVER,
         SEQUENTIAL,
         SKINS,
+        THEMES,
         colours_of,
+        contrast,
         limits_of,
         rgb,
     )
 
 __all__ = [
-    "COLOURS", "DIVERGING", "KINDS", "MISSING", "OVER", "POLICY", "SEQUENTIAL", "SKINS", "Markup", "Table",
-    "colours_of", "element", "html_page", "instant", "joined", "limits_of", "number", "quantity", "rgb", "scale",
+    "COLOURS", "DIVERGING", "DRIVEN", "ELASTIC", "KINDS", "LOAD", "MISSING", "OVER", "POLICY", "SEQUENTIAL", "SKINS", "THEMES",
+    "Markup", "Table", "aligned", "colours_of", "contrast", "element", "html_page", "instant", "joined", "limits_of", "margin",
+    "number", "quantity", "rgb", "round_up", "scale", "ticks",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
-    __name__, {"palettes": "COLOURS DIVERGING KINDS MISSING OVER SEQUENTIAL SKINS colours_of limits_of rgb"}
+    __name__,
+    {
+        "palettes": "COLOURS DIVERGING DRIVEN ELASTIC KINDS LOAD MISSING OVER SEQUENTIAL SKINS THEMES colours_of contrast "
+        "limits_of rgb"
+    },
 )

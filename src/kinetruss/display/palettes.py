@@ -1,6 +1,8 @@
 """Colours of pages, pictures and films, defined in one place; colour-blind readers can distinguish them.
 
-Categories: Wong (2011), Nature Methods 8, 441. SEQUENTIAL: viridis (Smith and van der Walt, 2015).
+A colour has one meaning: green is driven, violet a load, blue compression, orange tension, red over capacity, grey not known.
+Categories: Wong (2011), Nature Methods 8, 441. SEQUENTIAL: viridis (Smith and van der Walt, 2015). Contrast: WCAG 2.2, 1.4.3
+and 1.4.11 (W3C, 2023): 4.5 for text, 3 for graphics.
 """
 
 from __future__ import annotations
@@ -10,10 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display.numbers import round_up
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["COLOURS", "DIVERGING", "KINDS", "MISSING", "OVER", "SEQUENTIAL", "SKINS", "colours_of", "limits_of", "rgb"]
+__all__ = [
+    "COLOURS", "DIVERGING", "DRIVEN", "ELASTIC", "KINDS", "LOAD", "MISSING", "OVER", "SEQUENTIAL", "SKINS", "THEMES",
+    "colours_of", "contrast", "limits_of", "rgb",
+]  # fmt: skip
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 """Colours of curves, in their order."""
@@ -21,21 +28,36 @@ DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "
 """Colour scale from compression to tension."""
 SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
 """Colour scale from zero to the largest value."""
-MISSING, OVER = "#8a8a8a", "#e5007d"
+DRIVEN, LOAD, ELASTIC = "#009e73", "#9429ff", "#c66b9d"
+"""Colours of what a drive moves, of loads, and of springs."""
+MISSING, OVER = "#8a8a8a", "#e3003a"
 """Colours for missing values, and for values above the capacity."""
 KINDS = {
-    "rigid": "#7f93a8",
-    "driven": "#009e73",
-    "active": "#009e73",
-    "elastic": "#cc79a7",
-    "beam": "#cc79a7",
+    "rigid": "#7a8ea3",
+    "driven": DRIVEN,
+    "active": DRIVEN,
+    "elastic": ELASTIC,
     "cable": "#d99a00",
-    "free": "#b0b7bf",
-    "frame": "#b0b7bf",
+    "free": "#8d98a4",
 }
 """Colours of bars without a value, by kind."""
 SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"}
 """Colours of faces without a value, by kind."""
+THEMES = {
+    "light": {
+        "back": "#f7f8fa", "card": "#ffffff", "ink": "#1d242b", "faint": "#5d6873", "line": "#d5dbe1", "accent": "#0b62a8",
+        "pressed": "#dcebf7", "halo": "#a86400", "alarm": "#c40032", "outline": "#3a444e", "node": "#5b6672",
+        "support": "#56606b", "grid": "#8a949e", "body": "#a9b6c3", "edge": "#2b333b",
+        "pen-1": "#0072b2", "pen-2": "#c24e00", "pen-3": "#00795a",
+    },
+    "dark": {
+        "back": "#14181d", "card": "#1d232a", "ink": "#e3e8ee", "faint": "#9aa6b2", "line": "#38424d", "accent": "#6db5f0",
+        "pressed": "#24405a", "halo": "#ffb000", "alarm": "#ff8095", "outline": "#c3ccd5", "node": "#aab4bf",
+        "support": "#97a3af", "grid": "#8a949e", "body": "#5d6a77", "edge": "#0b0e11",
+        "pen-1": "#56b4e9", "pen-2": "#f08b47", "pen-3": "#2fc796",
+    },
+}  # fmt: skip
+"""Colours of the page in light and dark; ``outline`` is the rim of members, which keeps pale and dark ones visible."""
 
 
 def rgb(colour: str) -> NDArray[np.float64]:
@@ -59,15 +81,23 @@ def colours_of(scale: str, values: NDArray[Any], limits: Sequence[float]) -> NDA
 
 
 def limits_of(scale: str, values: NDArray[Any]) -> tuple[float, float]:
-    """Ends of the colour scale for the given values."""
-    known = values[np.isfinite(values)]
-    low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
-    if scale == "diverging":
-        largest = max(abs(low), abs(high)) or 1.0
-        return -largest, largest
+    """Ends of the colour scale for the given values: round numbers; of utilisation always 0 and 1."""
     if scale in ("capacity", "margin"):
-        return (
-            0.0,
-            high if 0 < high <= 0.5 else 1.0,
-        )  # if utilisation is low everywhere, the scale shows differences instead of one colour
-    return 0.0, high or 1.0
+        return 0.0, 1.0
+    known = np.abs(values[np.isfinite(values)])
+    largest = round_up(float(known.max(initial=0.0)))
+    return (-largest, largest) if scale == "diverging" else (0.0, largest)
+
+
+def contrast(one: str, other: str) -> float:
+    """Contrast ratio of two colours, 1 to 21 (WCAG 2.2: relative luminance of sRGB).
+
+    >>> round(contrast("#ffffff", "#000000"), 1)
+    21.0
+    """
+    light = []
+    for colour in (one, other):
+        share = rgb(colour) / 255
+        linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+        light.append(float(linear @ [0.2126, 0.7152, 0.0722]))
+    return (max(light) + 0.05) / (min(light) + 0.05)

@@ -10,23 +10,14 @@ from kinetruss.display import numbers, palettes
 
 __all__ = ["script"]
 
-PALETTES = ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "KINDS", "SKINS")
+NUMBERS = ("UNITS", "FLOORS", "DIGITS", "LONG", "SHORT", "ROUND_OFF", "DIGIT", "POINT", "ENDS", "FAR")
+PALETTES = ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "LOAD", "ELASTIC", "KINDS", "SKINS", "THEMES")
 HEAD = "// Written from src/kinetruss/display by `make viewer`: change it there.\n"
 
 
 def script() -> str:
     """Text of ``viewer-src/src/display.js``: the tables of units and the colours."""
-    tables = {
-        "UNITS": numbers.UNITS,
-        "FLOORS": numbers.FLOORS,
-        "DIGITS": numbers.DIGITS,
-        "LONG": numbers.LONG,
-        "SHORT": numbers.SHORT,
-        **{
-            name: getattr(palettes, name)
-            for name in ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "KINDS", "SKINS")
-        },
-    }
+    tables = {name: getattr(numbers, name) for name in NUMBERS} | {name: getattr(palettes, name) for name in PALETTES}
     lines = [f"export const {name} = {json.dumps(table, ensure_ascii=False)};" for name, table in tables.items()]
     return HEAD + "\n".join(lines) + "\n"
 

@@ -8,15 +8,20 @@ from typing import Any
 from rich.cells import cell_len
 
 from kinetruss.display.html import Markup, element
+from kinetruss.display.numbers import DIGIT, POINT, aligned
 
 __all__ = ["Table"]
 
 SHORT = 14
 """Number of rows up to which a table is kept on one printed page."""
 
+PLAIN = str.maketrans({DIGIT: " ", POINT: " "})
+
 
 class Table:
     """Rows of cells below a head: text is left-aligned; columns of numbers, found from their cells, are right-aligned.
+
+    A column of quantities has one unit and one number of decimals (`aligned`).
 
     Parameters
     ----------
@@ -33,12 +38,13 @@ class Table:
 
     def __init__(self, head: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "", note: str = "") -> None:
         self.head, self.caption, self.note = tuple(head), caption, note
-        self.rows = [tuple(row) for row in rows]
+        found = [tuple(row) for row in rows]
+        self.rows = list(zip(*map(aligned, zip(*found, strict=True)), strict=True)) if found and any(self.head) else found
 
     @property
     def text(self) -> str:
         """The table as lines of text; wide characters count as two columns."""
-        lines = [[str(cell) for cell in row] for row in ((self.head, *self.rows) if any(self.head) else self.rows)]
+        lines = [[str(cell).translate(PLAIN) for cell in row] for row in ((self.head, *self.rows) if any(self.head) else self.rows)]
         widths = [max(map(cell_len, column)) for column in zip(*lines, strict=True)]
         right = self._numeric()
         found = [self.caption] if self.caption else []
@@ -76,4 +82,4 @@ class Table:
 
 def _is_numeric(cells: list[str]) -> bool:
     filled = [cell for cell in cells if cell not in ("", "-")]
-    return bool(filled) and all(cell[0].isdigit() or cell[0] in "+-.∞" for cell in filled)
+    return bool(filled) and all(cell[0].isdigit() or cell[0] in "+-.∞>" for cell in filled)
