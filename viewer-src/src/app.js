@@ -11,6 +11,8 @@ import { Names } from "./names.js";
 import { Table } from "./table.js";
 import { speedsOf, TimeBar, usualSpeed } from "./timebar.js";
 import { ToolBar } from "./toolbar.js";
+import { movingNodes } from "./traces.js";
+import { Verdict } from "./verdict.js";
 import { View } from "./view.js";
 
 const SWING = 0.08; // amplitude of a mode, of the size of the structure
@@ -20,7 +22,9 @@ export class App {
   constructor(root, scenes, labels = [], side = null) {
     Object.assign(this, { root, side, ended: new AbortController() });
     Object.assign(this, { index: 0, playing: false, speed: 1, channel: null, limits: [0, 1], picked: null, mode: -1, labels });
-    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: false };
+    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: false, paths: false };
+    this.paths = new Set(); // names of nodes whose path is shown by itself
+    this.touch = matchMedia("(hover: none)").matches;
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = this.theme;
     this.lead = scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best));
@@ -38,9 +42,15 @@ export class App {
     this.goTo(0);
   }
 
+  /** Words of a title with the key that does the same; on a touch screen there are no keys. */
+  hint(words, key) {
+    return this.touch ? words : `${words} (${key})`;
+  }
+
   layout(canvases) {
     const { views } = this;
     this.bar = new ToolBar(this);
+    this.verdict = new Verdict(this);
     this.time = new TimeBar(this);
     this.legend = new Legend(this);
     this.inspector = new Inspector(this);
@@ -52,7 +62,7 @@ export class App {
     this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
     this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node);
     this.help = helpPage(this);
-    this.root.replaceChildren(this.bar.node, el("main", {}, this.side, this.stage, this.panel), this.time.node, this.help);
+    this.root.replaceChildren(this.bar.node, this.verdict.node, el("main", {}, this.side, this.stage, this.panel), this.time.node, this.help);
   }
 
   wire() {
@@ -75,6 +85,7 @@ export class App {
   /** The numbers of the scenes changed in place: draw and tell them anew. */
   refresh() {
     for (const view of this.views) view.scene.renew();
+    this.verdict.update();
     const { channel } = this;
     if (channel) {
       const limits = limitsOf(channel.scale, this.views.map((view) => view.scene.range(channel.id)));
@@ -234,6 +245,7 @@ export class App {
       view.supports.mesh.visible = this.shown.supports;
       view.grid.visible = this.shown.grid;
       view.faces.mesh.visible = this.shown.faces;
+      view.showTraces(this.tracedIn(view));
       view.canvas.parentElement.classList.toggle("gridless", !this.shown.grid);
       view.request();
     }
@@ -304,11 +316,17 @@ export class App {
   }
 
   toggleTrace() {
-    if (this.picked?.type !== "node") return;
-    for (const view of this.views) {
-      const node = this.indexIn(view, this.picked);
-      if (node >= 0 && view.scene.frames > 1) view.toggleTrace(node);
-    }
+    if (this.picked?.type !== "node" || this.lead.frames < 2) return;
+    const { name } = this.picked;
+    if (!this.paths.delete(name)) this.paths.add(name);
+    this.apply();
+    this.inspector.update();
+  }
+
+  /** Nodes whose path a picture shows: the chosen ones, or all that move. */
+  tracedIn(view) {
+    if (this.shown.paths) view.moving ??= movingNodes(view.scene);
+    return new Set([...(this.shown.paths ? view.moving : []), ...[...this.paths].map((name) => view.scene.nodes.indexOf(name)).filter((node) => node >= 0)]);
   }
 
   find() {

@@ -1,16 +1,29 @@
 // Bars and nodes of one scene: where they are, what colour they have.
 
 import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
-import { KINDS } from "./display.js";
-import { cylinder, moved, placeAlong, placeSphere, spheres } from "./shapes.js";
+import { ELASTIC, KINDS } from "./display.js";
+import { axesOf } from "./mechanics.js";
+import { boxes, cylinder, moved, placeAlong, placeBox, placeSphere, spheres } from "./shapes.js";
+import { Rims, withHatch } from "./surface.js";
 
 const COLLAR = new Color(KINDS.driven);
-const BAND = new Color("#cc79a7");
+const BAND = new Color(ELASTIC);
 
 /** How thick each member is drawn, m: its section, but never too thin to be seen. */
 export function radiiOf(scene) {
   const least = 0.011 * scene.length0, most = 0.05 * scene.length0;
   return Float32Array.from(scene.arrays.radius.data, (r) => Math.min(most, Math.max(least, r || 0)));
+}
+
+/** Half height and width of each member drawn as a rectangle, m, as much enlarged as its radius; null for round ones. */
+function boxesOf(scene, radius) {
+  const sizes = scene.arrays.box?.data;
+  return scene.members.map((_, member) => {
+    const half = sizes ? [sizes[2 * member], sizes[2 * member + 1]] : [NaN];
+    if (!half.every((x) => x > 0) || scene.active.has(member)) return null;
+    const factor = radius[member] / Math.max(...half);
+    return half.map((x) => Math.max(factor * x, 0.2 * radius[member]));
+  });
 }
 
 /** Instances of bars, of the collars and bands that tell kinds apart, and of nodes. */
@@ -21,33 +34,57 @@ export class Bars {
     const large = scene.members.length > 800;
     this.pieces = scene.members.flatMap((_, member) =>
       scene.active.has(member) ? [[member, "base"], [member, "tube"], [member, "screw"]] : [[member, scene.header.kinds[member]]]);
+    this.box = boxesOf(scene, this.radius);
+    const flat = this.pieces.filter(([member]) => this.box[member]), round = this.pieces.filter(([member]) => !this.box[member]);
+    this.pieces = [...round, ...flat]; // rods first, then boxes
+    this.round = round.length;
     this.firstPiece = [];
     this.pieces.forEach(([member], k) => (this.firstPiece[member] ??= k));
     this.marks = scene.members.flatMap((_, member) => marksOf(scene, member));
-    this.rods = cylinder(this.pieces.length, large ? 6 : 14);
+    this.rods = withHatch(cylinder(round.length, large ? 6 : 14));
+    this.boxes = withHatch(boxes(flat.length));
     this.collars = cylinder(this.marks.length, large ? 6 : 18);
     this.balls = spheres(scene.nodes.length, large ? 1 : 3, "#ffffff");
     this.small = smallNodes(scene);
     this.lines = axisLines(scene.members.length);
     this.ball = 1.55 * this.radius.reduce((least, r) => Math.min(least, r), 0.02 * scene.length0);
     const white = new Color("#ffffff");
-    for (let k = 0; k < this.pieces.length; k++) this.rods.setColorAt(k, white);
+    this.pieces.forEach((_, k) => this.at(k).mesh.setColorAt(this.at(k).index, white));
     this.marks.forEach((mark, k) => this.collars.setColorAt(k, mark.colour));
     this.paintNodes("#5b6672");
+    this.rims = new Rims([this.rods, this.boxes, this.collars, this.balls]);
   }
 
   objects() {
-    return [this.rods, this.collars, this.balls, this.lines];
+    return [this.rods, this.boxes, this.collars, this.balls, this.lines, ...this.rims.meshes];
   }
 
-  /** Move everything to positions (n, 3 as arrays). */
-  place(points) {
+  /** The mesh of a piece and its place in it. */
+  at(k) {
+    return k < this.round ? { mesh: this.rods, index: k } : { mesh: this.boxes, index: k - this.round };
+  }
+
+  /** Colours of nodes, rims and hatching. */
+  setTheme({ node, outline, back }) {
+    this.paintNodes(node);
+    this.rims.setColour(outline);
+    for (const { material } of [this.rods, this.boxes]) material.userData.stripe.value.set(back);
+  }
+
+  resize(width, height, ratio) {
+    this.rims.resize(width, height);
+    for (const { material } of [this.rods, this.boxes]) material.userData.ratio.value = ratio;
+  }
+
+  /** Move everything to positions (n, 3 as arrays) at a frame. */
+  place(points, frame) {
     const { scene, radius } = this;
     const rods = scene.arrays.rods.data;
     this.pieces.forEach(([member, role], k) => {
       const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
-      const r = scene.shows(member) ? radius[member] : 0;
-      if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
+      const r = radius[member];
+      if (k >= this.round) placeBox(this.boxes, k - this.round, p, q, axesOf(scene, frame, member).axes[1], this.box[member]);
+      else if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
       else if (role === "tube") placeAlong(this.rods, k, along(q, p, Math.min(rods[6 * member + 4], distance(p, q))), q, 1.5 * r);
       else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" || role === "cable" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);
     });
@@ -63,19 +100,29 @@ export class Bars {
     // a bar of a frame is a line without length
     scene.ends.forEach((node, k) => line.array.set(points[scene.shows(k >> 1) ? node : scene.ends[k & ~1]], 3 * k));
     line.needsUpdate = true;
-    [this.rods, this.collars, this.balls].forEach(moved);
+    [this.rods, this.boxes, this.collars, this.balls].forEach(moved);
   }
 
-  /** Colours of all members; `of(member)` gives an sRGB triple 0..255. */
-  paint(of) {
+  /** Colours of all members; `of(member)` gives an sRGB triple 0..255, `hatched(member)` whether it is striped. */
+  paint(of, hatched) {
     const colour = new Color(), line = this.lines.geometry.attributes.color;
     this.pieces.forEach(([member], k) => {
-      const [r, g, b] = of(member);
-      this.rods.setColorAt(k, colour.setRGB(r / 255, g / 255, b / 255, "srgb"));
+      const [r, g, b] = of(member), { mesh, index } = this.at(k);
+      mesh.setColorAt(index, colour.setRGB(r / 255, g / 255, b / 255, "srgb"));
+      mesh.geometry.attributes.hatch.array[index] = hatched(member) ? 1 : 0;
       for (const end of [0, 1]) colour.toArray(line.array, 6 * member + 3 * end);
     });
     line.needsUpdate = true;
-    if (this.rods.instanceColor) this.rods.instanceColor.needsUpdate = true;
+    for (const mesh of [this.rods, this.boxes]) {
+      mesh.geometry.attributes.hatch.needsUpdate = true;
+      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+    }
+  }
+
+  /** Whether a member is striped now. */
+  hatchOf(member) {
+    const { mesh, index } = this.at(this.firstPiece[member]);
+    return mesh.geometry.attributes.hatch.array[index] === 1;
   }
 
   paintNodes(hex) {
@@ -86,8 +133,8 @@ export class Bars {
 
   /** The sRGB colour a member has now, 0..255. */
   colourOf(member) {
-    const colour = new Color();
-    this.rods.getColorAt(this.firstPiece[member], colour);
+    const colour = new Color(), { mesh, index } = this.at(this.firstPiece[member]);
+    mesh.getColorAt(index, colour);
     const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, "srgb");
     return [r, g, b].map((value) => Math.round(255 * value));
   }

@@ -55,7 +55,7 @@ export class Changes {
       fields.forEach((field, k) => (field.value = k === axis ? sign * size : 0));
       send();
     };
-    const down = fields.flatMap((_, axis) => [1, -1].map((sign) => el("button", { type: "button", title: `gravity along ${sign < 0 ? "−" : "+"}${"xyz"[axis]}`, onclick: () => turn(axis, sign) }, `${sign < 0 ? "−" : "+"}${"xyz"[axis]}`)));
+    const down = fields.flatMap((_, axis) => [1, -1].map((sign) => el("button", { type: "button", title: `gravity along ${sign < 0 ? "-" : "+"}${"xyz"[axis]}`, onclick: () => turn(axis, sign) }, `${sign < 0 ? "-" : "+"}${"xyz"[axis]}`)));
     fields.forEach((field) => field.addEventListener("change", send));
     return el("fieldset", {}, el("legend", {}, "Gravity (m/s²)"), el("div", { class: "row" }, fields), el("div", { class: "row" }, down));
   }

@@ -47,8 +47,8 @@ export function column(values, unit, digits = 0) {
   return columnUpTo(largest, values, unit, digits);
 }
 
-/** The same for values that belong to a column whose largest is known. */
-export function columnUpTo(largest, values, unit, digits = 0) {
+/** The same for values of a column whose largest is known; `steady`: with zeros at the end, so that decimals do not come and go. */
+export function columnUpTo(largest, values, unit, digits = 0, steady = false) {
   const [factor, name] = scale(largest, unit);
   const floor = Math.max(UNITS[unit] ? FLOORS[unit] || FLOORS[""] : 0, ROUND_OFF * largest);
   const top = largest * factor, power = top > 0 ? Math.floor(Math.log10(top) + 1e-9) : 0;
@@ -60,7 +60,7 @@ export function columnUpTo(largest, values, unit, digits = 0) {
   const share = unit === "%" && !digits;
   let decimals = share ? 1 : Math.max(0, wanted - 1 - power);
   const shown = values.filter((value) => Number.isFinite(value) && Math.abs(value) >= floor);
-  while (decimals && !share && shown.every((value) => fixed(value * factor, decimals).endsWith("0"))) decimals--;
+  while (decimals && !share && !steady && shown.every((value) => fixed(value * factor, decimals).endsWith("0"))) decimals--;
   const zero = `0${decimals ? POINT + DIGIT.repeat(decimals) : ""}`;
   return [values.map((value) => (!Number.isFinite(value) ? number(value) : Math.abs(value) < floor || !value ? zero : fixed(value * factor, decimals))), name];
 }

@@ -1,6 +1,6 @@
 // The picked member or node: name, values now, history, free body, diagrams along it.
 
-import { el, fill } from "./dom.js";
+import { el, fill, press, toggle } from "./dom.js";
 import { channelText, number, quantity, scale } from "./format.js";
 import { freeBodyPicture, freeBodyTable } from "./freebody.js";
 import { drivesAt, drivesOf, freeBodyOf, sectionAt, sectionsOf } from "./mechanics.js";
@@ -20,8 +20,10 @@ export class Inspector {
     const { picked } = this.app;
     this.updates = [];
     if (!picked) {
-      const some = this.app.views.some(({ scene }) => scene.members.length), keys = (some ? ["N", "P"] : ["Shift N", "Shift P"]).map((one) => el("kbd", {}, one));
-      fill(this.node, el("p", { class: "faint" }, some ? "Pick a member or node in the picture or the table" : "Pick a node in the picture", "; or step through them with ", keys[0], " and ", keys[1], "."), some ? null : this.overview());
+      const some = this.app.views.some(({ scene }) => scene.members.length);
+      const keys = (some ? ["N", "P"] : ["Shift N", "Shift P"]).map((one) => el("kbd", {}, one));
+      const what = `${this.app.touch ? "Tap" : "Pick"} ${some ? "a member or node in the picture or the table" : "a node in the picture"}`;
+      fill(this.node, el("p", { class: "faint" }, what, this.app.touch ? "." : ["; or step through them with ", keys[0], " and ", keys[1], "."]), some ? null : this.overview());
       return;
     }
     fill(this.node, el("div", { class: "views" }, this.app.views.map((view, k) => this.column(view, k, picked))));
@@ -144,7 +146,9 @@ export class Inspector {
     const title = el("h2", {}, scene.nodes[node], el("small", {}, " node"));
     const members = scene.members.flatMap((name, k) => (scene.ends[2 * k] === node || scene.ends[2 * k + 1] === node ? [k] : []));
     const joined = el("p", {}, "joins ", members.slice(0, 24).flatMap((k) => [el("button", { class: "link", type: "button", onclick: () => this.app.pick({ type: "member", name: scene.members[k] }) }, scene.members[k]), " "]));
-    const traced = el("button", { type: "button", class: "trace", onclick: () => this.app.toggleTrace() }, "Path (T)");
+    const traced = toggle(this.app.hint("Path", "T"), "Path of this node along the run", false, () => this.app.toggleTrace());
+    traced.classList.add("trace");
+    this.updates.push(() => press(traced, this.app.paths.has(scene.nodes[node])));
     const found = [title, joined, this.values(() => nodeValues(scene, view.frame, node))];
     if (scene.frames > 1) found.push(traced, this.nodeHistory(view, node));
     return found;

@@ -10,7 +10,7 @@ export const KEYS = [
     ["Home", "to the start", (app) => app.goTo(0)],
     ["End", "to the end", (app) => app.goTo(app.lead.frames - 1)],
     ["+", "faster", (app) => app.faster(1)],
-    ["-", "slower", (app) => app.faster(-1), "−"],
+    ["-", "slower", (app) => app.faster(-1)],
     ["x", "to the worst sample of what colours", (app) => app.toWorst()],
   ]],
   ["What is shown", [
@@ -18,6 +18,7 @@ export const KEYS = [
     ["e", "next load case", (app) => app.nextCase()],
     ["m", "next mode or mechanism", (app) => app.nextMode()],
     ["g", "start pose as a ghost", (app) => app.toggle("ghost")],
+    ["y", "paths of all nodes that move", (app) => app.toggle("paths")],
     ["l", "loads", (app) => app.toggle("loads")],
     ["b", "supports", (app) => app.toggle("supports")],
     ["r", "faces of rigid bars", (app) => app.toggle("faces")],
@@ -83,13 +84,15 @@ export function listen(app, target, signal) {
 
 export function helpPage(app) {
   const lists = KEYS.map(([title, rows]) => el("div", {}, el("h3", {}, title), el("dl", {}, rows.map(([name, words, , shown]) => [el("dt", {}, el("kbd", {}, shown || name.toUpperCase())), el("dd", {}, words)]).flat())));
-  const close = el("button", { type: "button", onclick: () => app.toggleHelp() }, "Close (Esc)");
-  const marks = "Bars thinner than a hundredth of the usual length are drawn thicker, to be seen. Green: what moves by itself (collars at the screw, rings at motors). Dark cones: supports. Purple arrows: loads. Drag to turn, right-drag to shift, wheel to approach, click to pick.";
+  const close = el("button", { type: "button", onclick: () => app.toggleHelp() }, app.hint("Close", "Esc"));
+  const hands = app.touch ? "Drag to turn, two fingers to shift and approach, tap to pick." : "Drag to turn, right-drag to shift, wheel to approach, click to pick.";
+  const marks = `Bars thinner than a hundredth of the usual length are drawn thicker, to be seen. Green: what moves by itself (collars at the screw, rings at motors). Dark cones: supports. Violet arrows: loads. Striped: not checked, or a force that is not unique. ${hands}`;
   // the button is the only thing in it that takes the focus: it keeps it until the page is closed
   const kept = (event) => {
     if (event.key !== "Tab") return;
     event.preventDefault();
     close.focus();
   };
-  return el("div", { class: "help", role: "dialog", "aria-modal": "true", "aria-label": "keys", hidden: true, onkeydown: kept }, el("div", { class: "sheet" }, el("h2", {}, "Keys"), el("div", { class: "columns" }, lists), el("p", {}, marks), close));
+  return el("div", { class: "help", role: "dialog", "aria-modal": "true", "aria-label": app.touch ? "help" : "keys", hidden: true, onkeydown: kept },
+    el("div", { class: "sheet" }, app.touch ? el("h2", {}, "Help") : [el("h2", {}, "Keys"), el("div", { class: "columns" }, lists)], el("p", {}, marks), close));
 }

@@ -5,7 +5,7 @@ import { Controls } from "./controls.js";
 import { readScene } from "./scene.js";
 
 const REST = 150; // ms after the last answer at which what takes longer is asked for
-const MANY = 60; // members above which that is needed
+const MANY = 40; // members above which that is needed
 
 /** Connects the page to whoever serves it. */
 export function startLive(root) {
@@ -115,7 +115,7 @@ export class Live {
   async stage(header, body) {
     const scene = await readScene(body);
     const running = header.kind === "run";
-    if (!running) scene.header.kind = "live";
+    if (!running) Object.assign(scene.header, { kind: "live", verdict: header.state.verdict });
     const before = this.app;
     before?.end();
     const app = new App(this.root, [scene], [], this.controls.node);
@@ -149,7 +149,10 @@ export class Live {
       if (array && array.data.length === count) array.data.set(new Float32Array(body.buffer, at, count));
       at += 4 * count;
     }
-    if (!this.running) this.app.refresh();
+    if (!this.running) {
+      this.scene.header.verdict = header.state.verdict;
+      this.app.refresh();
+    }
     this.controls.update(header.state);
   }
 

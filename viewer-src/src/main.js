@@ -4,12 +4,13 @@ import { App } from "./app.js";
 import { startLive } from "./live.js";
 import { fromBase64, readScene } from "./scene.js";
 import style from "./style.css";
+import { themeRules } from "./theme.js";
 
 async function start() {
   const root = document.getElementById("kinetruss");
   if (!root) return;
   const sheet = document.createElement("style");
-  sheet.textContent = style;
+  sheet.textContent = `${themeRules()}\n${style}`;
   document.head.append(sheet);
   if (root.dataset.live) return startLive(root);
   const sources = [...document.querySelectorAll("script.kinetruss-scene")];

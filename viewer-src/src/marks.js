@@ -1,15 +1,15 @@
-// Supports, loads, drives, bodies, the ground grid, ghosts and traces of one scene.
+// Supports, loads, drives, centres of mass, the ground grid and the ghost of one scene.
 
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, Line, LineBasicMaterial, LineSegments, Mesh,
+  BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Quaternion, Vector3,
 } from "three";
-import { COLOURS, KINDS } from "./display.js";
+import { KINDS, LOAD } from "./display.js";
 import { niceStep } from "./format.js";
 import { edgesOf } from "./skins.js";
 import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
-const SUPPORT = "#56606b", LOAD = "#b2005e", DRIVE = KINDS.driven, BODY = "#3f4a55", TRACE = COLOURS[0];
+const DRIVE = KINDS.driven, BODY = "#3f4a55";
 const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
@@ -26,7 +26,11 @@ export class Supports {
       towards[upright] = scene.position(0, node)[upright] > scene.extent.centre[upright] + 1e-9 ? -1 : 1;
       return [{ node, towards }];
     });
-    this.mesh = cones(this.cones.length, 4, SUPPORT);
+    this.mesh = cones(this.cones.length, 4, "#ffffff");
+  }
+
+  setTheme({ support }) {
+    this.mesh.material.color.set(support);
   }
 
   place(points) {
@@ -96,7 +100,7 @@ function placeRing(mark, at, about = [0, 0, 1]) {
   mark.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...about).normalize());
 }
 
-/** Faces that move as one: planar bodies (a bar and its centre of mass), or all triangles of rigid bars. */
+/** Triangles of rigid bars, which move as one. */
 export class Faces {
   constructor(scene, triangles, opacity) {
     this.scene = scene;
@@ -111,8 +115,7 @@ export class Faces {
   place(points) {
     const { array } = this.mesh.geometry.attributes.position;
     this.triangles.forEach((corners, k) => {
-      const three = Array.isArray(corners) ? corners.map((node) => points[node]) : bodyAt(this.scene, corners, points);
-      three.forEach((point, i) => array.set(point, 9 * k + 3 * i));
+      corners.forEach((node, i) => array.set(points[node], 9 * k + 3 * i));
     });
     this.mesh.geometry.attributes.position.needsUpdate = true;
     this.mesh.geometry.computeVertexNormals();
@@ -120,7 +123,7 @@ export class Faces {
 }
 
 /** Ends of the bar of a planar body, and its centre of mass. */
-function bodyAt(scene, { member, center }, points) {
+export function bodyAt(scene, { member, center }, points) {
   const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
   const L = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, u = [(q[0] - p[0]) / L, (q[1] - p[1]) / L];
   return [p, q, [p[0] + center[0] * u[0] - center[1] * u[1], p[1] + center[0] * u[1] + center[1] * u[0], 0]];
@@ -166,15 +169,7 @@ export function ghost(scene) {
   return lines;
 }
 
-/** The path of a node over all frames. */
-export function trace(scene, node) {
-  const points = Array.from({ length: scene.frames }, (_, frame) => scene.position(frame, node)).flat();
-  const line = new Line(linesOf(points), new LineBasicMaterial({ color: TRACE }));
-  line.frustumCulled = false;
-  return line;
-}
-
-function linesOf(points) {
+export function linesOf(points) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
   return geometry;

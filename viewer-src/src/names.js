@@ -1,8 +1,11 @@
-// Names of nodes and members over the picture.
+// Names of nodes and members over the picture: each where it covers no other, or not at all.
 
 import { el, fill } from "./dom.js";
 
 const MOST = 400;
+const CELL = 48, GAP = 5; // CSS pixels
+const AROUND = [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]];
+const ALONG = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 
 export class Names {
   constructor(view) {
@@ -15,18 +18,82 @@ export class Names {
     this.node.hidden = !shown || this.view.scene.members.length > MOST;
     if (this.node.hidden) return;
     const { scene, now } = this.view;
-    if (!this.tags) {
-      this.tags = [...scene.nodes.map((name, k) => el("span", { class: "of-node", hidden: scene.directors.has(k) }, name)),
-        ...scene.members.map((name, k) => el("span", { hidden: !scene.shows(k) }, name))];
-      fill(this.node, this.tags);
+    this.tags ??= this.made();
+    const points = now.map((point) => this.view.project(point));
+    const taken = new Taken(), offset = this.node.getBoundingClientRect();
+    for (const one of this.node.closest(".stage")?.querySelectorAll(".legend") || []) taken.add(around(one, offset));
+    for (const { tag, type, index } of this.order()) {
+      const places = type === "node" ? besides(points[index], tag) : along(points[scene.ends[2 * index]], points[scene.ends[2 * index + 1]], tag);
+      // where it was before comes first, so that names do not jump
+      const k = [tag.place ?? 0, ...places.keys()].find((one) => one < places.length && taken.free(places[one]));
+      tag.node.style.visibility = k === undefined ? "hidden" : "visible";
+      if (k === undefined) continue;
+      tag.place = k;
+      taken.add(places[k]);
+      tag.node.style.transform = `translate(${places[k][0].toFixed(1)}px, ${places[k][1].toFixed(1)}px)`;
     }
-    const middles = scene.members.map((_, k) => {
-      const [p, q] = [now[scene.ends[2 * k]], now[scene.ends[2 * k + 1]]];
-      return p.map((x, i) => (x + q[i]) / 2);
-    });
-    [...now, ...middles].forEach((point, k) => {
-      const [x, y] = this.view.project(point);
-      this.tags[k].style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-    });
+  }
+
+  made() {
+    const { scene } = this.view;
+    const nodes = [...scene.nodes.map((name) => el("span", { class: "of-node" }, name)), ...scene.members.map((name) => el("span", {}, name))];
+    fill(this.node, nodes);
+    return nodes.map((node) => ({ node, width: node.offsetWidth, height: node.offsetHeight }));
+  }
+
+  /** What is picked first, then nodes, then members. */
+  order() {
+    const { scene, picked } = this.view, count = scene.nodes.length;
+    const found = this.tags.map((tag, k) => (k < count ? { tag, type: "node", index: k } : { tag, type: "member", index: k - count }));
+    const first = picked ? found.splice((picked.type === "node" ? 0 : count) + picked.index, 1) : [];
+    return [...first, ...found];
+  }
+}
+
+/** Boxes [left, top, right, bottom] beside a point. */
+function besides([x, y], { width, height }) {
+  return AROUND.map(([right, down]) => boxAt(x + right * (width / 2 + GAP), y + down * (height / 2 + GAP - 1), width, height));
+}
+
+/** Boxes on both sides of a line, from its middle outwards. */
+function along(p, q, { width, height }) {
+  const [dx, dy] = [q[0] - p[0], q[1] - p[1]], size = Math.hypot(dx, dy) || 1, normal = [dy / size, -dx / size];
+  const apart = (Math.abs(normal[0]) * width + Math.abs(normal[1]) * height) / 2 + GAP - 1;
+  return ALONG.flatMap((f) => [1, -1].map((side) => boxAt(p[0] + f * dx + side * apart * normal[0], p[1] + f * dy + side * apart * normal[1], width, height)));
+}
+
+function boxAt(x, y, width, height) {
+  return [x - width / 2, y - height / 2, x + width / 2, y + height / 2];
+}
+
+function around(node, offset) {
+  const box = node.getBoundingClientRect();
+  return [box.left - offset.left, box.top - offset.top, box.right - offset.left, box.bottom - offset.top];
+}
+
+/** What is covered, by squares of the picture. */
+class Taken {
+  constructor() {
+    this.cells = new Map();
+  }
+
+  /** Squares that a box touches. */
+  squares([left, top, right, bottom]) {
+    const found = [];
+    for (let i = Math.floor(left / CELL); i <= Math.floor(right / CELL); i++) {
+      for (let j = Math.floor(top / CELL); j <= Math.floor(bottom / CELL); j++) found.push(1e5 * i + j);
+    }
+    return found;
+  }
+
+  free(box) {
+    return this.squares(box).every((key) => (this.cells.get(key) || []).every((one) => one[2] <= box[0] || one[0] >= box[2] || one[3] <= box[1] || one[1] >= box[3]));
+  }
+
+  add(box) {
+    for (const key of this.squares(box)) {
+      if (this.cells.has(key)) this.cells.get(key).push(box);
+      else this.cells.set(key, [box]);
+    }
   }
 }

@@ -1,11 +1,10 @@
 // Small plots on a canvas: curves over time, diagrams along a member.
 
-import { COLOURS } from "./display.js";
-import { number, scale } from "./format.js";
+import { OVER, THEMES } from "./display.js";
+import { number, scale, ticks } from "./format.js";
 
 const PAD = { left: 52, right: 10, top: 18, bottom: 18 };
-export const PENS = COLOURS.slice(0, 3);
-const DARK_PENS = ["#56b4e9", "#f08b47", "#2fc796"];
+const PENS = Object.fromEntries(Object.entries(THEMES).map(([theme, colours]) => [theme, [1, 2, 3].map((k) => colours[`pen-${k}`])]));
 
 /**
  * Draw curves {x, y, label, dashed} into a canvas.
@@ -20,14 +19,14 @@ export function plot(canvas, curves, options = {}) {
   pen.scale(ratio, ratio);
   const style = getComputedStyle(canvas);
   const ink = style.color, faint = style.getPropertyValue("--line").trim() || "#ccc";
-  const dark = style.getPropertyValue("--dark").trim() === "1";
+  const theme = style.getPropertyValue("--dark").trim() === "1" ? "dark" : "light";
   const frame = frameOf(curves, options, width, height);
   pen.font = "11px system-ui, sans-serif";
   axes(pen, frame, options, ink, faint);
-  curves.forEach((curve, k) => line(pen, frame, curve, (dark ? DARK_PENS : PENS)[k % PENS.length], options.fill));
-  if (Number.isFinite(options.limit)) level(pen, frame, options.limit, dark ? "#ff8f8f" : "#b22222");
+  curves.forEach((curve, k) => line(pen, frame, curve, PENS[theme][k % 3], options.fill));
+  if (Number.isFinite(options.limit)) level(pen, frame, options.limit, theme === "dark" ? THEMES.dark.alarm : OVER);
   if (options.cursor !== undefined) upright(pen, frame, options.cursor, ink);
-  legend(pen, frame, curves, dark ? DARK_PENS : PENS, ink);
+  legend(pen, frame, curves, PENS[theme], ink);
 }
 
 function frameOf(curves, options, width, height) {
@@ -62,20 +61,24 @@ function axes(pen, frame, options, ink, faint) {
   const [left, right] = [PAD.left, frame.width - PAD.right];
   pen.textAlign = "right";
   pen.textBaseline = "middle";
-  const ticks = [frame.y0, frame.y1].filter((y) => Math.abs(y) > 0.15 * (frame.y1 - frame.y0)).concat(0);
-  for (const y of ticks) {
-    const at = Math.round(frame.y(y)) + 0.5;
+  const { factor } = frame;
+  for (const y of ticks(frame.y0 * factor, frame.y1 * factor, 4)) {
+    const at = Math.round(frame.y(y / factor)) + 0.5;
     pen.beginPath();
     pen.moveTo(left, at);
     pen.lineTo(right, at);
     pen.stroke();
-    pen.fillText(number(y * frame.factor, 3), left - 5, at);
+    pen.fillText(number(y), left - 5, at);
   }
   pen.textBaseline = "alphabetic";
-  pen.textAlign = "left";
-  pen.fillText(number(frame.x0, 3), left, frame.height - 4);
+  pen.textAlign = "center";
+  const words = ` ${options.xUnit || "s"}`, room = pen.measureText(words).width;
+  for (const x of ticks(frame.x0, frame.x1, 5)) {
+    const text = number(x), half = pen.measureText(text).width / 2, at = Math.min(Math.max(frame.x(x), left + half), right - half);
+    if (at + half < right - room || x === 0) pen.fillText(text, at, frame.height - 4);
+  }
   pen.textAlign = "right";
-  pen.fillText(`${number(frame.x1, 3)} ${options.xUnit || "s"}`, right, frame.height - 4);
+  pen.fillText(words, right, frame.height - 4);
   pen.textAlign = "left";
   pen.fillText(`${options.title || ""}${frame.unit ? ` (${frame.unit})` : ""}`, left, 11);
 }

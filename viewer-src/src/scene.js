@@ -138,6 +138,11 @@ export class Scene {
     return true;
   }
 
+  /** Whether some rule of some member was not checked at all: a value is missing. */
+  get unchecked() {
+    return ["utilisation", "buckling"].some((name) => this.has(name) && this.arrays[name].data.some(Number.isNaN));
+  }
+
   has(name) {
     return name in this.arrays;
   }

@@ -1,7 +1,7 @@
 // Instanced bars, nodes and marks. Matrices are written straight into the buffers: thousands of bars a frame.
 
 import {
-  ConeGeometry, CylinderGeometry, DynamicDrawUsage, Group, IcosahedronGeometry, InstancedMesh, Mesh, MeshLambertMaterial,
+  BoxGeometry, ConeGeometry, CylinderGeometry, DynamicDrawUsage, Group, IcosahedronGeometry, InstancedMesh, Mesh, MeshLambertMaterial,
   TorusGeometry, Vector3, Quaternion,
 } from "three";
 
@@ -18,6 +18,10 @@ export function instances(geometry, count, colour = "#ffffff") {
 
 export function cylinder(count, sides) {
   return instances(new CylinderGeometry(1, 1, 1, sides, 1, false), count);
+}
+
+export function boxes(count) {
+  return instances(new BoxGeometry(2, 1, 2), count);
 }
 
 export function spheres(count, detail, colour) {
@@ -43,6 +47,25 @@ export function placeAlong(mesh, k, p, q, r) {
   m[at + 4] = x; m[at + 5] = y; m[at + 6] = z; m[at + 7] = 0;
   m[at + 8] = ay * uz - az * uy; m[at + 9] = az * ux - ax * uz; m[at + 10] = ax * uy - ay * ux; m[at + 11] = 0;
   m[at + 12] = (p[0] + q[0]) / 2; m[at + 13] = (p[1] + q[1]) / 2; m[at + 14] = (p[2] + q[2]) / 2; m[at + 15] = 1;
+}
+
+/** Put instance k of boxes along its y axis from p to q, half as high along axis 2 and as wide along axis 3 as given. */
+export function placeBox(mesh, k, p, q, axis2, [high, wide]) {
+  const m = mesh.instanceMatrix.array, at = 16 * k;
+  const d = [q[0] - p[0], q[1] - p[1], q[2] - p[2]], l = Math.hypot(...d) || 1e-12, u = d.map((x) => x / l);
+  const along = u[0] * axis2[0] + u[1] * axis2[1] + u[2] * axis2[2];
+  let two = axis2.map((x, i) => x - along * u[i]); // normal to the bar also where a mode moves its ends
+  const size = Math.hypot(...two) || 1;
+  two = two.map((x) => x / size);
+  const three = [two[1] * u[2] - two[2] * u[1], two[2] * u[0] - two[0] * u[2], two[0] * u[1] - two[1] * u[0]];
+  for (let i = 0; i < 3; i++) {
+    m[at + i] = high * two[i];
+    m[at + 4 + i] = d[i];
+    m[at + 8 + i] = wide * three[i];
+    m[at + 12 + i] = (p[i] + q[i]) / 2;
+  }
+  m[at + 3] = m[at + 7] = m[at + 11] = 0;
+  m[at + 15] = 1;
 }
 
 export function placeSphere(mesh, k, p, r) {

@@ -2,9 +2,8 @@
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial } from "three";
 import { colourOf } from "./colour.js";
-import { MISSING, SKINS } from "./display.js";
+import { MISSING, SKINS, THEMES } from "./display.js";
 
-const EDGES = { light: "#2b333b", dark: "#0b0e11" };
 const MOST = 30000; // edges beyond which none are drawn
 
 const parse = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
@@ -30,7 +29,7 @@ export class Skins {
   }
 
   setTheme(theme) {
-    this.lines.material.color.set(EDGES[theme]);
+    this.lines.material.color.set(THEMES[theme].edge);
   }
 
   place(points) {

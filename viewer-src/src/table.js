@@ -1,7 +1,7 @@
 // The numbers beside the picture: every member with its values now.
 
 import { el, fill } from "./dom.js";
-import { channelText } from "./format.js";
+import { channelText, columnUpTo, held } from "./format.js";
 
 const MOST = 150;
 
@@ -23,13 +23,23 @@ export class Table {
     if (!own.length) own.push({ id: "length", label: "Length", unit: "m" });
     // of two runs only what colours, so that both are on the screen
     const chosen = views.length > 1 ? own.filter((one) => one.id === this.app.channel?.id).concat(own).slice(0, 1) : own;
+    const mixed = views.some((view) => view.scene.header.channels.some((one) => one.over_run));
     return chosen.flatMap((channel) => views.flatMap((view, k) => {
       const here = view.scene.channel(channel.id);
       if (channel.id !== "length" && !here) return [];
-      const words = here?.over_run ? `${channel.label} (worst of the run)` : channel.label;
-      const label = views.length > 1 ? `${words}, ${this.app.labels[k]}` : words;
-      return [{ id: `${channel.id}:${k}`, label, channel, view }];
+      const unit = columnUpTo(this.largest(channel), [], channel.unit)[1];
+      const label = views.length > 1 ? `${channel.label}, ${this.app.labels[k]}` : channel.label;
+      return [{ id: `${channel.id}:${k}`, label, unit, when: !mixed ? "" : here?.over_run ? "worst of run" : "now", channel, view }];
     }));
+  }
+
+  /** The largest value of a channel over all pictures, which decides unit and decimals: they stay while the run plays. */
+  largest(channel) {
+    if (channel.id === "length") {
+      return this.app.views.reduce((best, { scene }) => scene.members.reduce((most, _, k) => Math.max(most, scene.length(0, k)), best), 0);
+    }
+    const ranges = this.app.views.filter(({ scene }) => scene.channel(channel.id)).flatMap(({ scene }) => scene.range(channel.id));
+    return Math.max(...ranges.map(Math.abs));
   }
 
   /** Columns and rows anew. */
@@ -37,8 +47,9 @@ export class Table {
     const columns = this.columns();
     const heading = (id, label) => el("th", { scope: "col", "aria-sort": this.order.id === id ? (this.order.down ? "descending" : "ascending") : "none" },
       el("button", { type: "button", class: "link", onclick: () => this.sort(id) }, label));
-    fill(this.head, el("tr", {}, heading("name", "member"), columns.map((one) => heading(one.id, one.label))));
-    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members.filter((_, k) => scene.shows(k))))];
+    const words = ({ label, unit, when }) => [label, when ? el("small", {}, when) : null, unit ? el("small", {}, ` (${unit})`) : null];
+    fill(this.head, el("tr", {}, heading("name", "member"), columns.map((one) => heading(one.id, words(one)))));
+    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members))];
     const wanted = this.filter.value.trim().toLowerCase();
     const rows = members.map((name) => ({ name })).filter(({ name }) => name.toLowerCase().includes(wanted));
     const by = columns.find((one) => one.id === this.order.id);
@@ -50,6 +61,7 @@ export class Table {
     const scenes = this.app.views.map(({ scene }) => scene);
     fill(this.note, rows.length > MOST ? el("span", {}, `${MOST} of ${rows.length} members; sort or search to see others. `) : null,
       columns.some((one) => one.channel.id === "force") && scenes.some((scene) => scene.unsure.size) ? el("span", {}, "† not unique: a share by stiffness or convention. ") : null,
+      columns.some((one) => held(one.channel)) && scenes.some(({ unchecked }) => unchecked) ? el("span", {}, "- striped: not checked. ") : null,
       columns.some((one) => one.channel.id === "utilisation") && scenes.some((scene) => Object.keys(scene.header.not_checked || {}).length) ? el("span", {}, "* not every rule was checked: pick the member. ") : null);
     this.node.hidden = !members.length;
     this.update();
@@ -76,19 +88,29 @@ export class Table {
   }
 
   update() {
-    for (const { cell, column, index } of this.cells) {
-      const { scene, frame } = column.view;
-      const value = index < 0 ? NaN : scene.plainValue(column.channel.id, frame, index);
-      cell.textContent = index < 0 ? "-" : channelText(column.channel, value, true) + this.mark_(column.channel, scene, index, value);
-      cell.classList.toggle("over", ["capacity", "margin"].includes(column.channel.scale) && value > 1);
+    const columns = new Map();
+    for (const one of this.cells) {
+      const { scene, frame } = one.column.view, { channel } = one.column;
+      one.value = one.index < 0 ? NaN : scene.plainValue(channel.id, frame, one.index);
+      columns.set(one.column, [...(columns.get(one.column) || []), one]);
+    }
+    for (const [column, cells] of columns) {
+      const { channel, view: { scene } } = column, values = cells.map((one) => one.value);
+      const texts = channel.scale === "margin" ? values.map((value) => channelText(channel, value, true)) : columnUpTo(this.largest(channel), values, channel.unit, 0, true)[0];
+      cells.forEach(({ cell, value, index }, k) => {
+        const mark = index < 0 ? "" : this.sign(channel, scene, index, value);
+        cell.textContent = mark + texts[k];
+        cell.classList.toggle("over", held(channel) && value > 1);
+        cell.classList.toggle("hatched", mark.startsWith("†") || (index >= 0 && held(channel) && Number.isNaN(value)));
+      });
     }
   }
 
   /** What is to be known of a value. */
-  mark_(channel, scene, index, value) {
+  sign(channel, scene, index, value) {
     const name = scene.members[index];
-    if (channel.id === "force" && scene.unsure.has(index)) return " †";
-    return channel.id === "utilisation" && !Number.isNaN(value) && scene.header.not_checked?.[name] ? " *" : "";
+    if (channel.id === "force" && scene.unsure.has(index)) return "† ";
+    return channel.id === "utilisation" && !Number.isNaN(value) && scene.header.not_checked?.[name] ? "* " : "";
   }
 
   mark() {

@@ -3,34 +3,33 @@
 import { el } from "./dom.js";
 import { number } from "./format.js";
 
-const SHORT = 0.5, LONG = 120, EASY = 6; // s: what plays faster or slower than can be followed, and how long it then takes
+const SPEEDS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
+const ROUND = [1, 1.5, 2, 3, 4, 6, 8];
+const LEAST = 5, MOST = 8; // s that a run takes at its own speed
 
-/** Speeds to choose from: those at which a run takes a second to some minutes, and real time. */
-export function speedsOf(duration) {
-  const found = new Set([0.1, 0.25, 0.5, 1, 2, 4, 10]);
-  for (let power = -12; power <= 12; power++) {
-    for (const factor of [1, 2, 5]) {
-      const speed = Number(`${factor}e${power}`), takes = duration / speed;
-      if ((speed < 0.1 || speed > 10) && takes >= 1 && takes <= 100) found.add(speed);
-    }
-  }
-  return [...found].sort((a, b) => a - b);
+/** The round speed at which a run takes 5 to 8 s, whether it is as short as a blink or as long as an hour. */
+export function usualSpeed(duration) {
+  if (!(duration > 0) || !Number.isFinite(duration)) return 1;
+  const power = Math.floor(Math.log10(duration / MOST));
+  const round = [...ROUND, ...ROUND.map((one) => 10 * one)].map((one) => Number(`${one}e${power}`));
+  return round.find((speed) => duration / speed <= MOST && duration / speed >= LEAST) || 1;
 }
 
-/** Real time; of a run too short or too long for it the speed at which it takes some seconds. */
-export function usualSpeed(duration) {
-  if (!(duration > 0) || (duration >= SHORT && duration <= LONG)) return 1;
-  return speedsOf(duration).reduce((best, speed) => (Math.abs(Math.log(duration / speed / EASY)) < Math.abs(Math.log(duration / best / EASY)) ? speed : best));
+/** Speeds to choose from: 0.001 to 10 times real time, and the one at which the run takes some seconds. */
+export function speedsOf(duration) {
+  return [...new Set([...SPEEDS, usualSpeed(duration)])].sort((a, b) => a - b);
 }
 
 export class TimeBar {
   constructor(app) {
     this.app = app;
-    this.button = el("button", { type: "button", class: "play", title: "Play or pause (space)", onclick: () => app.togglePlay() }, "▶");
+    const time = app.lead.time, duration = time[app.lead.frames - 1] - time[0], usual = usualSpeed(duration);
+    const words = (one) => `${number(one)}×${one === usual && duration > 0 ? ` (${number(duration / one, 2)} s)` : ""}`;
+    this.button = el("button", { type: "button", class: "play", title: app.hint("Play or pause", "space"), onclick: () => app.togglePlay() }, "▶");
     this.slider = el("input", { type: "range", min: 0, max: Math.max(app.lead.frames - 1, 0), step: 1, value: 0, "aria-label": "time", oninput: () => app.goTo(Number(this.slider.value)) });
     this.readout = el("output", { class: "time" });
-    this.speed = el("select", { "aria-label": "speed", title: "Speed (+ and −)", onchange: () => app.setSpeed(Number(this.speed.value)) },
-      app.speeds.map((one) => el("option", { value: one, selected: one === app.speed }, `${one}×`)));
+    this.speed = el("select", { "aria-label": "speed", title: app.hint("Speed", "+ and -"), onchange: () => app.setSpeed(Number(this.speed.value)) },
+      app.speeds.map((one) => el("option", { value: one, selected: one === app.speed }, words(one))));
     this.node = el("footer", { class: "timebar" }, this.button, this.slider, this.readout, this.speed);
     this.node.hidden = app.lead.frames < 2;
   }

@@ -3,7 +3,8 @@
 import { el, press, toggle } from "./dom.js";
 import { quantity } from "./format.js";
 
-const SWITCHES = [["ghost", "Ghost", "Start pose (G)"], ["names", "Names", "Names of members and nodes (A)"], ["loads", "Loads", "Loads (L)"], ["grid", "Grid", "Ground grid (H)"]];
+const SWITCHES = [["ghost", "Ghost", "Start pose", "G"], ["paths", "Paths", "Paths of all nodes that move", "Y"], ["names", "Names", "Names of members and nodes", "A"],
+  ["loads", "Loads", "Loads", "L"], ["grid", "Grid", "Ground grid", "H"]];
 const CAMERAS = [["corner", "Corner", "1"], ["front", "Front", "2"], ["side", "Side", "3"], ["plane", "Top", "4"]];
 
 export class ToolBar {
@@ -13,27 +14,28 @@ export class ToolBar {
     const titles = [...new Set(app.views.map(({ scene }) => scene.header.title || scene.header.name || "Model"))];
     const channels = [...new Map(app.views.flatMap((view) => view.scene.header.channels).map((one) => [one.id, one])).values()];
     const kinds = el("option", { value: "" }, "Kind of member");
-    this.colour = el("select", { "aria-label": "colour by", title: "Colour by (C)", onchange: () => app.setChannel(this.colour.value) }, kinds,
+    this.colour = el("select", { "aria-label": "colour by", title: app.hint("Colour by", "C"), onchange: () => app.setChannel(this.colour.value) }, kinds,
       channels.map((one) => el("option", { value: one.id }, one.label)));
-    this.switches = new Map(SWITCHES.map(([name, label, title]) => [name, toggle(label, title, app.shown[name], () => app.toggle(name))]));
+    const offered = SWITCHES.filter(([name]) => name !== "paths" || app.lead.frames > 1);
+    this.switches = new Map(offered.map(([name, label, title, key]) => [name, toggle(label, app.hint(title, key), app.shown[name], () => app.toggle(name))]));
     const cameras = app.views[0].scene.dim === 3 ? CAMERAS : [];
-    const modes = header.modes.length ? el("select", { "aria-label": "mode", title: "Mode or mechanism (M)", onchange: () => app.setMode(Number(this.modes.value)) },
+    const modes = header.modes.length ? el("select", { "aria-label": "mode", title: app.hint("Mode or mechanism", "M"), onchange: () => app.setMode(Number(this.modes.value)) },
       el("option", { value: -1 }, "No mode"), header.modes.map((mode, k) => el("option", { value: k }, modeText(mode)))) : null;
     this.modes = modes;
     const { cases } = app.views[0].scene;
-    this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: "Load case (E)", onchange: () => app.setCase(this.cases.value) },
+    this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: app.hint("Load case", "E"), onchange: () => app.setCase(this.cases.value) },
       cases.map((name) => el("option", { value: name }, name))) : null;
     this.node = el("header", { class: "toolbar" },
       el("div", { class: "title" }, el("h1", {}, titles.join(" | ")),
         app.views.map(({ scene }, k) => el("p", {}, app.views.length > 1 ? `${app.labels[k]}: ` : "", subtitle(scene)))),
       el("div", { class: "tools" },
         this.cases && el("label", {}, el("span", {}, "Load case"), this.cases), el("label", {}, el("span", {}, "Colour"), this.colour), modes,
-        el("span", { class: "group", role: "group", "aria-label": "camera" }, cameras.map(([name, label, key]) => el("button", { type: "button", title: `Camera: ${label} (${key})`, onclick: () => app.aim(name) }, label))),
+        el("span", { class: "group", role: "group", "aria-label": "camera" }, cameras.map(([name, label, key]) => el("button", { type: "button", title: app.hint(`Camera: ${label}`, key), onclick: () => app.aim(name) }, label))),
         el("span", { class: "group", role: "group", "aria-label": "show" }, [...this.switches.values()]),
         el("span", { class: "group" },
-          el("button", { type: "button", title: "Panel (V)", onclick: () => app.togglePanel() }, "Panel"),
-          el("button", { type: "button", title: "Dark or light (D)", onclick: () => app.toggleTheme() }, "◐"),
-          el("button", { type: "button", title: "Keys (?)", onclick: () => app.toggleHelp() }, "?"))));
+          el("button", { type: "button", title: app.hint("Panel", "V"), onclick: () => app.togglePanel() }, "Panel"),
+          el("button", { type: "button", title: app.hint("Dark or light", "D"), "aria-label": "dark or light", onclick: () => app.toggleTheme() }, "◐"),
+          el("button", { type: "button", title: app.hint("Help", "?"), "aria-label": "help", onclick: () => app.toggleHelp() }, "?"))));
   }
 
   update() {

@@ -1,10 +1,10 @@
 // The axes in a corner, and where gravity pulls.
 
 import { AmbientLight, CanvasTexture, DirectionalLight, PerspectiveCamera, Scene as World, Sprite, SpriteMaterial, Vector3 } from "three";
+import { THEMES } from "./display.js";
 import { arrow, placeArrow } from "./shapes.js";
 
 const SIZE = 104; // CSS pixels
-const INK = { light: "#2a3138", dark: "#e3e8ee" };
 const AXES = [["x", [1, 0, 0], "#c0392b"], ["y", [0, 1, 0], "#2e8b57"], ["z", [0, 0, 1], "#2f6fc1"]];
 
 export class Triad {
@@ -40,7 +40,7 @@ export class Triad {
   setTheme(theme) {
     for (const { name, letter } of this.letters) {
       letter.material.map?.dispose();
-      letter.material.map = written(name, INK[theme]);
+      letter.material.map = written(name, THEMES[theme].ink);
       letter.material.needsUpdate = true;
     }
   }

@@ -5,15 +5,15 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bars } from "./bars.js";
-import { colourOf, greyer } from "./colour.js";
-import { KINDS } from "./display.js";
+import { colourOf, parse } from "./colour.js";
+import { KINDS, THEMES } from "./display.js";
 import { Halo } from "./halo.js";
-import { Centres, Drives, Faces, ghost, ground, Loads, Supports, trace } from "./marks.js";
+import { Bodies } from "./bodies.js";
+import { Centres, Drives, Faces, ghost, ground, Loads, Supports } from "./marks.js";
 import { Skins } from "./skins.js";
+import { Traces } from "./traces.js";
 import { Triad } from "./triad.js";
 
-const BACK = { light: "#f7f8fa", dark: "#14181d" };
-const NODE = { light: "#5b6672", dark: "#aab4bf" };
 const REACH = 9; // pixels around the pointer in which something is hit
 
 export const PRESETS = {
@@ -22,7 +22,7 @@ export const PRESETS = {
 
 export class View {
   constructor(canvas, scene, theme) {
-    Object.assign(this, { canvas, scene, frame: 0, channel: null, limits: [0, 1], picked: null, traces: new Map() });
+    Object.assign(this, { canvas, scene, frame: 0, channel: null, limits: [0, 1], picked: null });
     this.renderer = new WebGLRenderer({ canvas, antialias: scene.members.length < 2000, preserveDrawingBuffer: true });
     this.renderer.autoClear = false;
     this.world = new World();
@@ -46,7 +46,8 @@ export class View {
     this.supports = new Supports(scene, size);
     this.loads = new Loads(scene, 0.9 * size);
     this.drives = new Drives(scene, size);
-    this.bodies = new Faces(scene, [...scene.header.bodies, ...(scene.header.solids || [])], 0.5);
+    this.bodies = new Bodies(scene, this.bars.ball);
+    this.traces = new Traces(scene);
     this.centres = new Centres(scene, 0.25 * size);
     this.faces = new Faces(scene, scene.header.triangles, 0.35);
     this.faces.mesh.visible = false;
@@ -55,8 +56,8 @@ export class View {
     Object.assign(this, ground(scene));
     this.ghost = ghost(scene);
     this.ghost.visible = false;
-    world.add(...this.bars.objects(), this.supports.mesh, this.loads.group, this.drives.group, this.bodies.mesh, this.centres.mesh,
-      this.faces.mesh, ...this.skins.objects(), this.halo.group, this.grid, this.ghost);
+    world.add(...this.bars.objects(), this.supports.mesh, this.loads.group, this.drives.group, this.bodies.group, this.centres.mesh,
+      this.faces.mesh, this.traces.group, ...this.skins.objects(), this.halo.group, this.grid, this.ghost);
   }
 
   rebuildLoads() {
@@ -67,8 +68,8 @@ export class View {
   }
 
   setTheme(theme) {
-    this.renderer.setClearColor(new Color(BACK[theme]));
-    this.bars.paintNodes(NODE[theme]);
+    this.renderer.setClearColor(new Color(THEMES[theme].back));
+    for (const one of [this.bars, this.supports, this.bodies, this.traces]) one.setTheme(THEMES[theme]);
     this.skins.setTheme(theme);
     this.triad.setTheme(theme);
     this.paint();
@@ -94,7 +95,7 @@ export class View {
 
   move() {
     this.now = this.points();
-    [this.bars, this.supports, this.drives, this.bodies, this.centres, this.faces, this.skins].forEach((one) => one.place(this.now));
+    [this.bars, this.supports, this.drives, this.bodies, this.centres, this.faces, this.skins].forEach((one) => one.place(this.now, this.frame));
     this.loads.place(this.now, this.frame);
     this.halo.place(this.now, this.picked);
     this.request();
@@ -113,27 +114,19 @@ export class View {
 
   paint() {
     const { scene, channel, limits, frame } = this;
-    const kinds = scene.header.kinds;
-    const own = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
-    this.bars.paint((member) => {
-      const plain = !channel || !scene.channel(channel.id);
-      if (plain) return own(KINDS[kinds[member]]);
-      const shade = colourOf(channel.scale, scene.value(channel.id, frame, member), limits);
-      return channel.id !== "speed" && scene.unsure.has(member) ? greyer(shade) : shade;
-    });
+    const plain = !channel || !scene.channel(channel.id);
+    const value = (member) => scene.value(channel.id, frame, member);
+    this.bars.paint(
+      (member) => (plain ? parse(KINDS[scene.header.kinds[member]]) : colourOf(channel.scale, value(member), limits)),
+      (member) => !plain && channel.id !== "speed" && (scene.unsure.has(member) || Number.isNaN(value(member))),
+    );
     this.skins.paint(channel, frame, limits);
     this.request();
   }
 
-  toggleTrace(node) {
-    const line = this.traces.get(node);
-    if (line) {
-      this.world.remove(line);
-      this.traces.delete(node);
-    } else {
-      this.traces.set(node, trace(this.scene, node));
-      this.world.add(this.traces.get(node));
-    }
+  /** Paths of these nodes. */
+  showTraces(nodes) {
+    this.traces.show(nodes);
     this.request();
   }
 
@@ -176,6 +169,7 @@ export class View {
     if (!width || !height) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
+    this.bars.resize(width, height, this.renderer.getPixelRatio());
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (!this.sized && this.preset) this.aim(this.preset); // the first size is known only now
@@ -202,6 +196,8 @@ export class View {
     const { renderer, camera } = this;
     // the lamp goes with the eye, a little above and to the left of it
     this.lamp.position.set(-0.35, 0.6, 1).applyQuaternion(camera.quaternion);
+    const far = camera.position.distanceTo(this.controls.target), pixel = (2 * far * Math.tan((camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
+    this.bars.rims.setScale(this.bars.ball / 1.55 / pixel);
     renderer.clear();
     renderer.render(this.world, camera);
     this.triad.render(renderer, camera);

@@ -52,7 +52,7 @@ THEMES = {
     },
     "dark": {
         "back": "#14181d", "card": "#1d232a", "ink": "#e3e8ee", "faint": "#9aa6b2", "line": "#38424d", "accent": "#6db5f0",
-        "pressed": "#24405a", "halo": "#ffb000", "alarm": "#ff8095", "outline": "#c3ccd5", "node": "#aab4bf",
+        "pressed": "#24405a", "halo": "#ffb000", "alarm": "#ff8095", "outline": "#7d8894", "node": "#aab4bf",
         "support": "#97a3af", "grid": "#8a949e", "body": "#5d6a77", "edge": "#0b0e11",
         "pen-1": "#56b4e9", "pen-2": "#f08b47", "pen-3": "#2fc796",
     },

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,8 @@ from kinetruss import dynamics, kinematics
 from kinetruss.actuators.demand import columns_of
 from kinetruss.display import quantity
 from kinetruss.model import Model
+from kinetruss.strength import check
+from kinetruss.strength.verdict import Governing, headline
 from kinetruss.viewer.scenes import moving
 
 if TYPE_CHECKING:
@@ -22,7 +25,7 @@ if TYPE_CHECKING:
 
 __all__ = ["MANY", "Instant", "framed", "instant"]
 
-MANY = 60
+MANY = 40
 """Number of members above which motors and mobility are computed only when the slider stops."""
 
 LARGEST = 400
@@ -43,6 +46,7 @@ class Instant:
     demand: list[dict[str, Any]] | None
     mobility: str | None
     alarms: list[str]
+    verdict: dict[str, Any]
 
 
 def instant(model: Model, position: NDArray[np.float64], case: str | None, fine: bool = True) -> Instant:
@@ -55,7 +59,8 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
     demand = _demand(model, forces) if fine and model.actuators else None
     mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
     alarms = [*_strength(model, arrays), *_motors(demand or [])]
-    return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=alarms)
+    verdict = headline(check(model, forces), drives=_holding(demand or []), timed=False).record
+    return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=alarms, verdict=verdict)
 
 
 def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
@@ -72,6 +77,14 @@ def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
         for k in order[:ALARMS]
     ]
     return found + [f"{len(order) - ALARMS} more members are beyond a limit."] * (len(order) > ALARMS)
+
+
+def _holding(demand: list[dict[str, Any]]) -> Iterator[Governing]:
+    """The share of the largest current that each motor takes to hold."""
+    for one in demand:
+        if one["current"] is not None and one["max_current"]:
+            used = abs(one["current"]) / one["max_current"]
+            yield Governing(kind="drive", name=one["name"], member=one["name"], rule="holding current", used=used)
 
 
 def _motors(demand: list[dict[str, Any]]) -> list[str]:

@@ -170,6 +170,7 @@ class Session:
             "demand": now.demand,
             "mobility": now.mobility,
             "alarms": now.alarms,
+            "verdict": now.verdict,
         }
 
     def query(self) -> dict[str, Any]:

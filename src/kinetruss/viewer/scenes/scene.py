@@ -15,6 +15,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
+from kinetruss.strength import check
 from kinetruss.viewer.scenes.histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
 from kinetruss.viewer.scenes.modes import mechanisms, vibrations
 from kinetruss.viewer.scenes.record import FORMAT, VERSION, Mode, Scene
@@ -22,6 +23,8 @@ from kinetruss.viewer.scenes.topology import topology
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.strength.verdict import Headline
 
 __all__ = ["scene"]
 
@@ -79,6 +82,8 @@ def scene(
         "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
     }  # fmt: skip
     shown = list(modes)
+    verdict = _verdict(subject)
+    header["verdict"] = verdict.record
     if subject.motion is None:
         more, histories = _standing(subject)
         if subject.linear is not None:
@@ -86,6 +91,8 @@ def scene(
         elif subject.rest is None:
             shown = mechanisms(subject.model) + shown
     else:
+        if verdict.governing is not None and np.isfinite(verdict.governing.time):
+            instants = (*instants, verdict.governing.time)
         more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
     header |= more
     fixed = ("time", *header.get("over_run", ()))
@@ -122,6 +129,19 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
     if isinstance(what, Forces):
         return _Subject(model=model, kind="forces", motion=what.motion, forces=[what])
     return _Subject(model=model, kind="motion", motion=what)
+
+
+def _verdict(subject: _Subject) -> Headline:
+    """What governs, of the load cases shown: from the run, or checked here."""
+    from kinetruss.strength.verdict import headline
+
+    run = subject.run
+    if run is not None and (len(subject.forces) == len(run.forces) or not subject.forces):
+        return headline(run.verdict, run.demand)
+    if not subject.forces:
+        return headline(None)
+    names = {one.load_case for one in subject.forces}
+    return headline(check(subject.model, subject.forces), {k: v for k, v in (run.demand if run else {}).items() if k in names})
 
 
 def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

@@ -9,8 +9,7 @@ import numpy as np
 
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import body_faces, orientation, skin_of
-from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, turns
-from kinetruss.model.beams import shown_kinds
+from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
 from kinetruss.model.parts import placed
 from kinetruss.strength.members import parts_of
 
@@ -23,10 +22,11 @@ __all__ = ["topology"]
 def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Header fields and arrays of a model.
 
-    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) the `own_rods` of `System`; ``reference`` (m, 3) direction that spans
-    the plane 1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``part_member``
-    (parts,); ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa;
-    ``lump`` (n,) kg; with membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
+    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that spans the plane
+    1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``box``
+    (m, 2) half height along axis 2 and half width along axis 3 of rectangles, m, NaN for others; ``part_member`` (parts,);
+    ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump``
+    (n,) kg; with membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
     """
     system, parts, skin = compile(model), parts_of(model), skin_of(model)
     members = model.members
@@ -59,6 +59,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "reference": orientation(system).reference,
         "orient": orientation(system).node,
         "radius": np.array([_radius(model, one) for one in members.values()]),
+        "box": np.array([_box(model, one) for one in members.values()]).reshape(-1, 2),
         "part_member": parts.member.astype(np.int32),
         "part_shape": parts.shape.astype(np.int32),
         "part_scale": parts.scale,
@@ -121,6 +122,11 @@ def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
             a, b = sorted(index[end] for end in bar.ends)
             near.setdefault(a, set()).add(b)
     return [[a, b, c] for a in sorted(near) for b in sorted(near[a]) for c in sorted(near[a] & near.get(b, set()))]
+
+
+def _box(model: Model, member: Any) -> tuple[float, float]:
+    section = None if isinstance(member, Active) else model.section_of(member)
+    return section.extreme_fibres if isinstance(section, Rectangle) else (np.nan, np.nan)
 
 
 def _radius(model: Model, member: Any) -> float:
