@@ -2,6 +2,7 @@
 
 import { limitsOf } from "./colour.js";
 import { el } from "./dom.js";
+import { FlatView } from "./flat.js";
 import { quantity } from "./format.js";
 import { diagramsOf, Inspector } from "./inspector.js";
 import { helpPage, listen } from "./keys.js";
@@ -13,7 +14,7 @@ import { speedsOf, TimeBar, usualSpeed } from "./timebar.js";
 import { ToolBar } from "./toolbar.js";
 import { movingNodes } from "./traces.js";
 import { Verdict } from "./verdict.js";
-import { View } from "./view.js";
+import { hasWebGL, View } from "./view.js";
 
 const SWING = 0.08; // amplitude of a mode, of the size of the structure
 
@@ -31,7 +32,9 @@ export class App {
     const duration = this.lead.time[this.lead.frames - 1] - this.lead.time[0];
     Object.assign(this, { speeds: speedsOf(duration), speed: usualSpeed(duration) });
     const canvases = scenes.map((scene, k) => el("canvas", { tabindex: 0, role: "img", "aria-label": `picture of ${labels[k] || scene.header.title || "the model"}` }));
-    this.views = scenes.map((scene, k) => new View(canvases[k], scene, this.theme));
+    this.flat = !hasWebGL();
+    const Kind = this.flat ? FlatView : View;
+    this.views = scenes.map((scene, k) => new Kind(canvases[k], scene, this.theme));
     this.layout(canvases);
     this.wire();
     listen(this, root.ownerDocument, this.ended.signal);
@@ -61,6 +64,7 @@ export class App {
       el("div", { class: "scale" }, `grid ${quantity(views[k].step, "m")}`)));
     this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
     this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node);
+    if (this.flat) this.stage.append(el("p", { class: "note" }, "This browser has no WebGL: a plain picture, turned by the buttons."));
     this.help = helpPage(this);
     this.root.replaceChildren(this.bar.node, this.verdict.node, el("main", {}, this.side, this.stage, this.panel), this.time.node, this.help);
   }
@@ -293,7 +297,7 @@ export class App {
 
   click(view, event) {
     const box = view.canvas.getBoundingClientRect();
-    const hit = view.pickAt(event.clientX - box.left, event.clientY - box.top);
+    const hit = view.pickAt(event.clientX - box.left, event.clientY - box.top, event.pointerType === "touch");
     this.pick(hit && { type: hit.type, name: view.scene[`${hit.type}s`][hit.index] });
   }
 

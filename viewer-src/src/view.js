@@ -1,28 +1,27 @@
-// One picture of one scene: what is drawn, from where, and what is under the pointer.
+// One picture of one scene, drawn by WebGL: what is drawn, and from where.
 
 import {
   AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene as World, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bars } from "./bars.js";
-import { colourOf, parse } from "./colour.js";
-import { KINDS, THEMES } from "./display.js";
+import { THEMES } from "./display.js";
 import { Halo } from "./halo.js";
 import { Bodies } from "./bodies.js";
 import { Centres, Drives, Faces, ghost, ground, Loads, Supports } from "./marks.js";
+import { Picture, PRESETS } from "./picture.js";
 import { Skins } from "./skins.js";
 import { Traces } from "./traces.js";
 import { Triad } from "./triad.js";
 
-const REACH = 9; // pixels around the pointer in which something is hit
+/** Whether this browser draws by WebGL. */
+export function hasWebGL() {
+  return Boolean(document.createElement("canvas").getContext("webgl2"));
+}
 
-export const PRESETS = {
-  corner: [0.72, -1, 0.42], front: [0, -1, 0], side: [1, 0, 0], top: [0, -1e-4, 1], plane: [0, 0, 1],
-};
-
-export class View {
+export class View extends Picture {
   constructor(canvas, scene, theme) {
-    Object.assign(this, { canvas, scene, frame: 0, channel: null, limits: [0, 1], picked: null });
+    super(canvas, scene);
     this.renderer = new WebGLRenderer({ canvas, antialias: scene.members.length < 2000, preserveDrawingBuffer: true });
     this.renderer.autoClear = false;
     this.world = new World();
@@ -75,24 +74,6 @@ export class View {
     this.paint();
   }
 
-  /** Positions of all nodes at the present frame, moved by the mode shown. */
-  points() {
-    const { scene, frame, mode } = this;
-    return scene.nodes.map((_, node) => {
-      const x = scene.position(frame, node);
-      if (!mode) return x;
-      const shape = scene.arrays[mode.array].data, at = node * scene.dim;
-      for (let i = 0; i < scene.dim; i++) x[i] += mode.size * shape[at + i];
-      return x;
-    });
-  }
-
-  setFrame(frame) {
-    this.frame = frame;
-    this.move();
-    this.paint();
-  }
-
   move() {
     this.now = this.points();
     [this.bars, this.supports, this.drives, this.bodies, this.centres, this.faces, this.skins].forEach((one) => one.place(this.now, this.frame));
@@ -107,20 +88,9 @@ export class View {
     this.request();
   }
 
-  setColours(channel, limits) {
-    Object.assign(this, { channel, limits });
-    this.paint();
-  }
-
   paint() {
-    const { scene, channel, limits, frame } = this;
-    const plain = !channel || !scene.channel(channel.id);
-    const value = (member) => scene.value(channel.id, frame, member);
-    this.bars.paint(
-      (member) => (plain ? parse(KINDS[scene.header.kinds[member]]) : colourOf(channel.scale, value(member), limits)),
-      (member) => !plain && channel.id !== "speed" && (scene.unsure.has(member) || Number.isNaN(value(member))),
-    );
-    this.skins.paint(channel, frame, limits);
+    this.bars.paint((member) => this.shade(member), (member) => this.hatched(member));
+    this.skins.paint(this.channel, this.frame, this.limits);
     this.request();
   }
 
@@ -177,10 +147,6 @@ export class View {
     this.request();
   }
 
-  request() {
-    this.waiting ||= requestAnimationFrame(() => this.render());
-  }
-
   end() {
     this.ended = true;
     this.controls.dispose();
@@ -210,24 +176,5 @@ export class View {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const seen = new Vector3(...point).project(this.camera);
     return [((seen.x + 1) / 2) * width, ((1 - seen.y) / 2) * height, seen.z];
-  }
-
-  /** The node or member under a place on the canvas: the nearest to the eye of those within reach. */
-  pickAt(x, y) {
-    const places = this.now.map((point) => this.project(point));
-    let best = null;
-    const offer = (type, index, apart, depth, bonus) => {
-      const far = depth + 1e-4 * apart - bonus;
-      if (apart <= REACH && depth < 1 && (!best || far < best.far)) best = { type, index, far };
-    };
-    this.scene.members.forEach((_, member) => {
-      const [p, q] = [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]];
-      const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
-      const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
-      offer("member", member, Math.hypot(p[0] + f * dx - x, p[1] + f * dy - y), p[2] + f * (q[2] - p[2]), 0);
-    });
-    // a node lies at the ends of bars that are as near: it comes first
-    places.forEach((p, node) => offer("node", node, Math.hypot(p[0] - x, p[1] - y), p[2], 2e-3));
-    return best && { type: best.type, index: best.index };
   }
 }
