@@ -12,16 +12,20 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import quantity, scale
-from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Shape
-from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, DRIVEN, INK, PRINT, QUIET, RC, REST, pen
-from kinetruss.report.pictures.view import projected
+from kinetruss.display import DRIVEN, LOAD, aligned, quantity, scale
+from kinetruss.display.numbers import DIGIT, POINT
+from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
+from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
+from kinetruss.report.pictures.view import MEMBERS, label, projected
 from kinetruss.results.store import whole_file
 
 __all__ = ["draw", "save"]
 
 CHARACTER = 0.069
 """Width of a character of the legend, inches."""
+
+NODES = 24
+"""Number of nodes up to which they are named."""
 
 SUFFIXES = ("png", "svg", "pdf")
 SCREEN: float = RC["savefig.dpi"]
@@ -187,12 +191,15 @@ def _bars(figure: Bars) -> Canvas:
     largest = max(float(np.nanmax(figure.values, initial=0.0)), 1e-12)
     factor, unit = scale(largest, figure.unit)
     ax.barh(places, factor * figure.values, color=colours, height=0.7)
-    for place, value, note in zip(places, figure.values, figure.notes, strict=True):
-        words = f"{quantity(value, figure.unit)}  {note}"
+    texts = aligned([quantity(value, figure.unit) for value in figure.values])
+    for place, value, text, note in zip(places, figure.values, texts, figure.notes, strict=True):
+        words = f"{text.replace(DIGIT, '').replace(POINT, '')}  {note}"
         ax.annotate(words, (factor * value, place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=7.5)
-    if figure.limit <= 2.5 * largest:
+    if np.isfinite(figure.limit):  # up to the limit in any case, so that figures of different runs can be compared
         ax.axvline(factor * figure.limit, color=ALARM, linewidth=1.0, linestyle="--")
-    ax.set_xlim(0, 1.75 * factor * largest)
+        ax.set_xlim(0, factor * max(1.02 * figure.limit, 1.75 * largest))
+    else:
+        ax.set_xlim(0, 1.75 * factor * largest)
     ax.set_yticks(places, figure.labels)
     ax.set_ylim(count - 0.4, -0.6)
     ax.grid(visible=False, axis="y")
@@ -207,30 +214,32 @@ def _shape(figure: Shape) -> Canvas:
     axes = canvas.subplots(1, count, squeeze=False)[0]
     canvas.subplots_adjust(left=0.02, right=0.98, top=0.86, bottom=0.06, wspace=0.03)
     flat = [projected(pose.position) for pose in figure.poses]
-    low = np.min([points.min(axis=0) for points in flat], axis=0)
-    high = np.max([points.max(axis=0) for points in flat], axis=0)
+    whole = np.concatenate([*flat, *(projected(np.array(pair)) for pose in figure.poses for pair in pose.loads)])
+    low, high = whole.min(axis=0), whole.max(axis=0)
     margin = 0.08 * float(np.max(high - low))
     for ax, pose, points in zip(axes, figure.poses, flat, strict=True):
-        _pose(ax, figure, points)
         ax.set_title(pose.caption, fontsize=9, fontweight="normal")
         ax.set_xlim(low[0] - margin, high[0] + margin)
         ax.set_ylim(low[1] - 1.6 * margin, high[1] + margin)
         ax.set_aspect("equal")
         ax.set_axis_off()
+        _pose(ax, figure, pose, points)
     _scale_bar(axes[0], low, high)
     canvas.suptitle(figure.title, x=0.02, ha="left", fontweight="bold", fontsize=10)
     return canvas
 
 
-def _pose(ax: Any, figure: Shape, points: Any) -> None:
+def _pose(ax: Any, figure: Shape, pose: Pose, points: Any) -> None:
     for driven, colour, width in ((False, INK, 1.2), (True, DRIVEN, 3.0)):
         lines = [points[list(ends)] for ends, is_driven in zip(figure.ends, figure.driven, strict=True) if is_driven is driven]
         ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, capstyle="round"))
     ax.plot(*points.T, "o", color=INK, markersize=3.0)
     ax.plot(*points[list(figure.held)].T, "^", color=INK, markersize=8, markerfacecolor="white")
-    if len(figure.nodes) <= 24:
-        for name, point in zip(figure.nodes, points, strict=True):
-            ax.annotate(name, point, xytext=(3, 3), textcoords="offset points", fontsize=7, color=QUIET)
+    for start, end in pose.loads:
+        pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", projected(end), projected(start), arrowprops=pen)
+    members = figure.members if len(figure.members) <= MEMBERS else ()
+    label(ax, points, figure.nodes if len(figure.nodes) <= NODES else (), figure.ends, members)
 
 
 def _scale_bar(ax: Any, low: Any, high: Any) -> None:

@@ -12,23 +12,35 @@ from matplotlib.colorbar import ColorbarBase
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import COLOURS, DIVERGING, SEQUENTIAL, number, quantity, scale
+from kinetruss.display import (
+    DIVERGING,
+    DRIVEN,
+    ELASTIC,
+    KINDS,
+    LOAD,
+    MISSING,
+    OVER,
+    SEQUENTIAL,
+    number,
+    quantity,
+    scale,
+)
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
-from kinetruss.report.pictures.style import DRIVEN, INK, PRINT, QUIET, RC, WIDTHS
+from kinetruss.report.pictures.style import INK, PRINT, QUIET, RC, WIDTHS
+from kinetruss.report.pictures.view import label
 
 __all__ = ["drawn"]
 
 INCH = 25.4
-LOAD, GHOST, WAY, FACE = "#b2005e", "#a8b0b9", COLOURS[0], "#c9d4de"
+GHOST, WAY, FACE = "#a8b0b9", "#444444", "#c9d4de"
 TALLEST = 1.4
 """Largest ratio of height to width of a figure, or of a page, so that it fits on the sheet (A4: 1.414)."""
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
     "driven": {"colors": DRIVEN, "linewidths": 2.2},
     "active": {"colors": DRIVEN, "linewidths": 2.2},
-    "elastic": {"colors": COLOURS[3], "linewidths": 1.4},
-    "beam": {"colors": COLOURS[3], "linewidths": 2.0, "capstyle": "round"},
-    "cable": {"colors": COLOURS[4], "linewidths": 0.9, "linestyles": (0, (4, 1.5))},
+    "elastic": {"colors": ELASTIC, "linewidths": 1.4},
+    "cable": {"colors": KINDS["cable"], "linewidths": 0.9, "linestyles": (0, (4, 1.5))},
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }
 """Styles of members without a value, by kind."""
@@ -89,7 +101,7 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     if figure.ghost is not None:
         ax.add_collection(LineCollection([figure.ghost[list(ends)] for ends in figure.ends], colors=GHOST, linewidths=0.5))
     for way in figure.ways:
-        ax.plot(*way.T, color=WAY, linewidth=0.7)
+        ax.plot(*way.T, color=WAY, linewidth=0.7, linestyle=(0, (4, 1.5)))
     if one.bodies.size:
         ax.add_collection(PolyCollection(list(one.bodies), facecolors="#dde3ea", edgecolors="none"))
     if len(one.faces):
@@ -107,9 +119,9 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         )
         colours.set_array(np.ma.masked_invalid(one.values))
         ax.add_collection(colours)
-        # with white gaps: a force that is not unique
-        unsure = LineCollection(list(lines[list(figure.unsure)]), colors="white", linewidths=2.8, linestyles=(0, (0.6, 2.4)))
-        ax.add_collection(unsure)
+        # with white gaps: a force that is not unique, or what was not checked
+        broken = sorted({*figure.unsure, *np.flatnonzero(np.isnan(one.values)).tolist()})
+        ax.add_collection(LineCollection(list(lines[broken]), colors="white", linewidths=2.8, linestyles=(0, (0.6, 2.4))))
     mesh = len(one.faces) > 0
     ax.plot(*one.points[list(figure.joined) if mesh else slice(None)].T, "o", color=INK, markersize=2.2)
     ax.plot(*one.hinges.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
@@ -118,9 +130,7 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     for start, end in one.loads:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", end, start, arrowprops=pen)
-    if figure.names:
-        for name, point in zip(figure.nodes, one.points, strict=True):
-            ax.annotate(name, point, xytext=(2.5, 2.5), textcoords="offset points", fontsize=7, color=QUIET)
+    label(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members)
 
 
 def _faces(ax: Any, figure: Drawing, one: Stand) -> None:
@@ -134,7 +144,7 @@ def _faces(ax: Any, figure: Drawing, one: Stand) -> None:
 
 def _map(colouring: Colouring) -> Any:
     found = LinearSegmentedColormap.from_list("kinetruss", DIVERGING if colouring.diverging else SEQUENTIAL)
-    return found.with_extremes(bad="#8a8a8a", over="#e5007d")
+    return found.with_extremes(bad=MISSING, over=OVER)
 
 
 def _scale_bar(canvas: Canvas, ax: Any, size: float, height: float) -> None:
@@ -162,7 +172,7 @@ def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float) -
     bar.outline.set_visible(False)
     for steps in ax.collections:
         steps.set(rasterized=False, edgecolor="face")  # no pixels in a vector drawing
-    numbers = [low + part * (high - low) for part in (0, 0.5, 1)]
+    numbers = [low + part * (high - low) for part in (0, 0.25, 0.5, 0.75, 1)]
     bar.set_ticks(numbers, labels=[number(one, 3) for one in numbers])
     words = f"{colouring.label} ({unit})" if unit else colouring.label
     ax.set_title(words, fontsize=8, fontweight="normal", loc="center", pad=3)

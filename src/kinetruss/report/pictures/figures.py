@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
-from kinetruss.model.beams import FRAME, shown_kinds
+from kinetruss.report.pictures.pictured import arrows
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
 
@@ -79,17 +79,22 @@ def _shape(run: RunResult) -> Shape:
     seen = np.array([not node.director for node in model.nodes.values()], bool)
     index = {name: k for k, name in enumerate(name for name, node in model.nodes.items() if not node.director)}
     chosen = sorted({0, len(time) // 2, len(time) - 1})
-    members = [name for name, kind in shown_kinds(model).items() if kind != FRAME]
-    driven = tuple(_driven(model, members))
+    driven = tuple(_driven(model))
+    loads = arrows(model, time, position, next(iter(run.forces), None), chosen)
     words = ["shape", *["driven members green"] * any(driven), *["supports as triangles"] * bool(model.fixed)]
+    words += ["loads violet"] * any(loads)
     return Shape(
         name="shape",
         title=f"{model.title or run.name}: {', '.join(words)}",
         nodes=tuple(index),
         ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in map(model.members.__getitem__, members)),
         driven=driven,
-        held=tuple(index[name] for name in model.fixed if name in index),
-        poses=tuple(Pose(caption=f"t = {instant(time[k])}", position=position[k][seen]) for k in chosen),
+        held=tuple(index[name] for name in model.fixed),
+        poses=tuple(
+            Pose(caption=f"t = {instant(time[k])}", position=position[k], loads=tuple(pairs))
+            for k, pairs in zip(chosen, loads, strict=True)
+        ),
+        members=tuple(model.members),
     )
 
 
@@ -171,7 +176,7 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
             stressed[row.part] = row
     highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
     if highest:
-        notes = tuple(f"t = {instant(row.time)}{'' if row.checked else '; not checked'}" for row in highest)
+        notes = tuple(f"t = {instant(row.time)}{'' if row.checked else '; no yield strength'}" for row in highest)
         yield Bars(
             name="stresses",
             title="Highest stress of each part",

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.display import instant
+from kinetruss.display import instant, limits_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics.structure import body_faces, skin_of
 from kinetruss.model import Bar, HingeDrive, Model, nearest
 from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.pictures.draw import SUFFIXES
-from kinetruss.report.pictures.pictured import Pictured, pictured
+from kinetruss.report.pictures.pictured import Pictured, arrows, pictured
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import WIDTHS
-from kinetruss.report.pictures.view import VIEWS, eye, projected
+from kinetruss.report.pictures.view import MEMBERS, VIEWS, eye, names_of, projected
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,7 +32,7 @@ __all__ = ["COLOURED", "picture", "width_of"]
 COLOURED = {
     "force": ("Axial force", "N", ("compression", "tension")),
     "stress": ("Stress", "Pa", ("none", "largest")),
-    "utilisation": ("Utilisation", "", ("unused", "full at 1")),
+    "utilisation": ("Utilisation", "%", ("unused", "full at 100 %")),
 }
 """Quantities that colour members: label, unit, labels at the ends of the scale."""
 NAMES = 24
@@ -65,8 +65,8 @@ def picture(
     colour : ``force``, ``stress`` or ``utilisation``; by default members are coloured by kind. The scale covers the whole
     run. case : load case, by default the first.
     width : mm, or ``column`` (90 mm), ``page`` (190 mm). view : ``iso``, ``front``, ``side``, ``top``; parallel projection.
-    ghost : the start pose in grey. paths : nodes whose path is drawn. loads : arrows of nodal forces. names : of nodes, by
-    default for up to 24. title : above; journals use a caption instead.
+    ghost : the start pose in grey. paths : nodes whose path is drawn. loads : arrows of nodal forces. names : of nodes and
+    members, by default for up to 24 nodes and 40 members. title : above; journals use a caption instead.
 
     Raises
     ------
@@ -102,6 +102,7 @@ def picture(
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
+        members=names_of(len(model.members), MEMBERS, names, model.members),
     )
     from kinetruss.report.pictures.draw import write
     from kinetruss.report.pictures.drawing import drawn
@@ -148,15 +149,14 @@ def _coloured(what: Pictured, colour: str | None, case: str | None) -> tuple[Col
         raise InputError(f"No colour called {colour!r}. {nearest(colour, COLOURED)}")
     values, faces = _values(what, colour, case)
     label, unit, words = COLOURED[colour]
-    several = [values] if faces is None else [values, faces]
-    largest = max(float(np.nanmax(np.abs(one), initial=0.0)) for one in several) or 1.0
-    limits = (-largest, largest) if colour == "force" else (0.0, largest)
-    if colour == "utilisation":
-        limits, words = ((0.0, 1.0), words) if largest > 0.5 else (limits, ("unused", "most used"))
+    several = np.concatenate([values.ravel(), np.zeros(0) if faces is None else faces.ravel()])
+    limits = limits_of({"force": "diverging", "stress": "sequential", "utilisation": "capacity"}[colour], several)
     if colour == "stress" or not np.isnan(values).any():
         missing = ""
     else:
-        missing = "grey: not checked" if colour == "utilisation" else "grey: not known"
+        missing = "grey, broken: not checked" if colour == "utilisation" else "grey, broken: not known"
+    if colour == "utilisation" and np.nanmax(values, initial=0.0) > 1:
+        missing = "; ".join(filter(None, ["red: over capacity", missing]))
     found = Colouring(label=label, unit=unit, words=words, limits=limits, diverging=colour == "force", missing=missing)
     return found, values
 
@@ -184,15 +184,13 @@ def _stands(
     what: Pictured, frames: Sequence[int], case: str | None, values: Array | None, view: str, loads: bool, colour: str | None
 ) -> Iterator[Stand]:
     model, time, position = what.model, what.time, what.position
-    node, force = _loads(what, time, case) if loads else ([], np.zeros((len(time), 0, model.dim)))
-    size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
-    largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
+    first = next(iter(what.forces), None) if case is None else case
+    pairs = arrows(model, time, position, first, frames) if loads else [[]] * len(frames)
     skin = skin_of(model)
     seen = np.array([not node.director for node in model.nodes.values()], bool)
     drawn = np.array([kind != FRAME for kind in _kinds(model).values()], bool)
     stress = _stress(model, position) if colour == "stress" else None
-    arrows = force * (0.16 * size / largest if largest else 0.0)
-    for k in frames:
+    for k, some in zip(frames, pairs, strict=True):
         x = position[k]
         faces, light, order = _lit(skin.nodes, x, view)
         yield Stand(
@@ -204,22 +202,8 @@ def _stands(
             points=projected(x[seen], view),
             values=None if values is None else values[k][drawn],
             bodies=projected(_bodies(model, x), view),
-            loads=tuple(
-                (projected(x[n], view), projected(x[n] + arrow, view))
-                for n, arrow in zip(node, arrows[k], strict=True)
-                if np.linalg.norm(arrow) > 0.01 * size
-            ),
+            loads=tuple((projected(start, view), projected(end, view)) for start, end in some),
         )
-
-
-def _loads(what: Pictured, time: Array, case: str | None) -> tuple[list[int], Array]:
-    from kinetruss.mechanics import compile
-    from kinetruss.mechanics.assembly import case_loads
-
-    model = what.model
-    case = next(iter(what.forces), None) if case is None else case
-    found = case_loads(compile(model), time, case if case in model.load_cases else None, rotating=True)
-    return [int(one) for one in found.node], found.force[:, :, : model.dim]
 
 
 def _bodies(model: Model, x: Array) -> Array:

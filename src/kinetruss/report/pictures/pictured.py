@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Pictured", "pictured"]
+__all__ = ["Pictured", "arrows", "pictured"]
+
+LONGEST, LEAST = 0.16, 0.01
+"""Length of the longest arrow of all times, and below which none is drawn, as fractions of the structure."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -71,6 +74,24 @@ def _moving(model: Model, motion: Motion, forces: Mapping[str, Forces]) -> Pictu
         forces=forces,
         not_unique=tuple(map(str, names)),
     )
+
+
+def arrows(
+    model: Model, time: Array, position: Array, case: str | None, frames: Sequence[int]
+) -> list[list[tuple[Array, Array]]]:
+    """Start and end of the arrow of each load, m, at some samples; nodes at position (times, n, dim)."""
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.assembly import case_loads
+
+    found = case_loads(compile(model), time, case if case in model.load_cases else None, rotating=True)
+    force = found.force[:, :, : model.dim]
+    size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
+    largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
+    along = force * (LONGEST * size / largest if largest else 0.0)
+    return [
+        [(x[n], x[n] + one) for n, one in zip(found.node, vectors, strict=True) if np.linalg.norm(one) > LEAST * size]
+        for x, vectors in ((position[k], along[k]) for k in frames)
+    ]
 
 
 def _standing(model: Model) -> Array:

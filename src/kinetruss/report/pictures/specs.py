@@ -59,15 +59,16 @@ class Bars:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Pose:
-    """One configuration: caption and node positions (n_nodes, dim), m."""
+    """One configuration: caption, node positions (n_nodes, dim), m, and loads as pairs of a start and an end, m."""
 
     caption: str
     position: Array
+    loads: tuple[tuple[Array, Array], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Shape:
-    """The structure at some instants: members as pairs of node indices, which of them are driven, held nodes."""
+    """The structure at some instants: members as pairs of node indices, which of them are driven, held nodes, names of members."""
 
     name: str
     title: str
@@ -76,6 +77,7 @@ class Shape:
     driven: tuple[bool, ...]
     held: tuple[int, ...]
     poses: tuple[Pose, ...]
+    members: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -116,7 +118,7 @@ class Drawing:
     """The structure for print, `width` mm wide, at one or more instants beside each other.
 
     kinds : of the members. joined : nodes of members and bodies. held : nodes held in all axes; guided : in some. ghost : start
-    pose (n, 2), m; ways : of nodes, each (times, 2), m. unsure : members whose force is not unique.
+    pose (n, 2), m; ways : of nodes, each (times, 2), m. members : names that are written. unsure : members whose force is not unique.
     """
 
     title: str
@@ -132,6 +134,7 @@ class Drawing:
     ghost: Array | None
     ways: tuple[Array, ...]
     names: bool
+    members: tuple[str, ...] = ()
     unsure: tuple[int, ...] = ()
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinetruss.display import COLOURS
+from kinetruss.display import COLOURS, OVER
 
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 """Line styles: after the last colour, curves take the next style, so that no two look the same."""
@@ -12,9 +12,8 @@ STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 REST = (0, (3, 2))
 """Line style of the same poses at rest, thinner than that of the motion."""
 
-INK, QUIET, BAND, ALARM, ACCENT = "#222222", "#8a8a8a", "#dde3ea", "#B22222", COLOURS[0]
-DRIVEN = COLOURS[2]
-"""Colour of driven members in all pictures; blue is compression."""
+INK, QUIET, BAND, ALARM, ACCENT = "#222222", "#666666", "#dde3ea", OVER, "#5b7083"
+"""Text and lines; quiet text; bands; limits and what is above them; bars of values without a sign."""
 
 RC: dict[Any, Any] = {
     "figure.dpi": 100,

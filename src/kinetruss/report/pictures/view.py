@@ -1,18 +1,32 @@
-"""The view of all pictures: projects points in space onto paper."""
+"""On paper: the view of all pictures, and names where they cover no other name and as few lines as possible."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from kinetruss.report.pictures.style import INK, QUIET
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["VIEWS", "eye", "projected"]
+    Array = NDArray[np.float64]
+
+__all__ = ["MEMBERS", "VIEWS", "eye", "label", "names_of", "projected"]
 
 VIEWS = {"iso": (-62.0, 16.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
 """Azimuth and elevation of the views, degrees."""
+
+MEMBERS = 40
+"""Number of members up to which their names are shown by default."""
+
+WIDE, HIGH, GAP, STEP = 0.62, 1.25, 2.0, 4.0
+"""Width of a character and height of a line, of the font size; distance of a name from its place, and of points on lines, points."""
+
+AROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)], float)
+ALONG = (0.5, 0.4, 0.6, 0.3, 0.7)
 
 
 def eye(view: str) -> NDArray[np.float64]:
@@ -29,3 +43,77 @@ def projected(points: NDArray[np.float64], view: str = "iso") -> NDArray[np.floa
     right = np.array([-np.sin(np.radians(VIEWS[view][0])), np.cos(np.radians(VIEWS[view][0])), 0.0])
     seen: NDArray[np.float64] = points @ np.column_stack([right, np.cross(toward, right)])
     return seen
+
+
+def label(
+    ax: Any, points: Array, nodes: Sequence[str], ends: Sequence[tuple[int, int]], members: Sequence[str], size: float = 7.0
+) -> None:
+    """Write names of nodes beside points (n, 2) and names of members beside their lines.
+
+    A name that finds no free place is omitted. Behind each is a white ground, so that it can be read across a line.
+    """
+    ax.apply_aspect()
+    inch = 72 / ax.figure.dpi
+    seen = ax.transData.transform(points) * inch
+    sheet = np.array(ax.get_window_extent().get_points()) * inch
+    lines = np.concatenate([_between(seen[a], seen[b]) for a, b in ends]) if len(ends) else np.empty((0, 2))
+    taken: list[Array] = []
+    for k, name in enumerate(nodes):
+        _put(ax, name, _within(sheet, _besides(seen[k], name, size)), taken, lines, inch, size, INK)
+    for (a, b), name in zip(ends, members, strict=False):
+        _put(ax, name, _within(sheet, _along(seen[a], seen[b], name, size)), taken, lines, inch, size - 0.5, QUIET)
+
+
+def _put(
+    ax: Any, name: str, places: list[Array], taken: list[Array], lines: Array, inch: float, size: float, colour: str
+) -> None:
+    free = [box for box in places if not any(_meet(box, one) for one in taken)]
+    if not free:
+        return
+    box = min(free, key=lambda one: int(((lines >= one[0]) & (lines <= one[1])).all(axis=1).sum()))
+    taken.append(box)
+    ground = {"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
+    at = ax.transData.inverted().transform(box.mean(axis=0) / inch)
+    ax.text(*at, name, fontsize=size, color=colour, ha="center", va="center", bbox=ground)
+
+
+def _within(sheet: Array, boxes: Iterable[Array]) -> list[Array]:
+    """The boxes that lie on the sheet, or all if none does."""
+    found = list(boxes)
+    return [box for box in found if (box[0] >= sheet[0]).all() and (box[1] <= sheet[1]).all()] or found
+
+
+def _between(p: Array, q: Array) -> Array:
+    """Points on a line."""
+    count = max(2, int(np.hypot(*(q - p)) / STEP))
+    found: Array = p + np.linspace(0, 1, count)[:, None] * (q - p)
+    return found
+
+
+def _besides(at: Array, name: str, size: float) -> Iterator[Array]:
+    half = _half(name, size)
+    return (_box(at + way * (half + GAP), half) for way in AROUND)
+
+
+def _along(p: Array, q: Array, name: str, size: float) -> Iterator[Array]:
+    half, along = _half(name, size), q - p
+    normal = np.array([-along[1], along[0]]) / (np.hypot(*along) or 1.0)
+    apart = float(np.abs(normal) @ half) + GAP
+    return (_box(p + part * along + side * apart * normal, half) for part in ALONG for side in (1, -1))
+
+
+def _half(name: str, size: float) -> Array:
+    return np.array([WIDE * size * len(name), HIGH * size]) / 2
+
+
+def _box(middle: Array, half: Array) -> Array:
+    return np.stack([middle - half, middle + half])
+
+
+def _meet(one: Array, other: Array) -> bool:
+    return bool((one[0] < other[1]).all() and (other[0] < one[1]).all())
+
+
+def names_of(count: int, most: int, asked: bool | None, names: Iterable[str]) -> tuple[str, ...]:
+    """The names, if they are asked for, or by default if there are not too many."""
+    return tuple(names) if (count <= most if asked is None else asked) else ()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from kinetruss.display import KINDS, MISSING, OVER, SKINS, colours_of
+from kinetruss.display import KINDS, MISSING, OVER, SKINS, THEMES, colours_of
 from kinetruss.viewer.pages.words import ends, heading, ticks
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Frame", "strips"]
 
-INK, QUIET = "#222222", "#6b7280"
+INK, QUIET = THEMES["light"]["ink"], THEMES["light"]["faint"]
 KIND_WORDS = {
     "rigid": "rigid",
     "driven": "driven",
@@ -51,6 +51,7 @@ class Frame:
     note: str
     channel: dict[str, Any] | None
     limits: Sequence[float]
+    largest: float
     kinds: Sequence[str]
     over: bool
     missing: bool
@@ -101,7 +102,7 @@ class Frame:
         for k, text in enumerate(texts):
             anchor = "l" if k == 0 else "r" if k == len(texts) - 1 else "m"
             draw.text((letter + k * wide / 4, level + high + 0.55 * letter), text, fill=INK, font=small, anchor=anchor + "m")
-        for k, text in enumerate(ends(self.channel, self.limits, self.single)):
+        for k, text in enumerate(ends(self.channel, self.largest, self.single)):
             draw.text((letter + k * wide, level + high + 1.6 * letter), text, fill=QUIET, font=small, anchor="lr"[k] + "m")
         aside = [(OVER, "buckles" if self.channel["scale"] == "margin" else "above 100 %")] * self.over
         missing = "not checked" if self.channel["scale"] in ("capacity", "margin") else "not known"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import KINDS, OVER, SKINS, colours_of, limits_of, quantity, rgb
+from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, limits_of, quantity, rgb
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.viewer.films.camera import ANGLE, Camera, aimed
@@ -129,12 +129,13 @@ class _Job:
         high = height if self.bare else height - sum(strips(width, height)[1:])
         camera = self.eye(width / high)
         frame = None if self.bare else self.frame(camera)
+        hatched = self.subject.hatched(self.channel)
         with stage(self.subject, width, high, 3 if len(shots) == 1 else 2) as scenery:
             scenery.look_from(camera, ANGLE)
             for k, shot in enumerate(shots):
                 colours = self.subject.colours(shot.frame, self.channel, self.limits)
                 skin = self.subject.skin_colours(shot.frame, self.channel, self.limits)
-                picture = scenery.shoot(shot.frame, colours, skin, shot.swing)
+                picture = scenery.shoot(shot.frame, colours, skin, hatched, shot.swing)
                 yield picture if frame is None else frame.around(picture, shot.words)
                 if progress is not None:
                     progress(k + 1, len(shots))
@@ -153,7 +154,7 @@ class _Job:
         values = np.zeros(1) if channel is None else self.subject.shown_values(channel)
         kinds = [*header["kinds"], *(one["kind"] for one in header["skins"])]
         notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
-        notes += ["greyer: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
+        notes += ["striped: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
         notes += [f"grid {quantity(self.subject.step, 'm')}"] * self.subject.look.grid
         return Frame(
             width=self.size[0],
@@ -162,6 +163,7 @@ class _Job:
             note=", ".join(notes),
             channel=channel,
             limits=self.limits,
+            largest=float(np.nanmax(np.abs(values), initial=0.0)),
             kinds=kinds,
             gravity=header["gravity"],
             dim=self.subject.dim,
@@ -175,8 +177,8 @@ class _Job:
         """All colours of members."""
         if self.channel is None:
             return np.array([rgb(one) for one in (*KINDS.values(), *SKINS.values())], np.uint8)
-        colours = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits)
-        return np.concatenate([colours, [rgb("#b2005e"), rgb(KINDS["driven"]), rgb(OVER), rgb("#5b6672")]]).astype(np.uint8)
+        colours, light = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits), THEMES["light"]
+        return np.concatenate([colours, [rgb(one) for one in (LOAD, DRIVEN, OVER, light["node"], light["body"], light["outline"])]]).astype(np.uint8)
 
 
 def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:

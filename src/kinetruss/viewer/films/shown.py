@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import COLOURS, KINDS, MISSING, SKINS, colours_of, rgb
+from kinetruss.display import DRIVEN, ELASTIC, KINDS, LOAD, SKINS, THEMES, colours_of, rgb
 from kinetruss.viewer.films.solids import across
 
 if TYPE_CHECKING:
@@ -21,17 +21,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Copies", "Look", "Subject"]
 
-SUPPORT, LOAD, DRIVE, BODY, TRACE, GHOST, NODE, BAND, GRID = (
-    "#56606b",
-    "#b2005e",
-    KINDS["driven"],
-    "#3f4a55",
-    COLOURS[0],
-    "#a8b0b9",
-    "#5b6672",
-    "#cc79a7",
-    "#d5dae0",
-)
+PAPER = THEMES["light"]
+SUPPORT, BODY, TRACE, GHOST, NODE, GRID = PAPER["support"], "#3f4a55", PAPER["ink"], "#a8b0b9", PAPER["node"], PAPER["line"]
+RIM = 0.35
+"""Width of the rim of a bar over its radius; it keeps pale colours visible."""
+STRIPES = 25
+"""Number of stripes of a member whose value is not known for sure; every other one is pale."""
 PRESSURE = 0.3
 """Length of pressure arrows as a fraction of other arrows, since many are next to each other."""
 THIN = {"frame": 0.0, "free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
@@ -181,22 +176,53 @@ class Subject:
         """Colours of members (members, 3), 0 to 255; without a channel by kind."""
         if channel is None:
             return np.array([rgb(KINDS[kind]) for kind in self.scene.header["kinds"]], np.uint8).reshape(-1, 3)
-        found = colours_of(channel["scale"], self.values(channel)[frame], limits)
-        if channel["id"] != "speed" and (unsure := self.unsure):
-            found[unsure] = (0.45 * found[unsure] + 0.55 * rgb(MISSING)).round().astype(np.uint8)
+        return colours_of(channel["scale"], self.values(channel)[frame], limits)
+
+    def hatched(self, channel: dict[str, Any] | None) -> NDArray[np.bool_]:
+        """Mask (frames, members) of members that are striped: not checked, or a force that is not unique."""
+        if channel is None or channel["id"] == "speed":
+            return np.zeros((len(self.places), len(self.ends)), np.bool_)
+        found = np.isnan(self.values(channel))
+        found[:, self.unsure] = True
         return found
 
     @cached_property
     def unsure(self) -> list[int]:
-        """Members whose force is not unique: their colours are paler."""
+        """Members whose force is not unique."""
         index = {name: k for k, name in enumerate(self.scene.header["members"])}
         return [index[name] for name in self.scene.header["not_unique"] if name in index]
 
-    def rods(self, frame: int, x: Array, colours: NDArray[np.uint8]) -> Copies:
-        """Bars, marks of their kinds, shafts of arrows, rings of motors."""
-        found = [*self._bars(x, colours), *self._marks(x)]
+    def rods(self, frame: int, x: Array, colours: NDArray[np.uint8], hatched: NDArray[np.bool_] | None = None) -> Copies:
+        """Bars, marks of their kinds, shafts of arrows, rings of motors; `hatched` over (frames, members)."""
+        found = [*self._striped(self._bars(x, colours), frame, hatched), *self._marks(x)]
         shafts, _ = self._arrows(frame, x)
         return Copies.all([*found, shafts, self._rings(x)])
+
+    def rims(self, x: Array) -> Copies:
+        """Rims of the bars: their back sides, a little thicker."""
+        found = Copies.all(self._bars(x, np.zeros((len(self.ends), 3), np.uint8)))
+        least = 0.011 * self.usual
+        return copies(found.start, found.end, found.radius + RIM * np.maximum(found.radius, least), PAPER["outline"])
+
+    def _striped(self, bars: list[Copies], frame: int, hatched: NDArray[np.bool_] | None) -> list[Copies]:
+        """Bars of which members that are ever striped are cut into pieces; every other piece is pale while they are."""
+        if hatched is None or not hatched.any():
+            return bars
+        ever, found = hatched.any(axis=0), []
+        two = np.array(self.scene.header["two_rods"], int)
+        owners = [np.setdiff1d(np.arange(len(ever)), two), two, two, two]
+        count = STRIPES if ever.sum() <= SEVERAL else STRIPES // 3
+        for several, owner in zip(bars, owners, strict=False):
+            plain, cut = ~ever[owner], np.flatnonzero(ever[owner])
+            found.append(Copies(**{name: getattr(several, name)[plain] for name in Copies.__slots__}))
+            for k in range(count):
+                along = several.end[cut] - several.start[cut]
+                pale = (hatched[frame, owner[cut]] & bool(k % 2))[:, None]
+                start, end = (several.start[cut] + (k + one) / count * along for one in (0, 1))
+                found.append(
+                    copies(start, end, several.radius[cut], np.where(pale, rgb(PAPER["back"]), several.colour[cut]).astype(np.uint8))
+                )
+        return found
 
     def cones(self, frame: int, x: Array) -> Copies:
         """Supports and heads of arrows."""
@@ -212,15 +238,37 @@ class Subject:
         up = np.array([0.0, 0.0, 1.0])
         return Copies.all([copies(at, at + size[:, None] * up, size, colour) for at, size, colour in found])
 
+    def bodies(self, x: Array) -> Array:
+        """Corners (n, 3, 3) of the faces of bodies: plates with round corners in the plane, hulls in space."""
+        found = [x[np.array(self.scene.header["solids"], int).reshape(-1, 3)]]
+        for k, (body, outline) in enumerate(zip(self.scene.header["bodies"], self._outlines, strict=True)):
+            p, q = x[self.ends[body["member"]]]
+            u = (q - p) / np.linalg.norm(q - p)
+            flat = p + outline[:, :1] * u + outline[:, 1:] * np.array([-u[1], u[0], 0.0])
+            # plates that overlap lie above each other by less than can be seen
+            up = np.array([0.0, 0.0, self.ball * (0.25 + 0.01 * k)])
+            top, low, after = flat + up, flat - up, np.roll(flat, -1, axis=0)
+            found += [_fan(top), _fan(low), np.stack([top, low, after + up], axis=1), np.stack([low, after - up, after + up], axis=1)]
+        return np.concatenate(found)
+
     def triangles(self, x: Array) -> Array:
-        """Corners (n, 3, 3) of planar bodies and, if requested, of triangles of rigid bars."""
-        members = [body["member"] for body in self.scene.header["bodies"]]
-        p, q = x[self.ends[members].T] if members else np.zeros((2, 0, 3))
-        found = np.stack([p, q, self._centres(x)], axis=1)
-        if self.scene.header["solids"]:
-            found = np.concatenate([found, x[np.array(self.scene.header["solids"])]])
-        if self.look.faces and self.scene.header["triangles"]:
-            found = np.concatenate([found, x[np.array(self.scene.header["triangles"])]])
+        """Corners (n, 3, 3) of triangles of rigid bars, if requested."""
+        shown = self.scene.header["triangles"] if self.look.faces else []
+        return x[np.array(shown, int).reshape(-1, 3)]
+
+    @cached_property
+    def _outlines(self) -> list[Array]:
+        """Outlines (k, 2) of planar bodies in the axes of their bar: the hull of circles about its ends and the centre of mass."""
+        if not self.scene.header["bodies"]:
+            return []
+        from scipy.spatial import ConvexHull
+
+        circle, found = 1.9 * self.ball * RING[:-1, :2], []
+        for body in self.scene.header["bodies"]:
+            p, q = self.places[0][self.ends[body["member"]]]
+            around = [corner + circle for corner in ((0.0, 0.0), (float(np.linalg.norm(q - p)), 0.0), body["center"])]
+            points = np.concatenate(around)
+            found.append(points[ConvexHull(points).vertices])
         return found
 
     def tips(self) -> Array:
@@ -231,6 +279,8 @@ class Subject:
             found.append((self.places[:, node] + force).reshape(-1, 3))
         if self.look.mode is not None:
             found += [self.points(0, 1.0), self.points(0, -1.0)]
+        if self.look.grid:
+            found += self.grid()
         node, towards = self._held
         found.append((self.places[:, node] - 0.1 * self.usual * towards).reshape(-1, 3))
         return np.concatenate(found)
@@ -259,11 +309,11 @@ class Subject:
         found = []
         for k, kind in enumerate(kinds):
             if k in two:
-                places, half, width, colour = [max(0.0, 1 - self.scene.arrays["rods"][k, 4] / length[k])], 1.6, 2.2, DRIVE
+                places, half, width, colour = [max(0.0, 1 - self.scene.arrays["rods"][k, 4] / length[k])], 1.6, 2.2, DRIVEN
             elif kind == "driven":
-                places, half, width, colour = [0.5], 2.2, 1.8, DRIVE
+                places, half, width, colour = [0.5], 2.2, 1.8, DRIVEN
             elif kind == "elastic":
-                places, half, width, colour = [0.3, 0.4, 0.5, 0.6, 0.7], 0.3, 1.7, BAND
+                places, half, width, colour = [0.3, 0.4, 0.5, 0.6, 0.7], 0.3, 1.7, ELASTIC
             else:
                 continue
             middle = p[k] + np.array(places)[:, None] * (q[k] - p[k])
@@ -313,7 +363,7 @@ class Subject:
             if drive["kind"] == "coordinate":
                 axis = np.eye(3)["xyz".index(drive["axis"])]
                 from_, vector = [*from_, x[drive["node"]][None]], [*vector, 0.25 * self.usual * axis[None]]
-                radius, colour = [*radius, np.array([0.015 * self.usual])], [*colour, rgb(DRIVE)[None]]
+                radius, colour = [*radius, np.array([0.015 * self.usual])], [*colour, rgb(DRIVEN)[None]]
         start, along, r, c = (np.concatenate(one) for one in (from_, vector, radius, colour))
         length = np.linalg.norm(along, axis=1)
         r = np.where(length > 2 * r, r, 0.0)
@@ -333,7 +383,7 @@ class Subject:
             else:
                 continue
             found.append(at + 0.075 * self.usual * RING @ np.concatenate(across(about[None])))
-        return Copies.all([copies(one[:-1], one[1:], 0.015 * self.usual, DRIVE) for one in found])
+        return Copies.all([copies(one[:-1], one[1:], 0.015 * self.usual, DRIVEN) for one in found])
 
     def _centres(self, x: Array) -> Array:
         """Centres of mass (bodies, 3) of planar bodies."""
@@ -375,7 +425,7 @@ class Subject:
         low, high = self.box
         below = max(0.03 * ((high - low)[2] or self.size), 0.1 * self.usual if len(self._held[0]) else 0.0)
         level = -0.08 * self.usual if self.dim == 2 else low[2] - below
-        first, last = (np.floor(low[:2] / self.step) - 1, np.ceil(high[:2] / self.step) + 1)
+        first, last = (np.floor(low[:2] / self.step - 0.2), np.ceil(high[:2] / self.step + 0.2))
         found = []
         for axis in (0, 1):
             rest = 1 - axis
@@ -388,6 +438,8 @@ class Subject:
         return lines[:, 0], lines[:, 1]
 
 
+SEVERAL = 300
+"""Number of striped members above which stripes are wider."""
 SWING = 0.08
 """Amplitude of a mode as a fraction of the size of the structure."""
 
@@ -398,3 +450,8 @@ def _toward(p: Array, q: Array, size: Array) -> Array:
     part = np.minimum(size / np.where(length > 0, length, 1.0), 1.0)
     found: Array = p + part[:, None] * (q - p)
     return found
+
+
+def _fan(points: Array) -> Array:
+    """Triangles (k - 2, 3, 3) of a convex polygon (k, 3)."""
+    return np.stack([np.broadcast_to(points[0], points[2:].shape), points[1:-1], points[2:]], axis=1)

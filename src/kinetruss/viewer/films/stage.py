@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image
 
+from kinetruss.display import KINDS, THEMES
 from kinetruss.errors import InputError
 from kinetruss.viewer.films.solids import Turned, ball, cone, rod
 
@@ -28,7 +29,7 @@ LARGEST = 8192
 """Largest width and height of a window that all systems support, pixels."""
 SEVERAL = 800
 """Number of members above which rods have fewer sides."""
-FACE, EDGE = "#7f93a8", "#2b333b"
+FACE, BODY, EDGE = KINDS["rigid"], THEMES["light"]["body"], THEMES["light"]["edge"]
 FINE = 20_000
 """Number of faces above which element edges are not drawn."""
 
@@ -46,9 +47,9 @@ class Stage:
         self.plotter.add_light(pyvista.Light(light_type="headlight"))
         many = len(subject.ends) > SEVERAL
         sides = 8 if many else 20
-        self._shapes = {"lines": rod(6), "rods": rod(sides), "cones": cone(sides), "balls": ball(sides)}
+        self._shapes = {"lines": rod(6), "rods": rod(sides), "rims": rod(sides), "cones": cone(sides), "balls": ball(sides)}
         self._meshes: dict[str, Any] = {}
-        self._faces: Any = None
+        self._faces: dict[str, Any] = {}
         self._skin: Any = None
         self._put("lines", subject.lines(), lit=False)
 
@@ -58,14 +59,21 @@ class Stage:
         eye.position, eye.focal_point, eye.up = (tuple(map(float, one)) for one in (camera.eye, camera.target, camera.upward))
         eye.view_angle = float(np.degrees(angle))
 
-    def shoot(self, frame: int, colours: NDArray[np.uint8], skin: NDArray[np.uint8], swing: float = 0.0) -> NDArray[np.uint8]:
-        """The picture (height, width, 3) at a frame, members in colours (members, 3), faces of meshes in skin (f, 3)."""
+    def shoot(
+        self, frame: int, colours: NDArray[np.uint8], skin: NDArray[np.uint8], hatched: NDArray[np.bool_], swing: float = 0.0
+    ) -> NDArray[np.uint8]:
+        """The picture (height, width, 3) at a frame, members in colours (members, 3), faces of meshes in skin (f, 3).
+
+        hatched : mask (frames, members) of striped members.
+        """
         subject = self._subject
         x = subject.points(frame, swing)
-        self._put("rods", subject.rods(frame, x, colours))
+        self._put("rods", subject.rods(frame, x, colours, hatched))
+        self._put("rims", subject.rims(x), lit=False)
         self._put("cones", subject.cones(frame, x))
         self._put("balls", subject.balls(x))
-        self._put_faces(subject.triangles(x))
+        self._put_faces("bodies", subject.bodies(x), BODY, 1.0)
+        self._put_faces("triangles", subject.triangles(x), FACE, 0.4)
         self._put_skin(x, skin)
         self.plotter.reset_camera_clipping_range()
         self.plotter.render()
@@ -83,6 +91,8 @@ class Stage:
             mesh.point_data["colour"] = shape.spread(several.colour)
             actor = self.plotter.add_mesh(mesh, scalars="colour", rgb=True, copy_mesh=False)
             _matt(actor, 0.58 if lit else 0.0)
+            if name == "rims":
+                actor.prop.culling = "front"
             self._meshes[name] = mesh
             return
         mesh = self._meshes[name]
@@ -90,15 +100,15 @@ class Stage:
         mesh.point_data["Normals"] = normals
         mesh.point_data["colour"] = shape.spread(several.colour)
 
-    def _put_faces(self, corners: NDArray[np.float64]) -> None:
+    def _put_faces(self, name: str, corners: NDArray[np.float64], colour: str, opacity: float) -> None:
         if not len(corners):
             return
-        if self._faces is None:
+        if name not in self._faces:
             count = len(corners)
             faces = np.column_stack([np.full(count, 3), np.arange(3 * count).reshape(count, 3)]).ravel()
-            self._faces = self._pv.PolyData(corners.reshape(-1, 3), faces)
-            _matt(self.plotter.add_mesh(self._faces, color=FACE, opacity=0.4))
-        self._faces.points = corners.reshape(-1, 3)
+            self._faces[name] = self._pv.PolyData(corners.reshape(-1, 3), faces)
+            _matt(self.plotter.add_mesh(self._faces[name], color=colour, opacity=opacity), flat=True)
+        self._faces[name].points = corners.reshape(-1, 3)
 
     def _put_skin(self, x: NDArray[np.float64], colours: NDArray[np.uint8]) -> None:
         """Membranes and the surface of solids, with the edges of their elements."""

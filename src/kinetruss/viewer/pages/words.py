@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from kinetruss.display import number, scale
+from kinetruss.display import margin, number, quantity, scale
 
 __all__ = ["ends", "heading", "ticks"]
 
@@ -22,16 +22,14 @@ def ticks(channel: dict[str, Any], limits: Sequence[float]) -> list[str]:
     low, high = limits
     values = [low + part * (high - low) for part in (0, 0.25, 0.5, 0.75, 1)]
     if channel["scale"] == "margin":
-        return [number(1 / value - 1 if value > 0 else math.inf, 2) for value in values]
+        return [margin(1 / value - 1 if value > 0 else math.inf) for value in values]
     factor = scale(high, channel["unit"])[0]
     return [number(value * factor if abs(value) > 1e-12 * abs(high) else 0.0, 3) for value in values]
 
 
-def ends(channel: dict[str, Any], limits: Sequence[float], single: bool = False) -> tuple[str, str]:
-    """Texts at the two ends. single : the scale is of one instant only."""
+def ends(channel: dict[str, Any], largest: float, single: bool = False) -> tuple[str, str]:
+    """Texts at the two ends. largest : value that is shown, below the end of the scale; single : of one instant only."""
     high = channel["high"]
-    if single and high == "largest of the run":
-        high = "largest"
-    if limits[1] < 1 and channel["scale"] in ("capacity", "margin"):
-        high = "most used here"
+    if high == "largest of the run":
+        high = f"largest {'' if single else 'of the run '}{quantity(largest, channel['unit'])}"
     return channel["low"], high

@@ -29,7 +29,7 @@ COLOURS = {
     "#ffffff": "--paper",
     "#222222": "--ink",
     "#000000": "--ink",
-    "#8a8a8a": "--quiet",
+    "#666666": "--quiet",
     "#dde3ea": "--band",
     "#e6e6e6": "--rule",
 }
