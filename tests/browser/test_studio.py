@@ -139,7 +139,7 @@ def test_members_are_switched_and_loads_edited(show, served):
     shown.page.get_by_label("payload in kg").fill("50")
     shown.page.get_by_label("payload in kg").press("Tab")
     settled(shown)
-    shown.page.get_by_role("button", name="−x").click()
+    shown.page.get_by_role("button", name="-x").click()
     settled(shown)
     assert shown.js("scene.header.gravity") == [-9.81, 0]
     forces = ask(shown, do="query")["member_force"]

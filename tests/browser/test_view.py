@@ -12,6 +12,7 @@ from PIL import Image
 import action_models
 import kinetruss as kt
 from kinetruss import strength, viewer
+from kinetruss.display import limits_of
 from samples import fourbar, tripod
 
 BACK = np.array([0xF7, 0xF8, 0xFA])
@@ -66,7 +67,7 @@ def test_a_picture_comes_and_nothing_is_asked_of_the_network(show, pages, name):
     not_blank(pixels(shown))
     if name in ("turn", "two"):
         every_key(shown)
-    for label in ("Ghost", "Names", "Loads", "Grid", "Panel", "◐", "?"):
+    for label in ("Ghost", "Names", "Loads", "Grid", "Paths", "Panel", "dark or light", "help"):
         shown.page.get_by_role("button", name=label, exact=True).click()
     shown.press("Escape")
     shown.drawn()
@@ -92,7 +93,7 @@ def along(member: int, part: float) -> str:
 def test_colours_and_legend_are_those_of_the_forces(show, pages, turn):
     shown = show(pages["turn"])
     force = turn.forces["all"].data["member_force"].values
-    largest = np.abs(force).max()
+    largest = limits_of("diverging", force)[1]
     shown.press("a", "h", "l")
     for frame in (0, 13, 31):
         shown.js("app.goTo(given)", frame)
@@ -109,7 +110,7 @@ def test_colours_and_legend_are_those_of_the_forces(show, pages, turn):
     assert "Axial force" in text
     assert "compression" in text
     assert "tension" in text
-    assert f"{largest:.3g}" in text.replace("−", "-")
+    assert f"{largest:.3g}" in text
     shown.page.get_by_label("colour by").select_option("buckling")
     assert "no compression" in shown.page.locator(".legend").inner_text()
 
@@ -120,7 +121,7 @@ def test_keys_drive_time(show, pages):
     assert shown.js("app.index") == 11
     shown.press("End")
     assert shown.js("view.frame") == 40
-    shown.press("Home", "+", "-", "-", "-", "-", "Space")  # so slow that a busy machine sees it under way
+    shown.press("Home", "+", "-", "Space")
     assert shown.js("[app.speed, app.playing]") == [0.1, True]
     shown.until("app.index > 3")
     shown.press("Space")
@@ -145,7 +146,7 @@ def test_keys_pick_and_the_panel_follows(show, pages, lift):
     shown.press("Shift+p")
     assert shown.page.locator(".inspector h2").inner_text().startswith("T")
     shown.press("t")
-    assert shown.js("view.traces.size") == 1
+    assert shown.js("view.traces.shown.map((node) => scene.nodes[node])") == ["T"]
     shown.press("Escape")
     assert shown.js("app.picked") is None
     shown.press("c", "c")
@@ -165,7 +166,7 @@ def test_the_pointer_picks_turns_and_approaches(show, pages):
     x, y = shown.js("view.project(view.now[3])")[:2]
     shown.page.locator(".pane canvas").click(position={"x": x, "y": y})
     assert shown.js("app.picked") == {"type": "node", "name": "T"}
-    shown.page.locator(".pane canvas").click(position={"x": 15, "y": 415})
+    shown.page.locator(".pane canvas").click(position={"x": 15, "y": 380})
     assert shown.js("app.picked") is None
     shown.page.locator(".table").get_by_role("button", name="LC").click()
     assert shown.js("app.picked.name") == "LC"
@@ -321,7 +322,7 @@ def test_bodies_are_seen_as_faces(show, tmp_path):
         shown = show(viewer.write(model, tmp_path / f"{name}.html"))
         seen.append(pixels(shown))
         assert shown.complaints == []
-        assert shown.js("view.bodies.triangles.length") == (4 if model is solid else 0)
+        assert shown.js("view.bodies.hulls.length") == (4 if model is solid else 0)
     assert (np.abs(seen[0] - seen[1]).max(axis=2) > 20).mean() > 0.03  # faces between the same bars
 
 
@@ -335,10 +336,11 @@ def test_faces_of_a_solid_have_the_colours_of_their_stress(show, tmp_path):
     shown = show(viewer.write(rest, tmp_path / "solid.html", model=model))
     stress = told.arrays["skin_stress"][0]
     assert shown.js("app.channel.id") == "stress"
-    assert shown.js("app.limits") == pytest.approx([0, stress.max()], rel=1e-6)
+    limits = limits_of("sequential", stress)
+    assert shown.js("app.limits") == list(limits)
     table = np.array([[int(one[k : k + 2], 16) for k in (1, 3, 5)] for one in SEQUENTIAL])
     for face, value in enumerate(stress):
-        place = value / stress.max() * (len(table) - 1)
+        place = value / limits[1] * (len(table) - 1)
         wanted = [np.interp(place, range(len(table)), column) for column in table.T]
         assert shown.js("view.skins.colourOf(given)", face) == pytest.approx(wanted, abs=1.0)
     shown.press("h", "l", "b")

@@ -118,7 +118,8 @@ def test_the_page_writes_and_colours_as_python_does(tmp_path):
     assert found["margins"] == [margin(value) for value, _ in given["quantities"]]
     assert found["ends"] == [round_up(abs(value)) for value, _ in given["quantities"]]
     assert found["ticks"] == [
-        ticks(-0.37 * value if k % 2 else 0.0, value) if value > 0 else [0.0] for k, (value, _) in enumerate(given["quantities"])
+        ticks(-0.37 * value if k % 2 else 0.0, value) if value > 0 else [0.0]
+        for k, (value, _) in enumerate(given["quantities"])
     ]
     assert found["columns"] == [list(column(values, unit)) for values, unit in given["columns"]]
     assert found["instants"] == [instant(value) for value, _ in given["quantities"]]

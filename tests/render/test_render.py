@@ -15,7 +15,7 @@ from PIL import Image
 import kinetruss as kt
 from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
-from kinetruss.display.palettes import SKINS, colours_of, limits_of, rgb
+from kinetruss.display.palettes import OVER, SKINS, colours_of, limits_of, rgb
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
 from kinetruss.viewer.films.camera import PRESETS, aimed
@@ -96,10 +96,10 @@ def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
 
 def test_members_beyond_capacity_and_unknown_ones_have_colours_of_their_own():
     found = colours_of("capacity", np.array([0.0, 1.0, 1.01, np.nan]), (0.0, 1.0))
-    assert np.array_equal(found, np.array([rgb("#482878"), rgb("#fde725"), rgb("#e5007d"), rgb("#8a8a8a")]))
-    assert limits_of("capacity", np.array([0.2, np.nan])) == (0.0, 0.2)
-    assert limits_of("capacity", np.array([0.2, 0.7])) == (0.0, 1.0)
-    assert limits_of("diverging", np.array([-3.0, 2.0])) == (-3.0, 3.0)
+    assert np.array_equal(found, np.array([rgb("#482878"), rgb("#fde725"), rgb(OVER), rgb("#8a8a8a")]))
+    assert limits_of("capacity", np.array([0.2, np.nan])) == limits_of("capacity", np.array([0.2, 7.0])) == (0.0, 1.0)
+    assert limits_of("diverging", np.array([-3.0, 2.0])) == (-3.2, 3.2)
+    assert limits_of("sequential", np.array([np.nan, 0.93])) == (0.0, 1.0)
 
 
 @pytest.mark.parametrize("camera", [*PRESETS, (1, 2, -0.5)])

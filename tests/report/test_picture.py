@@ -84,10 +84,10 @@ def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
 
 def test_kinds_loads_ghost_and_ways_have_their_lines(lift, tmp_path):
     plain = strokes(report.picture(lift, tmp_path / "a.svg", loads=False, names=False))
-    assert _style.DRIVEN.lower() in plain  # active legs
-    assert "#b2005e" not in plain
+    assert _colours.DRIVEN in plain  # active legs
+    assert _colours.LOAD not in plain
     more = strokes(report.picture(lift, tmp_path / "b.svg", case="pushed", ghost=True, at=1.0))
-    assert {"#b2005e", "#a8b0b9"} <= set(more)
+    assert {_colours.LOAD, "#a8b0b9"} <= set(more)
     way = report.picture(lift, tmp_path / "c.svg", paths=["T"], case="standing")
     assert way.read_text().count("<path") > (tmp_path / "a.svg").read_text().count("<path")
 

@@ -4,7 +4,7 @@ import { el, fill, section } from "./dom.js";
 import { Changes } from "./changes.js";
 import { Drives } from "./drives.js";
 import { KeyFrames } from "./frames.js";
-import { number, quantity } from "./format.js";
+import { column, number, quantity } from "./format.js";
 
 const WEAK = 0.05; // gauge below which a pose counts as near a singular one
 
@@ -85,17 +85,19 @@ export class Controls {
     const shown = [["thrust", "N"], ["holding_torque", "N m"], ["breakaway_torque", "N m"], ["current", "A"]].filter(([key]) => key in demand[0]);
     const words = { thrust: "thrust", holding_torque: "hold", breakaway_torque: "start", current: "current" };
     const used = (row) => (row.max_current && row.current !== null ? ` (${quantity(Math.abs(row.current) / row.max_current, "%")})` : "");
-    fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key]) => el("th", {}, words[key]))),
-      demand.map((row) => el("tr", {}, el("th", {}, row.name), shown.map(([key, unit]) =>
-        el("td", {}, row[key] === null ? "-" : quantity(row[key], unit) + (key === "current" ? used(row) : ""))))));
+    const columns = shown.map(([key, unit]) => column(demand.map((row) => row[key] ?? NaN), unit));
+    fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key], j) => el("th", {}, `${words[key]} (${columns[j][1]})`))),
+      demand.map((row, k) => el("tr", {}, el("th", {}, row.name), shown.map(([key], j) => el("td", {}, columns[j][0][k] + (key === "current" ? used(row) : ""))))));
   }
 
   showReactions() {
     const { scene, running } = this.live;
     if (running || !scene.has("reaction") || !this.reactionSection.open) return;
     const axes = [..."xyz"].slice(0, scene.dim);
-    fill(this.reactions, el("tr", {}, el("th", {}, "node"), axes.map((axis) => el("th", {}, `${axis} (N)`))),
-      scene.header.supported.slice(0, 200).map((name, k) => el("tr", {}, el("th", {}, name), scene.vector("reaction", 0, k).slice(0, scene.dim).map((value) => el("td", {}, number(value, 4))))));
+    const names = scene.header.supported.slice(0, 200), all = names.flatMap((_, k) => scene.vector("reaction", 0, k).slice(0, scene.dim));
+    const [texts, unit] = column(all, "N");
+    fill(this.reactions, el("tr", {}, el("th", {}, "node"), axes.map((axis) => el("th", {}, `${axis} (${unit})`))),
+      names.map((name, k) => el("tr", {}, el("th", {}, name), axes.map((_, i) => el("td", {}, texts[k * axes.length + i])))));
   }
 
   /** A picked member is the one that can be switched. */

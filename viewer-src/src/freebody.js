@@ -1,7 +1,7 @@
 // The free-body picture of a member: end forces, weight and inertia in its plane 1-2 or 1-3; all numbers in a table.
 
 import { el, svg } from "./dom.js";
-import { number, quantity, scale } from "./format.js";
+import { column, number, quantity } from "./format.js";
 
 const WIDTH = 320, HEIGHT = 160, LEFT = 66, RIGHT = 254, MIDDLE = 62;
 const COLOURS = { F_A: "var(--pen-1)", F_B: "var(--pen-1)", "m g": "var(--pen-3)", "m a": "var(--pen-2)", T: "var(--pen-3)", Q: "var(--pen-3)", P: "var(--pen-3)", B: "var(--pen-3)" };
@@ -67,13 +67,12 @@ function arrow(picture, x, term, [dx, dy]) {
 /** All forces by component, and what they sum to against the inertia. */
 export function freeBodyTable(scene, body) {
   const largest = Math.max(...body.terms.map((term) => Math.hypot(...term.force)));
-  const [factor, unit] = scale(largest, "N");
   const axes = scene.dim === 3 ? [0, 1, 2] : [0, 1];
-  const cell = (value) => el("td", {}, number(Math.abs(value) < 1e-6 * largest ? 0 : value * factor, 4));
+  const [texts, unit] = column(body.terms.flatMap((term) => axes.map((i) => (Math.abs(term.force[i]) < 1e-6 * largest ? 0 : term.force[i]))), "N");
   return el("table", { class: "numbers" },
     el("thead", {}, el("tr", {}, el("th", {}, `force (${unit})`), axes.map((i) => el("th", {}, `along ${i + 1}`)))),
-    el("tbody", {}, body.terms.map((term) => el("tr", { title: term.words },
-      el("th", {}, term.symbol, el("small", {}, ` ${term.words}`)), axes.map((i) => cell(term.force[i])))),
+    el("tbody", {}, body.terms.map((term, k) => el("tr", { title: term.words },
+      el("th", {}, term.symbol, el("small", {}, ` ${term.words}`)), axes.map((i) => el("td", {}, texts[k * axes.length + i])))),
     body.couples.map((one) => el("tr", {}, el("th", {}, "couple ", el("small", {}, one.words)),
       el("td", { colspan: axes.length }, quantity(one.size, "N m")))),
     body.drives.map((drive) => el("tr", {}, el("th", {}, "drive ", el("small", {}, drive.name)),

@@ -1,7 +1,7 @@
 // The picked member or node: name, values now, history, free body, diagrams along it.
 
 import { el, fill, press, toggle } from "./dom.js";
-import { channelText, number, quantity, scale } from "./format.js";
+import { channelText, column, quantity } from "./format.js";
 import { freeBodyPicture, freeBodyTable } from "./freebody.js";
 import { drivesAt, drivesOf, freeBodyOf, sectionAt, sectionsOf } from "./mechanics.js";
 import { plot } from "./plot.js";
@@ -175,8 +175,8 @@ function allowed(scene, member) {
 function nodeValues(scene, frame, node) {
   const axes = "xyz".slice(0, scene.dim).split("");
   const listed = (v, unit) => {
-    const largest = Math.max(...v.map(Math.abs)), [factor, shown] = scale(largest, unit);
-    return `${axes.map((_, i) => number(Math.abs(v[i]) > 1e-9 * largest ? factor * v[i] : 0)).join(", ")} ${shown}`;
+    const largest = Math.max(...v.map(Math.abs)), [texts, shown] = column(axes.map((_, i) => (Math.abs(v[i]) > 1e-9 * largest ? v[i] : 0)), unit);
+    return `${texts.map((one) => one.trim()).join(", ")} ${shown}`;
   };
   const rows = [["Position", listed(scene.position(frame, node), "m")]];
   if (scene.has("velocity")) {

@@ -2,9 +2,11 @@
 
 import { App } from "./app.js";
 import { Controls } from "./controls.js";
-import { readScene } from "./scene.js";
+import { el } from "./dom.js";
+import { fromBase64, readScene } from "./scene.js";
 
 const REST = 150; // ms after the last answer at which what takes longer is asked for
+const SILENT = 2500; // ms after which a page that no kernel answers shows its still
 const MANY = 40; // members above which that is needed
 
 /** Connects the page to whoever serves it. */
@@ -29,6 +31,7 @@ function throughFrame(live) {
     if (source === window.parent && data?.kinetruss) live.hear(data.kinetruss);
   });
   window.parent.postMessage({ kinetruss: "{\"do\":\"live\"}" }, "*");
+  setTimeout(() => live.still(), SILENT);
   return { post: (text) => window.parent.postMessage({ kinetruss: text }, "*") };
 }
 
@@ -97,6 +100,17 @@ export class Live {
     if (header.kind === "state") this.place(header, body);
     else await this.stage(header, body);
     return header;
+  }
+
+  /** Nobody answers: show the pose that came with the page, as it is. */
+  async still() {
+    const [source] = document.querySelectorAll("script.kinetruss-scene");
+    if (this.app || this.answers || !source) return;
+    this.app = new App(this.root, [await readScene(fromBase64(source.textContent))]);
+    window.kinetruss.app = this.app;
+    window.kinetruss.ready = true;
+    this.root.dataset.state = "ready";
+    this.app.stage.append(el("p", { class: "note" }, "A still: run the notebook to move it."));
   }
 
   rest() {

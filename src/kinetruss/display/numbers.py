@@ -169,7 +169,9 @@ def column(values: Sequence[float], unit: str, digits: int = 0) -> tuple[list[st
     floor = max(FLOORS.get(unit, FLOORS[""]) if unit in UNITS else 0.0, ROUND_OFF * largest)
     top = largest * factor
     power = math.floor(math.log10(top) + 1e-9) if top > 0 else 0
-    if not SHORT <= power < math.log10(LONG) or (name == "" and min((x for x in sizes if x > floor), default=1.0) < 10.0**SHORT):
+    if not SHORT <= power < math.log10(LONG) or (
+        name == "" and min((x for x in sizes if x > floor), default=1.0) < 10.0**SHORT
+    ):
         return [number(value * factor if not abs(value) < floor else 0.0, digits or DIGITS[""]) for value in values], name
     decimals = 1 if unit == "%" and not digits else max(0, (digits or DIGITS.get(unit, DIGITS[""])) - 1 - power)
     texts = [_fixed(value * factor, decimals) for value in values if math.isfinite(value) and abs(value) >= floor]
@@ -178,7 +180,11 @@ def column(values: Sequence[float], unit: str, digits: int = 0) -> tuple[list[st
         texts = [text[:-1] for text in texts]
     zero = "0" + (POINT + DIGIT * decimals if decimals else "")
     shown = [
-        number(value) if not math.isfinite(value) else zero if abs(value) < floor or not value else _fixed(value * factor, decimals)
+        number(value)
+        if not math.isfinite(value)
+        else zero
+        if abs(value) < floor or not value
+        else _fixed(value * factor, decimals)
         for value in values
     ]
     return shown, name

@@ -44,7 +44,9 @@ class Table:
     @property
     def text(self) -> str:
         """The table as lines of text; wide characters count as two columns."""
-        lines = [[str(cell).translate(PLAIN) for cell in row] for row in ((self.head, *self.rows) if any(self.head) else self.rows)]
+        lines = [
+            [str(cell).translate(PLAIN) for cell in row] for row in ((self.head, *self.rows) if any(self.head) else self.rows)
+        ]
         widths = [max(map(cell_len, column)) for column in zip(*lines, strict=True)]
         right = self._numeric()
         found = [self.caption] if self.caption else []

@@ -10,8 +10,9 @@ import anywidget
 import traitlets
 
 from kinetruss.model import Model
+from kinetruss.notebook._show import framed
 from kinetruss.studio import Session
-from kinetruss.viewer import live_page
+from kinetruss.viewer import live_page, page, scene
 
 __all__ = ["LiveModel"]
 
@@ -54,8 +55,18 @@ class LiveModel(anywidget.AnyWidget):
 
     def __init__(self, model: Model, height: int, folder: Path | None) -> None:
         self.session = Session(model, None, folder)
-        super().__init__(page=live_page(model.title), height=height, values=dict(self.session.pose.values))
+        still = scene(self.session.instant().forces, model=self.session.model)
+        self._still = framed(page(still, title=model.title), height)
+        super().__init__(page=live_page(model.title, still=still), height=height, values=dict(self.session.pose.values))
         self.on_msg(self._heard)
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """The widget, and for pages where no widget runs a still."""
+        found = super()._repr_mimebundle_(**options)
+        if found is None:
+            return {"text/html": self._still}
+        data, metadata = found if isinstance(found, tuple) else (found, {})
+        return {**data, "text/html": self._still}, metadata
 
     def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
         """Answer one message of a page."""

@@ -16,7 +16,7 @@ from kinetruss.display import DRIVEN, LOAD, aligned, quantity, scale
 from kinetruss.display.numbers import DIGIT, POINT
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
-from kinetruss.report.pictures.view import MEMBERS, label, projected
+from kinetruss.report.pictures.view import MEMBERS, projected, write_names
 from kinetruss.results.store import whole_file
 
 __all__ = ["draw", "save"]
@@ -239,7 +239,7 @@ def _pose(ax: Any, figure: Shape, pose: Pose, points: Any) -> None:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", projected(end), projected(start), arrowprops=pen)
     members = figure.members if len(figure.members) <= MEMBERS else ()
-    label(ax, points, figure.nodes if len(figure.nodes) <= NODES else (), figure.ends, members)
+    write_names(ax, points, figure.nodes if len(figure.nodes) <= NODES else (), figure.ends, members)
 
 
 def _scale_bar(ax: Any, low: Any, high: Any) -> None:

@@ -27,7 +27,7 @@ from kinetruss.display import (
 )
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import INK, PRINT, QUIET, RC, WIDTHS
-from kinetruss.report.pictures.view import label
+from kinetruss.report.pictures.view import write_names
 
 __all__ = ["drawn"]
 
@@ -130,7 +130,7 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     for start, end in one.loads:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", end, start, arrowprops=pen)
-    label(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members)
+    write_names(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members)
 
 
 def _faces(ax: Any, figure: Drawing, one: Stand) -> None:

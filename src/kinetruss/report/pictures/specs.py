@@ -68,7 +68,7 @@ class Pose:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Shape:
-    """The structure at some instants: members as pairs of node indices, which of them are driven, held nodes, names of members."""
+    """The structure at some instants: members as pairs of node indices, which are driven, held nodes, names of members."""
 
     name: str
     title: str
@@ -118,7 +118,8 @@ class Drawing:
     """The structure for print, `width` mm wide, at one or more instants beside each other.
 
     kinds : of the members. joined : nodes of members and bodies. held : nodes held in all axes; guided : in some. ghost : start
-    pose (n, 2), m; ways : of nodes, each (times, 2), m. members : names that are written. unsure : members whose force is not unique.
+    pose (n, 2), m; ways : of nodes, each (times, 2), m. members : names that are
+    written. unsure : members whose force is not unique.
     """
 
     title: str

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["MEMBERS", "VIEWS", "eye", "label", "names_of", "projected"]
+__all__ = ["MEMBERS", "VIEWS", "eye", "names_of", "projected", "write_names"]
 
 VIEWS = {"iso": (-62.0, 16.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
 """Azimuth and elevation of the views, degrees."""
@@ -23,7 +23,7 @@ MEMBERS = 40
 """Number of members up to which their names are shown by default."""
 
 WIDE, HIGH, GAP, STEP = 0.62, 1.25, 2.0, 4.0
-"""Width of a character and height of a line, of the font size; distance of a name from its place, and of points on lines, points."""
+"""Width of a character and height of a line over the font size; distances of a name from its place, of points on lines, pt."""
 
 AROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)], float)
 ALONG = (0.5, 0.4, 0.6, 0.3, 0.7)
@@ -45,7 +45,7 @@ def projected(points: NDArray[np.float64], view: str = "iso") -> NDArray[np.floa
     return seen
 
 
-def label(
+def write_names(
     ax: Any, points: Array, nodes: Sequence[str], ends: Sequence[tuple[int, int]], members: Sequence[str], size: float = 7.0
 ) -> None:
     """Write names of nodes beside points (n, 2) and names of members beside their lines.

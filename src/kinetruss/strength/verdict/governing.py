@@ -26,7 +26,7 @@ NO_RULE = NOT_CHECKED + "a cable does not buckle"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Governing:
-    """The highest utilisation. kind : ``member`` or ``drive``; member : of a part, the member it belongs to. time : s, or NaN."""
+    """The highest utilisation. kind : ``member`` or ``drive``; member : the one that a part belongs to. time : s, or NaN."""
 
     kind: str
     name: str
@@ -78,7 +78,10 @@ class Headline:
         """Plain data for JSON."""
         one = self.governing
         lacking = self.parts - self.checked if self.state == "over" else 0
-        more = [f"{self.others} more over" if self.others else "", f"{lacking} of {self.parts} parts not checked" if lacking else ""]
+        more = [
+            f"{self.others} more over" if self.others else "",
+            f"{lacking} of {self.parts} parts not checked" if lacking else "",
+        ]
         more.append(f"{self.without} {'drive' if self.without == 1 else 'drives'} without limits" if self.without else "")
         return {
             "state": self.state,
@@ -131,16 +134,21 @@ def headline(
 
 def _lacking(columns: Columns) -> tuple[set[str], int]:
     """The parts that were not checked completely, and the number of all that have a rule or a note."""
-    used, notes = columns["utilisation"].values, columns["note"].values
-    names = columns["part"].values.tolist()
-    told = [[str(note) for note in row] for row in notes.tolist()]
+    used, names = columns["utilisation"].values, columns["part"].values.tolist()
+    notes = columns["note"].values.tolist() if "note" in columns else np.full(used.shape, "").tolist()
+    told = [[str(note) for note in row] for row in notes]
     listed = [k for k in range(len(names)) if any(told[k]) or np.isfinite(used[k]).any() or np.isposinf(used[k]).any()]
-    return {str(names[k]) for k in listed if any(note.startswith(NOT_CHECKED) and note != NO_RULE for note in told[k])}, len(listed)
+    return {str(names[k]) for k in listed if any(note.startswith(NOT_CHECKED) and note != NO_RULE for note in told[k])}, len(
+        listed
+    )
 
 
 def _worst(columns: Columns, subject: str, kind: str, case: str = "") -> Iterator[Governing]:
     """The highest utilisation of each part or drive that has one."""
-    used, rules = columns["utilisation"].values, [str(one) for one in columns["rule" if kind == "member" else "quantity"].values]
+    used, rules = (
+        columns["utilisation"].values,
+        [str(one) for one in columns["rule" if kind == "member" else "quantity"].values],
+    )
     names = columns[subject].values.tolist()
     members = columns["member"].values.tolist() if "member" in columns else names
     for k in np.flatnonzero(~np.isnan(used).all(axis=1)).tolist():

@@ -178,7 +178,9 @@ class _Job:
         if self.channel is None:
             return np.array([rgb(one) for one in (*KINDS.values(), *SKINS.values())], np.uint8)
         colours, light = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits), THEMES["light"]
-        return np.concatenate([colours, [rgb(one) for one in (LOAD, DRIVEN, OVER, light["node"], light["body"], light["outline"])]]).astype(np.uint8)
+        return np.concatenate(
+            [colours, [rgb(one) for one in (LOAD, DRIVEN, OVER, light["node"], light["body"], light["outline"])]]
+        ).astype(np.uint8)
 
 
 def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import DRIVEN, ELASTIC, KINDS, LOAD, SKINS, THEMES, colours_of, rgb
-from kinetruss.viewer.films.solids import across
+from kinetruss.viewer.films.copies import Copies, copies, striped
+from kinetruss.viewer.films.solids import across, plate, rounded
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,48 +20,16 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Copies", "Look", "Subject"]
+__all__ = ["Look", "Subject"]
 
 PAPER = THEMES["light"]
 SUPPORT, BODY, TRACE, GHOST, NODE, GRID = PAPER["support"], "#3f4a55", PAPER["ink"], "#a8b0b9", PAPER["node"], PAPER["line"]
 RIM = 0.35
 """Width of the rim of a bar over its radius; it keeps pale colours visible."""
-STRIPES = 25
-"""Number of stripes of a member whose value is not known for sure; every other one is pale."""
 PRESSURE = 0.3
 """Length of pressure arrows as a fraction of other arrows, since many are next to each other."""
 THIN = {"frame": 0.0, "free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
 RING = np.column_stack([np.cos(np.arange(25) * np.pi / 12), np.sin(np.arange(25) * np.pi / 12), np.zeros(25)])
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Copies:
-    """Copies of a shape of revolution: start (n, 3), end (n, 3), m; radius (n,), m; colour (n, 3), 0 to 255."""
-
-    start: Array
-    end: Array
-    radius: Array
-    colour: NDArray[np.uint8]
-
-    @classmethod
-    def all(cls, several: Sequence[Copies]) -> Copies:
-        """Several sets of copies, joined."""
-        kept = [one for one in several if len(one.radius)]
-        if not kept:
-            return cls(start=np.zeros((0, 3)), end=np.zeros((0, 3)), radius=np.zeros(0), colour=np.zeros((0, 3), np.uint8))
-        return cls(**{name: np.concatenate([getattr(one, name) for one in kept]) for name in cls.__slots__})
-
-
-def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copies:
-    """Copies with one colour, or one colour each."""
-    count = len(start)
-    shade = np.array(rgb(colour) if isinstance(colour, str) else colour, np.uint8)
-    return Copies(
-        start=start,
-        end=end,
-        radius=np.broadcast_to(np.asarray(radius, float), count).copy(),
-        colour=np.broadcast_to(shade, (count, 3)).copy(),
-    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -182,7 +151,7 @@ class Subject:
         """Mask (frames, members) of members that are striped: not checked, or a force that is not unique."""
         if channel is None or channel["id"] == "speed":
             return np.zeros((len(self.places), len(self.ends)), np.bool_)
-        found = np.isnan(self.values(channel))
+        found: NDArray[np.bool_] = np.array(np.isnan(self.values(channel)))
         found[:, self.unsure] = True
         return found
 
@@ -194,7 +163,13 @@ class Subject:
 
     def rods(self, frame: int, x: Array, colours: NDArray[np.uint8], hatched: NDArray[np.bool_] | None = None) -> Copies:
         """Bars, marks of their kinds, shafts of arrows, rings of motors; `hatched` over (frames, members)."""
-        found = [*self._striped(self._bars(x, colours), frame, hatched), *self._marks(x)]
+        bars = self._bars(x, colours)
+        if hatched is not None and hatched.any():
+            two = np.array(self.scene.header["two_rods"], int)
+            one, ever = np.setdiff1d(np.arange(len(self.ends)), two), hatched.any(axis=0)
+            owners = [one, two, two, two][: len(bars)]
+            bars = [striped(some, ever[of], hatched[frame, of], PAPER["back"]) for some, of in zip(bars, owners, strict=True)]
+        found = [*bars, *self._marks(x)]
         shafts, _ = self._arrows(frame, x)
         return Copies.all([*found, shafts, self._rings(x)])
 
@@ -203,26 +178,6 @@ class Subject:
         found = Copies.all(self._bars(x, np.zeros((len(self.ends), 3), np.uint8)))
         least = 0.011 * self.usual
         return copies(found.start, found.end, found.radius + RIM * np.maximum(found.radius, least), PAPER["outline"])
-
-    def _striped(self, bars: list[Copies], frame: int, hatched: NDArray[np.bool_] | None) -> list[Copies]:
-        """Bars of which members that are ever striped are cut into pieces; every other piece is pale while they are."""
-        if hatched is None or not hatched.any():
-            return bars
-        ever, found = hatched.any(axis=0), []
-        two = np.array(self.scene.header["two_rods"], int)
-        owners = [np.setdiff1d(np.arange(len(ever)), two), two, two, two]
-        count = STRIPES if ever.sum() <= SEVERAL else STRIPES // 3
-        for several, owner in zip(bars, owners, strict=False):
-            plain, cut = ~ever[owner], np.flatnonzero(ever[owner])
-            found.append(Copies(**{name: getattr(several, name)[plain] for name in Copies.__slots__}))
-            for k in range(count):
-                along = several.end[cut] - several.start[cut]
-                pale = (hatched[frame, owner[cut]] & bool(k % 2))[:, None]
-                start, end = (several.start[cut] + (k + one) / count * along for one in (0, 1))
-                found.append(
-                    copies(start, end, several.radius[cut], np.where(pale, rgb(PAPER["back"]), several.colour[cut]).astype(np.uint8))
-                )
-        return found
 
     def cones(self, frame: int, x: Array) -> Copies:
         """Supports and heads of arrows."""
@@ -243,32 +198,24 @@ class Subject:
         found = [x[np.array(self.scene.header["solids"], int).reshape(-1, 3)]]
         for k, (body, outline) in enumerate(zip(self.scene.header["bodies"], self._outlines, strict=True)):
             p, q = x[self.ends[body["member"]]]
-            u = (q - p) / np.linalg.norm(q - p)
-            flat = p + outline[:, :1] * u + outline[:, 1:] * np.array([-u[1], u[0], 0.0])
             # plates that overlap lie above each other by less than can be seen
-            up = np.array([0.0, 0.0, self.ball * (0.25 + 0.01 * k)])
-            top, low, after = flat + up, flat - up, np.roll(flat, -1, axis=0)
-            found += [_fan(top), _fan(low), np.stack([top, low, after + up], axis=1), np.stack([low, after - up, after + up], axis=1)]
+            found.append(plate(outline, p, q, self.ball * (0.25 + 0.01 * k)))
         return np.concatenate(found)
 
     def triangles(self, x: Array) -> Array:
         """Corners (n, 3, 3) of triangles of rigid bars, if requested."""
         shown = self.scene.header["triangles"] if self.look.faces else []
-        return x[np.array(shown, int).reshape(-1, 3)]
+        found: Array = x[np.array(shown, int).reshape(-1, 3)]
+        return found
 
     @cached_property
     def _outlines(self) -> list[Array]:
-        """Outlines (k, 2) of planar bodies in the axes of their bar: the hull of circles about its ends and the centre of mass."""
-        if not self.scene.header["bodies"]:
-            return []
-        from scipy.spatial import ConvexHull
-
-        circle, found = 1.9 * self.ball * RING[:-1, :2], []
+        """Outlines (k, 2) of planar bodies in the axes of their bar."""
+        found = []
         for body in self.scene.header["bodies"]:
             p, q = self.places[0][self.ends[body["member"]]]
-            around = [corner + circle for corner in ((0.0, 0.0), (float(np.linalg.norm(q - p)), 0.0), body["center"])]
-            points = np.concatenate(around)
-            found.append(points[ConvexHull(points).vertices])
+            corners = np.array([(0.0, 0.0), (np.linalg.norm(q - p), 0.0), body["center"]])
+            found.append(rounded(corners, 1.9 * self.ball))
         return found
 
     def tips(self) -> Array:
@@ -438,8 +385,6 @@ class Subject:
         return lines[:, 0], lines[:, 1]
 
 
-SEVERAL = 300
-"""Number of striped members above which stripes are wider."""
 SWING = 0.08
 """Amplitude of a mode as a fraction of the size of the structure."""
 
@@ -450,8 +395,3 @@ def _toward(p: Array, q: Array, size: Array) -> Array:
     part = np.minimum(size / np.where(length > 0, length, 1.0), 1.0)
     found: Array = p + part[:, None] * (q - p)
     return found
-
-
-def _fan(points: Array) -> Array:
-    """Triangles (k - 2, 3, 3) of a convex polygon (k, 3)."""
-    return np.stack([np.broadcast_to(points[0], points[2:].shape), points[1:-1], points[2:]], axis=1)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Turned", "across", "ball", "cone", "rod"]
+__all__ = ["Turned", "across", "ball", "cone", "plate", "rod", "rounded"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -84,3 +84,23 @@ def _turned(profile: Any, normals: Any, sides: int) -> Turned:
     after = (j + 1) % sides
     quads = np.stack([k * sides + j, k * sides + after, (k + 1) * sides + after, (k + 1) * sides + j], axis=2)
     return Turned(points=points, normals=outward, quads=quads.reshape(-1, 4))
+
+
+def rounded(corners: Array, radius: float) -> Array:
+    """The convex outline (k, 2), counterclockwise, of circles about corners (n, 2)."""
+    from scipy.spatial import ConvexHull
+
+    angle = np.arange(24) * np.pi / 12
+    points = (corners[:, None] + radius * np.column_stack([np.cos(angle), np.sin(angle)])).reshape(-1, 2)
+    found: Array = points[ConvexHull(points).vertices]
+    return found
+
+
+def plate(outline: Array, p: Array, q: Array, half: float) -> Array:
+    """Triangles (m, 3, 3) of a plate in the x-y plane: outline (k, 2) in the axes of the line from p to q, half its depth."""
+    u = (q - p) / np.linalg.norm(q - p)
+    flat = p + outline[:, :1] * u + outline[:, 1:] * np.array([-u[1], u[0], 0.0])
+    top, low = (flat + np.array([0.0, 0.0, one]) for one in (half, -half))
+    after, below = np.roll(top, -1, axis=0), np.roll(low, -1, axis=0)
+    fans = [np.stack([np.broadcast_to(x[0], x[2:].shape), x[1:-1], x[2:]], axis=1) for x in (top, low)]
+    return np.concatenate([*fans, np.stack([top, low, after], axis=1), np.stack([low, below, after], axis=1)])

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.viewer.films.camera import Camera
-    from kinetruss.viewer.films.shown import Copies, Subject
+    from kinetruss.viewer.films.copies import Copies
+    from kinetruss.viewer.films.shown import Subject
 
 __all__ = ["Stage", "stage"]
 

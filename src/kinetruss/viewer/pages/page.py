@@ -55,21 +55,26 @@ def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str
     if not 1 <= len(shown) <= 2:
         raise InputError(f"{len(shown)} scenes: a page shows one, or two side by side.")
     names = [*labels, *(str(one.header["name"] or one.header["title"]) for one in shown[len(labels) :])]
-    data = "".join(
-        f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
-        for name, one in zip(names, shown, strict=True)
-    )
+    data = "".join(_data(one, name) for name, one in zip(names, shown, strict=True))
     words = title or str(shown[0].header["title"] or shown[0].header["name"] or "kinetruss")
     return _document(words, data, POLICY, "")
 
 
-def live_page(title: str, hosts: Sequence[str] = ()) -> str:
+def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None) -> str:
     """The same page without a scene: it gets its scene from a websocket of its server, or from the frame around it.
 
-    hosts : e.g. ``127.0.0.1:8000``, the only hosts to which the page may connect.
+    hosts : e.g. ``127.0.0.1:8000``, the only hosts to which the page may connect. still : shown while nobody answers, as in a
+    notebook that was exported as a page.
     """
     policy = f"{POLICY}; connect-src {' '.join(f'ws://{host}' for host in hosts)}" if hosts else POLICY
-    return _document(title or "kinetruss", "", policy, ' data-live="socket"' if hosts else ' data-live="frame"')
+    data = "" if still is None else _data(still, "")
+    return _document(title or "kinetruss", data, policy, ' data-live="socket"' if hosts else ' data-live="frame"')
+
+
+def _data(one: Scene, name: str) -> str:
+    return (
+        f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
+    )
 
 
 def _document(title: str, data: str, policy: str, live: str) -> str:

@@ -28,8 +28,8 @@ __all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving"]
 EXACT = 600_000
 """Largest count of numbers over time that a scene keeps as float32; above it curves are rounded."""
 
-ARROWS = 200
-"""Largest number of pressure arrows."""
+ARROWS = 24
+"""Largest number of pressure arrows: they show its direction, the panel and the legend its size."""
 
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
@@ -216,9 +216,21 @@ def loads_of(
     nodes, of = np.unique(loads.node[pressing], return_inverse=True)
     about = (np.arange(len(nodes))[:, None] == of).astype(float)
     force = np.einsum("nk,tki->tni", about, loads.force[:, pressing])
-    step = -(-len(nodes) // ARROWS) or 1
-    where += [{"name": "pressure", "node": int(node), "pressure": True, "drawn": k % step == 0} for k, node in enumerate(nodes)]
+    drawn = _spread(full[0, nodes], ARROWS)
+    where += [{"name": "pressure", "node": int(node), "pressure": True, "drawn": k in drawn} for k, node in enumerate(nodes)]
     return where, np.concatenate([loads.force[:, single], force], axis=1)[:, :, : model.dim]
+
+
+def _spread(points: NDArray[np.float64], most: int) -> set[int]:
+    """Indices of at most so many points (n, 3), each the farthest from those before it."""
+    if len(points) <= most:
+        return set(range(len(points)))
+    chosen = [0]
+    near = np.linalg.norm(points - points[0], axis=1)
+    while len(chosen) < most:
+        chosen.append(int(near.argmax()))
+        near = np.minimum(near, np.linalg.norm(points - points[chosen[-1]], axis=1))
+    return set(chosen)
 
 
 def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None, instants: Sequence[float]) -> NDArray[np.int64]:
