@@ -16,7 +16,6 @@ from kinetruss import io, report, viewer
 from kinetruss.cli import main
 from kinetruss.display import palettes as _colours
 from kinetruss.errors import InputError, StoreError
-from kinetruss.report.pictures import style as _style
 from kinetruss.report.pictures.draw import draw
 from kinetruss.report.pictures.plot import specification
 from kinetruss.report.pictures.specs import Histories

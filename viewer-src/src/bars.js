@@ -71,9 +71,8 @@ export class Bars {
     for (const { material } of [this.rods, this.boxes]) material.userData.stripe.value.set(back);
   }
 
-  resize(width, height, ratio) {
+  resize(width, height) {
     this.rims.resize(width, height);
-    for (const { material } of [this.rods, this.boxes]) material.userData.ratio.value = ratio;
   }
 
   /** Move everything to positions (n, 3 as arrays) at a frame. */

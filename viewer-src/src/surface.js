@@ -3,17 +3,20 @@
 import { BackSide, Color, InstancedBufferAttribute, InstancedMesh, MeshBasicMaterial, MeshLambertMaterial, Vector2 } from "three";
 
 const RIM = [0.35, 1.2]; // least and largest width of a rim, CSS pixels
+const PITCH = "5.0"; // of stripes, of the radius of a bar
 const SHARE = 0.6; // width of a rim over the radius of a bar as it is seen
 
-/** A lit material whose instances are striped where their `hatch` is 1; stripes have the colour of the background. */
+/** A lit material whose instances are striped along their y axis where their `hatch` is 1; stripes have the colour of the background. */
 export function hatchable() {
   const material = new MeshLambertMaterial({ color: "#ffffff" });
-  material.userData = { stripe: { value: new Color() }, ratio: { value: 1 } };
+  material.userData = { stripe: { value: new Color() } };
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, material.userData);
-    shader.vertexShader = `attribute float hatch;\nvarying float vHatch;\n${shader.vertexShader}`.replace("#include <begin_vertex>", "#include <begin_vertex>\nvHatch = hatch;");
-    shader.fragmentShader = `varying float vHatch;\nuniform vec3 stripe;\nuniform float ratio;\n${shader.fragmentShader}`.replace("#include <color_fragment>",
-      "#include <color_fragment>\nif (vHatch > 0.5 && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * ratio) < 3.6 * ratio) diffuseColor.rgb = stripe;");
+    shader.vertexShader = `attribute float hatch;\nvarying float vHatch;\nvarying float vAlong;\n${shader.vertexShader}`.replace("#include <begin_vertex>", `#include <begin_vertex>
+      vHatch = hatch;
+      vAlong = position.y * length(instanceMatrix[1].xyz) / (${PITCH} * max(length(instanceMatrix[0].xyz), length(instanceMatrix[2].xyz)));`);
+    shader.fragmentShader = `varying float vHatch;\nvarying float vAlong;\nuniform vec3 stripe;\n${shader.fragmentShader}`.replace("#include <color_fragment>",
+      "#include <color_fragment>\nif (vHatch > 0.5 && fract(vAlong) < 0.4) diffuseColor.rgb = stripe;");
   };
   return material;
 }

@@ -113,12 +113,19 @@ export class Table {
     return channel.id === "utilisation" && !Number.isNaN(value) && scene.header.not_checked?.[name] ? "* " : "";
   }
 
+  /** Scroll the table, not the page, until a row is seen. */
+  reveal(row) {
+    const box = this.body.closest(".scroll"), head = this.head.offsetHeight;
+    if (row.offsetTop - head < box.scrollTop) box.scrollTop = row.offsetTop - head;
+    else if (row.offsetTop + row.offsetHeight > box.scrollTop + box.clientHeight) box.scrollTop = row.offsetTop + row.offsetHeight - box.clientHeight;
+  }
+
   mark() {
     const { picked } = this.app;
     for (const row of this.body.children) {
       const here = picked?.type === "member" && row.dataset.name === picked.name;
       row.toggleAttribute("aria-current", here);
-      if (here && this.node.offsetParent) row.scrollIntoView({ block: "nearest" });
+      if (here) this.reveal(row);
     }
   }
 }

@@ -25,7 +25,7 @@ export class ToolBar {
     const { cases } = app.views[0].scene;
     this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: app.hint("Load case", "E"), onchange: () => app.setCase(this.cases.value) },
       cases.map((name) => el("option", { value: name }, name))) : null;
-    this.node = el("header", { class: "toolbar" },
+    this.node = el("header", { class: app.views.length > 1 ? "toolbar two" : "toolbar" },
       el("div", { class: "title" }, el("h1", {}, titles.join(" | ")),
         app.views.map(({ scene }, k) => el("p", {}, app.views.length > 1 ? `${app.labels[k]}: ` : "", subtitle(scene)))),
       el("div", { class: "tools" },

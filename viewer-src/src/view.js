@@ -139,7 +139,7 @@ export class View extends Picture {
     if (!width || !height) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    this.bars.resize(width, height, this.renderer.getPixelRatio());
+    this.bars.resize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (!this.sized && this.preset) this.aim(this.preset); // the first size is known only now

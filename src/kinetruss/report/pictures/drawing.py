@@ -35,6 +35,8 @@ INCH = 25.4
 GHOST, WAY, FACE = "#a8b0b9", "#444444", "#c9d4de"
 TALLEST = 1.4
 """Largest ratio of height to width of a figure, or of a page, so that it fits on the sheet (A4: 1.414)."""
+NOTE = 0.14
+"""Height of the line under the scale, inches."""
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
     "driven": {"colors": DRIVEN, "linewidths": 2.2},
@@ -55,7 +57,8 @@ def drawn(figure: Drawing) -> Canvas:
         cell = (width - 0.1) / count
         high_cell = min(cell * float(size[1] / size[0]), 1.5 * max(cell, 2.0))
         above = 0.06 + 0.2 * bool(figure.title) + 0.18 * any(one.caption for one in figure.stands)
-        below = 0.24 + 0.44 * (figure.colouring is not None)
+        told = _told(figure)
+        below = 0.24 + 0.44 * (figure.colouring is not None) + NOTE * bool(told)
         high_cell = min(high_cell, TALLEST * max(width, WIDTHS["page"] / INCH) - above - below)
         height = above + high_cell + below
         canvas = Canvas(figsize=(width, height))
@@ -72,18 +75,15 @@ def drawn(figure: Drawing) -> Canvas:
             canvas.text(0.08 / width, 1 - 0.05 / height, figure.title, va="top", fontweight="bold")
         _scale_bar(canvas, canvas.axes[0], float(size[0]), height)
         if figure.colouring is not None:
-            _legend(canvas, figure.colouring, width, height)
-            told = [figure.colouring.missing, "broken: not unique" if figure.unsure else ""]
-            canvas.text(
-                1 - 0.08 / width,
-                0.04 / height,
-                "; ".join(filter(None, told)),
-                ha="right",
-                va="bottom",
-                fontsize=6.5,
-                color=QUIET,
-            )
+            _legend(canvas, figure.colouring, width, height, NOTE * bool(told))
+            canvas.text(1 - 0.08 / width, 0.04 / height, told, ha="right", va="bottom", fontsize=6.5, color=QUIET)
         return canvas
+
+
+def _told(figure: Drawing) -> str:
+    """The line under the scale: what grey, red and broken members are."""
+    missing = "" if figure.colouring is None else figure.colouring.missing
+    return "; ".join(filter(None, [missing, "broken: not unique" if figure.unsure else ""]))
 
 
 def _box(figure: Drawing) -> tuple[Any, Any]:
@@ -162,10 +162,10 @@ def _scale_bar(canvas: Canvas, ax: Any, size: float, height: float) -> None:
     canvas.text(right + 0.05 / canvas.get_figwidth(), level, words, va="center", fontsize=7, color=QUIET)
 
 
-def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float) -> None:
+def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float, above: float) -> None:
     long = min(0.5 * width, 2.4)
     left = width - long - 0.75
-    ax = canvas.add_axes((left / width, 0.28 / height, long / width, 0.09 / height))
+    ax = canvas.add_axes((left / width, (0.28 + above) / height, long / width, 0.09 / height))
     factor, unit = scale(max(map(abs, colouring.limits)), colouring.unit)
     low, high = (factor * one for one in colouring.limits)
     bar = ColorbarBase(ax, cmap=_map(colouring), norm=Normalize(low, high), orientation="horizontal")

@@ -72,9 +72,7 @@ def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None)
 
 
 def _data(one: Scene, name: str) -> str:
-    return (
-        f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
-    )
+    return f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
 
 
 def _document(title: str, data: str, policy: str, live: str) -> str:
