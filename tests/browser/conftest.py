@@ -73,13 +73,20 @@ class Shown:
 
 @pytest.fixture
 def show(browser: Browser) -> Iterator[Any]:
-    """Opens a file or an address and waits until it is ready (or has said why it cannot be)."""
+    """Opens a file or an address and waits until it is ready (or has said why it cannot be).
+
+    script : runs before the page. options : of the browser's context, e.g. ``has_touch``.
+    """
     contexts = []
 
-    def opened(path: Path | str, width: int = 900, height: int = 600, scheme: str = "light") -> Shown:
-        context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme)
+    def opened(
+        path: Path | str, width: int = 900, height: int = 600, scheme: Any = "light", script: str = "", **options: Any
+    ) -> Shown:
+        context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme, **options)
         contexts.append(context)
         page = context.new_page()
+        if script:
+            page.add_init_script(script)
         shown = Shown(page)
         page.on("console", lambda message: shown.complaints.append(message.text))
         page.on("pageerror", lambda error: shown.complaints.append(str(error)))

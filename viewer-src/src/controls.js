@@ -86,7 +86,7 @@ export class Controls {
     const words = { thrust: "thrust", holding_torque: "hold", breakaway_torque: "start", current: "current" };
     const used = (row) => (row.max_current && row.current !== null ? ` (${quantity(Math.abs(row.current) / row.max_current, "%")})` : "");
     const columns = shown.map(([key, unit]) => column(demand.map((row) => row[key] ?? NaN), unit));
-    fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key], j) => el("th", {}, `${words[key]} (${columns[j][1]})`))),
+    fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key], j) => el("th", {}, words[key], el("small", { class: "unit" }, ` (${columns[j][1]})`)))),
       demand.map((row, k) => el("tr", {}, el("th", {}, row.name), shown.map(([key], j) => el("td", {}, columns[j][0][k] + (key === "current" ? used(row) : ""))))));
   }
 

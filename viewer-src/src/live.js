@@ -28,10 +28,10 @@ function throughSocket(live) {
 
 function throughFrame(live) {
   window.addEventListener("message", ({ source, data }) => {
-    if (source === window.parent && data?.kinetruss) live.hear(data.kinetruss);
+    if (source === window.parent && source !== window && data?.kinetruss) live.hear(data.kinetruss);
   });
   window.parent.postMessage({ kinetruss: "{\"do\":\"live\"}" }, "*");
-  setTimeout(() => live.still(), SILENT);
+  setTimeout(() => live.still(), window.parent === window ? 0 : SILENT); // alone there is nobody to answer
   return { post: (text) => window.parent.postMessage({ kinetruss: text }, "*") };
 }
 

@@ -47,7 +47,7 @@ export class Table {
     const columns = this.columns();
     const heading = (id, label) => el("th", { scope: "col", "aria-sort": this.order.id === id ? (this.order.down ? "descending" : "ascending") : "none" },
       el("button", { type: "button", class: "link", onclick: () => this.sort(id) }, label));
-    const words = ({ label, unit, when }) => [label, when ? el("small", {}, when) : null, unit ? el("small", {}, ` (${unit})`) : null];
+    const words = ({ label, unit, when }) => [label, when ? el("small", {}, when) : null, unit ? el("small", { class: "unit" }, ` (${unit})`) : null];
     fill(this.head, el("tr", {}, heading("name", "member"), columns.map((one) => heading(one.id, words(one)))));
     const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members))];
     const wanted = this.filter.value.trim().toLowerCase();

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Table, instant, number, quantity
+from kinetruss.display import Table, instant, margin, number, quantity
 from kinetruss.errors import one_line
 from kinetruss.report._page import Page
 from kinetruss.report.missions import mission_record, mission_text
@@ -324,7 +324,7 @@ def _cells(row: Row) -> tuple[str, ...]:
         quantity(row.utilisation, "%"),
         quantity(row.value, row.unit),
         quantity(row.limit, row.unit),
-        number(row.margin, 3),
+        margin(row.margin),
         row.pose or instant(row.time),
         quantity(row.position, "m"),
         row.load_case,

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Table, number, quantity
+from kinetruss.display import Table, margin, number, quantity
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -107,7 +107,7 @@ def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:
     >>> print(row_text([Row(part="M6", member="M6", rule="yield", value=1.2e6, limit=2.4e8, unit="Pa", utilisation=0.005,
     ...                     margin=199.0, time=0.5, station=1.0)], ("part", "rule", "value", "utilisation", "margin")))
     part  rule     value  utilisation  margin
-    M6    yield  1.2 MPa        0.5 %     199
+    M6    yield  1.2 MPa        0.5 %   > 100
     """
     return Table(columns, [[_cell(row, name) for name in columns] for row in rows]).text
 
@@ -116,4 +116,6 @@ def _cell(row: Row, column: str) -> str:
     value = getattr(row, column)
     if column in _UNITS:
         return quantity(value, _UNITS[column] or row.unit)
+    if column == "margin":
+        return margin(value)
     return number(value) if isinstance(value, float) else value or "-"

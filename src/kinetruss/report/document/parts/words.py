@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sized
 from typing import Any
 
-from kinetruss.display import Markup, instant, number, quantity
+from kinetruss.display import Markup, instant, margin, quantity
 from kinetruss.report.document._bars import bar
 
 __all__ = [
@@ -61,7 +61,7 @@ def share_of(value: Any) -> str:
 def margin_of(row: dict[str, Any]) -> str:
     """A margin as text, if there is a demand."""
     used = value_of(row["utilisation"])
-    return "-" if used < ROUND_OFF else number(value_of(row["margin"]), 3)
+    return "-" if used < ROUND_OFF else margin(value_of(row["margin"]))
 
 
 def is_over(row: dict[str, Any]) -> bool:
