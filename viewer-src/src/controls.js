@@ -84,10 +84,10 @@ export class Controls {
     if (!demand?.length || !this.motorSection.open) return;
     const shown = [["thrust", "N"], ["holding_torque", "N m"], ["breakaway_torque", "N m"], ["current", "A"]].filter(([key]) => key in demand[0]);
     const words = { thrust: "thrust", holding_torque: "hold", breakaway_torque: "start", current: "current" };
-    const used = (row) => (row.max_current && row.current !== null ? ` (${quantity(Math.abs(row.current) / row.max_current, "%")})` : "");
+    const used = (row) => (row.max_current && row.current !== null ? el("small", { class: "unit" }, quantity(Math.abs(row.current) / row.max_current, "%")) : null);
     const columns = shown.map(([key, unit]) => column(demand.map((row) => row[key] ?? NaN), unit));
     fill(this.motors, el("tr", {}, el("th", {}, "drive"), shown.map(([key], j) => el("th", {}, words[key], el("small", { class: "unit" }, ` (${columns[j][1]})`)))),
-      demand.map((row, k) => el("tr", {}, el("th", {}, row.name), shown.map(([key], j) => el("td", {}, columns[j][0][k] + (key === "current" ? used(row) : ""))))));
+      demand.map((row, k) => el("tr", {}, el("th", {}, row.name), shown.map(([key], j) => el("td", {}, columns[j][0][k], key === "current" ? used(row) : null)))));
   }
 
   showReactions() {
