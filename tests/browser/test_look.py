@@ -11,7 +11,17 @@ from kinetruss.display import OVER, rgb
 from samples import fourbar, tripod
 
 NO_WEBGL = """const asked = HTMLCanvasElement.prototype.getContext;
-HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : asked.call(this, kind, ...more); };"""
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind.startsWith("webgl") ? null : asked.call(this, kind, ...more);
+};"""
+NAMES = """() => [...document.querySelectorAll(".names span")].filter((one) => one.style.visibility !== "hidden")
+  .map((one) => one.getBoundingClientRect()).map((b) => [b.left, b.top, b.right, b.bottom])"""
+SIZES = """[...document.querySelectorAll("button:not(.link), select")].filter((one) => one.offsetParent)
+  .map((one) => one.getBoundingClientRect()).map((b) => Math.min(b.width, b.height))"""
+SHADES = """(() => {
+  const { width, height } = view.canvas, { data } = view.canvas.getContext("2d").getImageData(0, 0, width, height);
+  return new Set(new Uint32Array(data.buffer)).size;
+})()"""
 
 
 def braced(**more) -> kt.Model:
@@ -64,13 +74,12 @@ def test_an_overload_is_red_and_what_was_not_checked_is_striped(show, tmp_path):
 def test_names_cover_no_other_name(show, tmp_path):
     model = kt.library.vgt.double_octahedral(bays=1)
     shown = show(viewer.write(model, tmp_path / "bay.html"), width=760, height=560)
-    boxes = "view => [...document.querySelectorAll('.names span')].filter((one) => one.style.visibility !== 'hidden').map((one) => one.getBoundingClientRect()).map((b) => [b.left, b.top, b.right, b.bottom])"
     if not shown.js("app.shown.names"):
         shown.press("a")
     for key in ("1", "2", "3"):
         shown.press(key)
         shown.drawn()
-        found = shown.page.evaluate(boxes)
+        found = shown.page.evaluate(NAMES)
         assert len(found) > 0.6 * (len(model.nodes) + len(model.members))
         for a, b in itertools.combinations(found, 2):
             assert a[2] <= b[0] + 0.5 or b[2] <= a[0] + 0.5 or a[3] <= b[1] + 0.5 or b[3] <= a[1] + 0.5
@@ -118,8 +127,7 @@ def test_rectangles_and_bodies_have_their_shapes(show, tmp_path):
 
 def test_fingers_find_large_buttons_and_no_keys(show, tmp_path, lift):
     shown = show(viewer.write(lift, tmp_path / "lift.html"), 390, 844, has_touch=True, is_mobile=True)
-    sizes = "[...document.querySelectorAll('button:not(.link), select')].filter((one) => one.offsetParent).map((one) => one.getBoundingClientRect()).map((b) => Math.min(b.width, b.height))"
-    assert min(shown.js(sizes)) >= 44
+    assert min(shown.js(SIZES)) >= 44
     assert shown.js("[...document.querySelectorAll('[title]')].filter((one) => /\\\\([A-Z?]\\\\)/.test(one.title)).length") == 0
     assert shown.js("document.querySelectorAll('kbd').length") == 0
     assert shown.js("document.documentElement.scrollWidth") <= 390
@@ -133,8 +141,7 @@ def test_without_webgl_there_are_the_table_and_a_picture(show, tmp_path, lift):
     assert shown.js("app.flat")
     assert shown.page.locator(".table tbody tr").count() == len(lift.model.members)
     shown.drawn()
-    ink = "(() => { const c = view.canvas, d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; return new Set(new Uint32Array(d.buffer)).size; })()"
-    assert shown.js(ink) > 10
+    assert shown.js(SHADES) > 10
     shown.press("End", "n", "2", "g", "y", "c", "d", "i", ".", "Escape")
     shown.drawn()
     assert shown.js("app.index") == 40

@@ -12,13 +12,15 @@ STEEL = kt.Material(E=210e9, density=7850, yield_strength=235e6)
 
 def held(**more):
     """Forces in two bars that carry a load."""
-    model = kt.Model(
-        **{
-            "nodes": {"A": (0, 0), "B": (2, 0), "C": (1, 1)}, "fixed": ("A", "B"), "bars": {"left": ("A", "C"), "right": ("B", "C")},
-            "section": kt.Tube(outer=0.02, inner=0.016), "material": STEEL, "loads": {"down": kt.NodalForce(node="C", force=(0, -1e3))},
-        }
-        | more
-    )  # fmt: skip
+    given = {
+        "nodes": {"A": (0, 0), "B": (2, 0), "C": (1, 1)},
+        "fixed": ("A", "B"),
+        "bars": {"left": ("A", "C"), "right": ("B", "C")},
+        "section": kt.Tube(outer=0.02, inner=0.016),
+        "material": STEEL,
+        "loads": {"down": kt.NodalForce(node="C", force=(0, -1e3))},
+    }
+    model = kt.Model(**(given | more))
     return strength.check(model, kt.statics.at_poses(model, [{}]))
 
 

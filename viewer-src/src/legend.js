@@ -3,7 +3,7 @@
 import { gradient } from "./colour.js";
 import { KINDS, OVER, SKINS } from "./display.js";
 import { el, fill } from "./dom.js";
-import { held, margin, number, quantity, scale } from "./format.js";
+import { held, number, quantity, scale } from "./format.js";
 
 const KIND_WORDS = {
   rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", cable: "cable: tension only", free: "free sensor",
@@ -85,6 +85,6 @@ function ticks(channel, [low, high]) {
 }
 
 function tickText(channel, value, factor) {
-  if (channel.scale === "margin") return value <= 0 ? "∞" : margin(1 / value - 1);
+  if (channel.scale === "margin") return value <= 0 ? "∞" : number(1 / value - 1, 2);
   return number(value * factor, 3);
 }

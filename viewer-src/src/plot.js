@@ -48,7 +48,7 @@ function frameOf(curves, options, width, height) {
   const [factor, unit] = scale(largest, options.unit || "");
   const w = width - PAD.left - PAD.right, h = height - PAD.top - PAD.bottom;
   return {
-    x0, x1, y0, y1, factor, unit, width, height,
+    x0, x1, y0, y1, largest, factor, unit, width, height,
     x: (value) => PAD.left + ((value - x0) / (x1 - x0 || 1)) * w,
     y: (value) => PAD.top + (1 - (value - y0) / (y1 - y0)) * h,
   };
@@ -62,7 +62,7 @@ function axes(pen, frame, options, ink, faint) {
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   const { factor } = frame;
-  for (const y of ticks(frame.y0 * factor, frame.y1 * factor, 4)) {
+  for (const y of frame.largest ? ticks(frame.y0 * factor, frame.y1 * factor, 4) : [0]) {
     const at = Math.round(frame.y(y / factor)) + 0.5;
     pen.beginPath();
     pen.moveTo(left, at);

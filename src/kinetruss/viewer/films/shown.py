@@ -151,7 +151,7 @@ class Subject:
         """Mask (frames, members) of members that are striped: not checked, or a force that is not unique."""
         if channel is None or channel["id"] == "speed":
             return np.zeros((len(self.places), len(self.ends)), np.bool_)
-        found: NDArray[np.bool_] = np.array(np.isnan(self.values(channel)))
+        found = np.zeros((len(self.places), len(self.ends)), np.bool_) | np.isnan(self.values(channel))
         found[:, self.unsure] = True
         return found
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from kinetruss.display import margin, number, quantity, scale
+from kinetruss.display import number, quantity, scale
 
 __all__ = ["ends", "heading", "ticks"]
 
@@ -22,7 +22,7 @@ def ticks(channel: dict[str, Any], limits: Sequence[float]) -> list[str]:
     low, high = limits
     values = [low + part * (high - low) for part in (0, 0.25, 0.5, 0.75, 1)]
     if channel["scale"] == "margin":
-        return [margin(1 / value - 1 if value > 0 else math.inf) for value in values]
+        return [number(1 / value - 1 if value > 0 else math.inf, 2) for value in values]
     factor = scale(high, channel["unit"])[0]
     return [number(value * factor if abs(value) > 1e-12 * abs(high) else 0.0, 3) for value in values]
 
