@@ -18,6 +18,7 @@ from kinetruss.report.run_text.springs import spring_loads, springs_text
 from kinetruss.report.run_text.statics import statics_lines, statics_record, statics_title
 from kinetruss.report.run_text.trains import MOST, exceeded, trains, trains_text
 from kinetruss.runs import MissionRun
+from kinetruss.strength.verdict import headline
 
 if TYPE_CHECKING:
     from kinetruss.results import Demand, Forces, Row
@@ -60,6 +61,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "bars": len(run.model.bars),
         "beams": len(run.model.beams),
         "active_members": len(run.model.active),
+        "verdict": headline(run.verdict, run.demand).record,
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
@@ -141,7 +143,21 @@ def _head(run: RunResult) -> str:
     lines.append(
         f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {quantity(run.wall_time, 's', 3)}"
     )
+    if run.verdict is not None or run.demand:
+        lines.append(_verdict(run))
     return "\n".join(lines)
+
+
+def _verdict(run: RunResult) -> str:
+    """The verdict in one line: state, what governs, what is not included."""
+    found = headline(run.verdict, run.demand).record
+    governing = found["governing"]
+    words = (
+        [governing["text"] if found["state"] != "open" else f"highest of what was checked: {governing['text']}"]
+        if governing
+        else []
+    )
+    return "verdict: " + "; ".join([found["text"], *words, *found["more"]])
 
 
 def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:

@@ -166,7 +166,8 @@ class Subject:
         bars = self._bars(x, colours)
         if hatched is not None and hatched.any():
             two = np.array(self.scene.header["two_rods"], int)
-            one, ever = np.setdiff1d(np.arange(len(self.ends)), two), hatched.any(axis=0)
+            one = np.setdiff1d(np.arange(len(self.ends)), two)
+            ever: NDArray[np.bool_] = np.asarray(hatched.any(axis=0))
             owners = [one, two, two, two][: len(bars)]
             bars = [striped(some, ever[of], hatched[frame, of], PAPER["back"]) for some, of in zip(bars, owners, strict=True)]
         found = [*bars, *self._marks(x)]
