@@ -239,7 +239,8 @@ def _pose(ax: Any, figure: Shape, pose: Pose, points: Any) -> None:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", projected(end), projected(start), arrowprops=pen)
     members = figure.members if len(figure.members) <= MEMBERS else ()
-    write_names(ax, points, figure.nodes if len(figure.nodes) <= NODES else (), figure.ends, members)
+    loads = [(projected(start), projected(end)) for start, end in pose.loads]
+    write_names(ax, points, figure.nodes if len(figure.nodes) <= NODES else (), figure.ends, members, loads)
 
 
 def _scale_bar(ax: Any, low: Any, high: Any) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -28,6 +28,9 @@ from kinetruss.display import (
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import INK, PRINT, QUIET, RC, WIDTHS
 from kinetruss.report.pictures.view import write_names
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["drawn"]
 
@@ -113,24 +116,41 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
             ax.add_collection(LineCollection(chosen, **pen))
     else:
         # a dark rim keeps pale colours visible on white paper
-        ax.add_collection(LineCollection(list(lines), colors=INK, linewidths=2.6, capstyle="round"))
+        thick = _thickness(ax, lines)
+        ax.add_collection(LineCollection(list(lines), colors=INK, linewidths=1.3 * thick, capstyle="round"))
         colours = LineCollection(
-            list(lines), cmap=_map(figure.colouring), norm=Normalize(*figure.colouring.limits), linewidths=2.0, capstyle="round"
+            list(lines),
+            cmap=_map(figure.colouring),
+            norm=Normalize(*figure.colouring.limits),
+            linewidths=thick,
+            capstyle="round",
         )
         colours.set_array(np.ma.masked_invalid(one.values))
         ax.add_collection(colours)
         # with white gaps: a force that is not unique, or what was not checked
         broken = sorted({*figure.unsure, *np.flatnonzero(np.isnan(one.values)).tolist()})
-        ax.add_collection(LineCollection(list(lines[broken]), colors="white", linewidths=2.8, linestyles=(0, (0.6, 2.4))))
+        ax.add_collection(
+            LineCollection(list(lines[broken]), colors="white", linewidths=1.4 * thick, linestyles=(0, (0.6, 2.4)))
+        )
     mesh = len(one.faces) > 0
-    ax.plot(*one.points[list(figure.joined) if mesh else slice(None)].T, "o", color=INK, markersize=2.2)
+    ax.plot(*one.points[list(figure.joined) if mesh else slice(None)].T, "o", color=INK, markersize=1.1 * _thickness(ax, lines))
     ax.plot(*one.hinges.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
     for nodes, marker in ((figure.held, "^"), (figure.guided, "o")):
         ax.plot(*one.points[list(nodes)].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
     for start, end in one.loads:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", end, start, arrowprops=pen)
-    write_names(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members)
+    write_names(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members, one.loads)
+
+
+def _thickness(ax: Any, lines: NDArray[np.float64]) -> float:
+    """Width of coloured lines, points: thinner where members are short on paper, or they would run together."""
+    if not len(lines):
+        return 2.0
+    ax.apply_aspect()
+    ends = ax.transData.transform(lines.reshape(-1, 2)).reshape(-1, 2, 2) * 72 / ax.figure.dpi
+    usual = float(np.median(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
+    return float(np.clip(usual / 12, 0.5, 2.0))
 
 
 def _faces(ax: Any, figure: Drawing, one: Stand) -> None:

@@ -25,6 +25,9 @@ MEMBERS = 40
 WIDE, HIGH, GAP, STEP = 0.62, 1.25, 2.0, 4.0
 """Width of a character and height of a line over the font size; distances of a name from its place, of points on lines, pt."""
 
+SIZE, MARK = 7.0, 2.5
+"""Font size, and radius of the marks of nodes, points."""
+
 AROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)], float)
 ALONG = (0.5, 0.4, 0.6, 0.3, 0.7)
 
@@ -46,35 +49,49 @@ def projected(points: NDArray[np.float64], view: str = "iso") -> NDArray[np.floa
 
 
 def write_names(
-    ax: Any, points: Array, nodes: Sequence[str], ends: Sequence[tuple[int, int]], members: Sequence[str], size: float = 7.0
+    ax: Any,
+    points: Array,
+    nodes: Sequence[str],
+    ends: Sequence[tuple[int, int]],
+    members: Sequence[str],
+    loads: Sequence[tuple[Array, Array]] = (),
 ) -> None:
-    """Write names of nodes beside points (n, 2) and names of members beside their lines.
+    """Write names of nodes beside points (n, 2), and names of members beside their lines where nothing crosses them.
 
     A name that finds no free place is omitted. Behind each is a white ground, so that it can be read across a line.
     """
     ax.apply_aspect()
     inch = 72 / ax.figure.dpi
     seen = ax.transData.transform(points) * inch
-    sheet = np.array(ax.get_window_extent().get_points()) * inch
-    lines = np.concatenate([_between(seen[a], seen[b]) for a, b in ends]) if len(ends) else np.empty((0, 2))
-    taken: list[Array] = []
+    arrows = [ax.transData.transform(np.array(pair)) * inch for pair in loads]
+    segments = [*((seen[a], seen[b]) for a, b in ends), *((pair[0], pair[1]) for pair in arrows)]
+    marks = (seen[:, None] + MARK * AROUND).reshape(-1, 2)
+    sheet = _Sheet(ax, np.concatenate([marks, *(_between(p, q) for p, q in segments)]))
     for k, name in enumerate(nodes):
-        _put(ax, name, _within(sheet, _besides(seen[k], name, size)), taken, lines, inch, size, INK)
+        sheet.put(name, _besides(seen[k], name, SIZE), INK)
     for (a, b), name in zip(ends, members, strict=False):
-        _put(ax, name, _within(sheet, _along(seen[a], seen[b], name, size)), taken, lines, inch, size - 0.5, QUIET)
+        sheet.put(name, _along(seen[a], seen[b], name, SIZE), QUIET, free=True)
 
 
-def _put(
-    ax: Any, name: str, places: list[Array], taken: list[Array], lines: Array, inch: float, size: float, colour: str
-) -> None:
-    free = [box for box in places if not any(_meet(box, one) for one in taken)]
-    if not free:
-        return
-    box = min(free, key=lambda one: int(((lines >= one[0]) & (lines <= one[1])).all(axis=1).sum()))
-    taken.append(box)
-    ground = {"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
-    at = ax.transData.inverted().transform(box.mean(axis=0) / inch)
-    ax.text(*at, name, fontsize=size, color=colour, ha="center", va="center", bbox=ground)
+class _Sheet:
+    """Axes with lines, as points (k, 2) on paper, and the places that names have taken."""
+
+    def __init__(self, ax: Any, lines: Array) -> None:
+        self.ax, self.lines, self.inch = ax, lines, 72 / ax.figure.dpi
+        self.taken: list[Array] = []
+        self.corners = np.array(ax.get_window_extent().get_points()) * self.inch
+
+    def put(self, name: str, places: Iterable[Array], colour: str, *, free: bool = False) -> None:
+        """Write a name at the place that covers the fewest lines. free : only where it covers none."""
+        found = [box for box in _within(self.corners, places) if not any(_meet(box, one) for one in self.taken)]
+        covered = [int(((self.lines >= box[0]) & (self.lines <= box[1])).all(axis=1).sum()) for box in found]
+        if not found or (free and min(covered)):
+            return
+        box = found[int(np.argmin(covered))]
+        self.taken.append(box)
+        ground = {"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
+        at = self.ax.transData.inverted().transform(box.mean(axis=0) / self.inch)
+        self.ax.text(*at, name, fontsize=SIZE, color=colour, ha="center", va="center", bbox=ground)
 
 
 def _within(sheet: Array, boxes: Iterable[Array]) -> list[Array]:
