@@ -81,8 +81,8 @@ export class Bars {
     const rods = scene.arrays.rods.data;
     this.pieces.forEach(([member, role], k) => {
       const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
-      const r = radius[member];
-      if (k >= this.round) placeBox(this.boxes, k - this.round, p, q, axesOf(scene, frame, member).axes[1], this.box[member]);
+      const r = scene.shows(member) ? radius[member] : 0;
+      if (k >= this.round && r) placeBox(this.boxes, k - this.round, p, q, axesOf(scene, frame, member).axes[1], this.box[member]);
       else if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
       else if (role === "tube") placeAlong(this.rods, k, along(q, p, Math.min(rods[6 * member + 4], distance(p, q))), q, 1.5 * r);
       else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" || role === "cable" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);

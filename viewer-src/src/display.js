@@ -16,6 +16,6 @@ export const MISSING = "#8a8a8a";
 export const OVER = "#e3003a";
 export const LOAD = "#9429ff";
 export const ELASTIC = "#c66b9d";
-export const KINDS = {"rigid": "#7a8ea3", "driven": "#009e73", "active": "#009e73", "elastic": "#c66b9d", "cable": "#d99a00", "free": "#8d98a4"};
+export const KINDS = {"rigid": "#7a8ea3", "driven": "#009e73", "active": "#009e73", "elastic": "#c66b9d", "beam": "#c66b9d", "cable": "#d99a00", "free": "#8d98a4", "frame": "#8d98a4"};
 export const SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"};
 export const THEMES = {"light": {"back": "#f7f8fa", "card": "#ffffff", "ink": "#1d242b", "faint": "#5d6873", "line": "#d5dbe1", "accent": "#0b62a8", "pressed": "#dcebf7", "halo": "#a86400", "alarm": "#c40032", "outline": "#3a444e", "node": "#5b6672", "support": "#56606b", "grid": "#8a949e", "body": "#a9b6c3", "edge": "#2b333b", "pen-1": "#0072b2", "pen-2": "#c24e00", "pen-3": "#00795a"}, "dark": {"back": "#14181d", "card": "#1d232a", "ink": "#e3e8ee", "faint": "#9aa6b2", "line": "#38424d", "accent": "#6db5f0", "pressed": "#24405a", "halo": "#ffb000", "alarm": "#ff8095", "outline": "#7d8894", "node": "#aab4bf", "support": "#97a3af", "grid": "#8a949e", "body": "#5d6a77", "edge": "#0b0e11", "pen-1": "#56b4e9", "pen-2": "#f08b47", "pen-3": "#2fc796"}};

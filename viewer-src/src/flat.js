@@ -130,8 +130,9 @@ export class FlatView extends Picture {
   }
 
   bars(pen, places, colour, width, dashes = []) {
-    this.scene.members.forEach((_, member) => {
-      const stroke = colour(member);
+    const { scene } = this;
+    scene.members.forEach((_, member) => {
+      const stroke = scene.shows(member) && colour(member);
       if (stroke) line(pen, [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]], stroke, width, dashes);
     });
   }
@@ -151,7 +152,7 @@ export class FlatView extends Picture {
       for (const [dx, dy] of [[0, 0], [7, 12], [-7, 12]]) pen.lineTo(x + dx, y + dy);
       pen.fill();
     }
-    if (scene.members.length < 800) places.forEach((place, node) => dot(place, this.picked?.type === "node" && this.picked.index === node ? 6 : 3, colours.node));
+    if (scene.members.length < 800) places.forEach((place, node) => !scene.directors.has(node) && dot(place, this.picked?.type === "node" && this.picked.index === node ? 6 : 3, colours.node));
     for (const drive of scene.header.drives) {
       const node = drive.kind === "coordinate" ? drive.node : drive.kind === "hinge" ? drive.axis[0] : scene.ends[2 * drive.member];
       dot(drive.kind === "length" ? middle(places, scene, drive.member) : places[node], 5, KINDS.driven);

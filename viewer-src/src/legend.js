@@ -6,7 +6,7 @@ import { el, fill } from "./dom.js";
 import { held, number, quantity, scale } from "./format.js";
 
 const KIND_WORDS = {
-  rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", cable: "cable: tension only", free: "free sensor",
+  rigid: "rigid bar", driven: "driven bar", active: "active member: base and tube", elastic: "elastic bar", beam: "elastic beam", cable: "cable: tension only", free: "free sensor",
 };
 const SKIN_WORDS = { membrane: "membrane", solid: "surface of a solid" };
 

@@ -36,7 +36,8 @@ export class Names {
 
   made() {
     const { scene } = this.view;
-    const nodes = [...scene.nodes.map((name) => el("span", { class: "of-node" }, name)), ...scene.members.map((name) => el("span", {}, name))];
+    const nodes = [...scene.nodes.map((name, k) => el("span", { class: "of-node", hidden: scene.directors.has(k) }, name)),
+      ...scene.members.map((name, k) => el("span", { hidden: !scene.shows(k) }, name))];
     fill(this.node, nodes);
     return nodes.map((node) => ({ node, width: node.offsetWidth, height: node.offsetHeight }));
   }
@@ -46,7 +47,7 @@ export class Names {
     const { scene, picked } = this.view, count = scene.nodes.length;
     const found = this.tags.map((tag, k) => (k < count ? { tag, type: "node", index: k } : { tag, type: "member", index: k - count }));
     const first = picked ? found.splice((picked.type === "node" ? 0 : count) + picked.index, 1) : [];
-    return [...first, ...found];
+    return [...first, ...found].filter(({ tag }) => !tag.node.hidden);
   }
 }
 

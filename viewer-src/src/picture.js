@@ -66,6 +66,7 @@ export class Picture {
       if (apart <= reach && depth < 1 && (!best || far < best.far)) best = { type, index, far };
     };
     this.scene.members.forEach((_, member) => {
+      if (!this.scene.shows(member)) return;
       const [p, q] = [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]];
       const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
       const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));

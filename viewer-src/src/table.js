@@ -49,7 +49,7 @@ export class Table {
       el("button", { type: "button", class: "link", onclick: () => this.sort(id) }, label));
     const words = ({ label, unit, when }) => [label, when ? el("small", {}, when) : null, unit ? el("small", { class: "unit" }, ` (${unit})`) : null];
     fill(this.head, el("tr", {}, heading("name", "member"), columns.map((one) => heading(one.id, words(one)))));
-    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members))];
+    const members = [...new Set(this.app.views.flatMap(({ scene }) => scene.members.filter((_, k) => scene.shows(k))))];
     const wanted = this.filter.value.trim().toLowerCase();
     const rows = members.map((name) => ({ name })).filter(({ name }) => name.toLowerCase().includes(wanted));
     const by = columns.find((one) => one.id === this.order.id);

@@ -36,7 +36,7 @@ export class Traces {
 
 /** Nodes that move, but for those of meshes and supports. */
 export function movingNodes(scene) {
-  const left = new Set([...scene.header.supports.map((one) => one.node), ...scene.skin]), found = [];
+  const left = new Set([...scene.header.supports.map((one) => one.node), ...scene.skin, ...scene.directors]), found = [];
   for (let node = 0; node < scene.nodes.length; node++) {
     if (left.has(node)) continue;
     const start = scene.position(0, node);

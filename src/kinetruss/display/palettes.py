@@ -37,8 +37,10 @@ KINDS = {
     "driven": DRIVEN,
     "active": DRIVEN,
     "elastic": ELASTIC,
+    "beam": ELASTIC,
     "cable": "#d99a00",
     "free": "#8d98a4",
+    "frame": "#8d98a4",
 }
 """Colours of bars without a value, by kind."""
 SKINS = {"membrane": "#9fb6cc", "solid": "#c2b59b"}

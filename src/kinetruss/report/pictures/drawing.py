@@ -45,6 +45,7 @@ PENS: dict[str, dict[str, Any]] = {
     "driven": {"colors": DRIVEN, "linewidths": 2.2},
     "active": {"colors": DRIVEN, "linewidths": 2.2},
     "elastic": {"colors": ELASTIC, "linewidths": 1.4},
+    "beam": {"colors": ELASTIC, "linewidths": 2.0, "capstyle": "round"},
     "cable": {"colors": KINDS["cable"], "linewidths": 0.9, "linestyles": (0, (4, 1.5))},
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
+from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.pictures.pictured import arrows
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
@@ -79,7 +80,8 @@ def _shape(run: RunResult) -> Shape:
     seen = np.array([not node.director for node in model.nodes.values()], bool)
     index = {name: k for k, name in enumerate(name for name, node in model.nodes.items() if not node.director)}
     chosen = sorted({0, len(time) // 2, len(time) - 1})
-    driven = tuple(_driven(model))
+    members = [name for name, kind in shown_kinds(model).items() if kind != FRAME]
+    driven = tuple(_driven(model, members))
     loads = arrows(model, time, position, next(iter(run.forces), None), chosen)
     words = ["shape", *["driven members green"] * any(driven), *["supports as triangles"] * bool(model.fixed)]
     words += ["loads violet"] * any(loads)
@@ -89,12 +91,12 @@ def _shape(run: RunResult) -> Shape:
         nodes=tuple(index),
         ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in map(model.members.__getitem__, members)),
         driven=driven,
-        held=tuple(index[name] for name in model.fixed),
+        held=tuple(index[name] for name in model.fixed if name in index),
         poses=tuple(
-            Pose(caption=f"t = {instant(time[k])}", position=position[k], loads=tuple(pairs))
+            Pose(caption=f"t = {instant(time[k])}", position=position[k][seen], loads=tuple(pairs))
             for k, pairs in zip(chosen, loads, strict=True)
         ),
-        members=tuple(model.members),
+        members=tuple(members),
     )
 
 

@@ -102,7 +102,7 @@ def picture(
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
-        members=names_of(len(model.members), MEMBERS, names, model.members),
+        members=names_of(len(kinds), MEMBERS, names, kinds),
     )
     from kinetruss.report.pictures.draw import write
     from kinetruss.report.pictures.drawing import drawn

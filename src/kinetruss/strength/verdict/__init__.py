@@ -11,8 +11,13 @@ if TYPE_CHECKING:
     from kinetruss.strength.verdict.by_member import highest, strength_histories, unchecked, worst_of
     from kinetruss.strength.verdict.governing import Governing, Headline, headline
 
-__all__ = ["Governing", "Headline", "headline", "highest", "strength_histories", "unchecked", "worst_of"]
+__all__ = ["Governing", "Headline", "headline", "highest", "middle_forces", "strength_histories", "unchecked", "worst_of"]
 
 __getattr__, __dir__ = late(
-    __name__, {"by_member": "highest strength_histories unchecked worst_of", "governing": "Governing Headline headline"}
+    __name__,
+    {
+        "beams": "middle_forces",
+        "by_member": "highest strength_histories unchecked worst_of",
+        "governing": "Governing Headline headline",
+    },
 )

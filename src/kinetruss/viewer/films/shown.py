@@ -178,7 +178,8 @@ class Subject:
         """Rims of the bars: their back sides, a little thicker."""
         found = Copies.all(self._bars(x, np.zeros((len(self.ends), 3), np.uint8)))
         least = 0.011 * self.usual
-        return copies(found.start, found.end, found.radius + RIM * np.maximum(found.radius, least), PAPER["outline"])
+        wide = np.where(found.radius > 0, found.radius + RIM * np.maximum(found.radius, least), 0.0)
+        return copies(found.start, found.end, wide, PAPER["outline"])
 
     def cones(self, frame: int, x: Array) -> Copies:
         """Supports and heads of arrows."""

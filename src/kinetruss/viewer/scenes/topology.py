@@ -10,6 +10,7 @@ import numpy as np
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import body_faces, orientation, skin_of
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
+from kinetruss.model.beams import shown_kinds
 from kinetruss.model.parts import placed
 from kinetruss.strength.members import parts_of
 
@@ -22,11 +23,11 @@ __all__ = ["topology"]
 def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Header fields and arrays of a model.
 
-    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) as in `System`; ``reference`` (m, 3) direction that spans the plane
-    1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``box``
-    (m, 2) half height along axis 2 and half width along axis 3 of rectangles, m, NaN for others; ``part_member`` (parts,);
-    ``part_shape`` (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump``
-    (n,) kg; with membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
+    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) the `own_rods` of `System`; ``reference`` (m, 3) direction that spans
+    the plane 1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``box`` (m, 2) half
+    height along axis 2 and half width along axis 3 of rectangles, m, NaN for others; ``part_member`` (parts,); ``part_shape``
+    (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump`` (n,) kg; with
+    membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
     """
     system, parts, skin = compile(model), parts_of(model), skin_of(model)
     members = model.members
