@@ -109,12 +109,15 @@ def headline(
     drives : utilisations known otherwise. timed : False for one pose at rest, whose time says nothing.
     A part counts as checked if every rule that applies to it was; limits reached to round-off are not exceeded.
     """
-    columns = None if verdict is None else verdict.arrays
+    # a run that was interrupted has no summary yet
+    columns = None if verdict is None or "utilisation" not in verdict.arrays else verdict.arrays
     lacking, parts = (set(), 0) if columns is None else _lacking(columns)
     held = () if verdict is None else tuple(map(str, verdict.data.attrs.get("not_held", [])))
     found = [*([] if columns is None else _worst(columns, "part", "member")), *drives]
     without: set[str] = set()
     for case, one in (demand or {}).items():
+        if "utilisation" not in one.arrays:
+            continue
         some = list(_worst(one.arrays, "active", "drive", case))
         without |= {str(name) for name in one.arrays["active"].values} - {row.name for row in some}
         found += some
