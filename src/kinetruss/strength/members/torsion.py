@@ -34,7 +34,7 @@ def twisted_parts(model: Model) -> NDArray[np.bool_]:
     pivots = pivots_of(model) if model.hubs else []
     names |= {one.tip for one in pivots}
     names |= {one.member for one in pivots if one.clamped or [other.member for other in pivots].count(one.member) == 2}
-    return np.array([name in names for name in parts_of(model).members])
+    return np.array([name in names for name in parts_of(model).members], np.bool_)
 
 
 def _couples(model: Model) -> dict[str, BodyCouple]:
