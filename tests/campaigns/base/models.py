@@ -38,9 +38,13 @@ def _known_then(tree: Any) -> Any:
     return [_known_then(value) for value in tree] if isinstance(tree, list) else tree
 
 
-def _told(trajectory: Any) -> Any:
-    """The fields of a trajectory in the order of their names: that of their declaration has changed since."""
-    return sorted(trajectory.model_dump().items()) if isinstance(trajectory, kt.Spline) else trajectory
+def _told(value: Any) -> Any:
+    """A task or trajectory by its kind and the fields that are not at their default, in the order of their names."""
+    if isinstance(value, dict):
+        return {name: _told(one) for name, one in value.items()}
+    if not hasattr(value, "model_dump"):
+        return value
+    return type(value).__name__, sorted(value.model_dump(exclude_defaults=True).items())
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -66,7 +70,7 @@ class Case:
         """The same where the question is the same."""
         whole = _known_then(self.model.model_dump(mode="json", exclude_defaults=True))
         parts = [json.dumps(whole, sort_keys=True, default=str).encode(), *(y.tobytes() for y in (self.x, self.v, self.a))]
-        return hashlib.sha256(b" ".join([*parts, repr((self.t, self.tasks, _told(self.trajectory))).encode()])).hexdigest()[:16]
+        return hashlib.sha256(b" ".join([*parts, repr((self.t, _told(self.tasks), _told(self.trajectory))).encode()])).hexdigest()[:16]
 
 
 def ways(dice: Dice) -> kt.Model:
