@@ -1,0 +1,16 @@
+"""Files of other programs: robots, drawings, meshes in; models and runs out. What cannot be carried is listed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.exchange._imported import Imported
+    from kinetruss.exchange._read import read
+    from kinetruss.exchange.robots import LeftOut
+
+__all__ = ["Imported", "LeftOut", "read"]
+
+__getattr__, __dir__ = late(__name__, {"_imported": "Imported", "_read": "read", "robots": "LeftOut"})
