@@ -188,7 +188,7 @@ def _sizes(one: Element, kind: str, given: Mapping[str, str], units: Units) -> t
         along = ends[:3] - ends[3:]
         pose = placement(from_z(_unit(one, along, "fromto")), 0.5 * (ends[:3] + ends[3:]))
         half = 0.5 * float(np.linalg.norm(along))
-        size = np.array([size[0], half] if count == 2 else [size[0], size[1] if len(size) > 1 else size[0], half])
+        size = np.array([size[0], half] if count == 2 else [size[0], size[0], half])  # boxes are square across
     if len(size) < count or not (size[:count] > 0).all():
         raise one.fault(f"size has too few numbers above 0; a {kind} has {count}.", "Give half lengths and radii, m.")
     return size[:count], pose

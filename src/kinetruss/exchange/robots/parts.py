@@ -66,7 +66,7 @@ def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[Left
         if link.properties is not None:
             own = link.properties.moved(frame[:3, 3], _orthonormal(frame[:3, :3]).T)
             part.properties = own if part.properties is None else combined(part.properties, own)
-        elif name != link.name and not _closes(posed.robot, link.name):
+        elif link.name not in (name, posed.robot.root) and not _closes(posed.robot, link.name):
             part.points[link.name] = frame[:3, 3]  # a frame of interest, e.g. of a tool
         for point, place in link.points.items():
             part.points[point] = (frame @ np.append(place, 1.0))[:3]
