@@ -1,10 +1,8 @@
-"""Robots with loops from URDF and MJCF: inverse dynamics against minimal coordinates, masses and places against the programs."""
+"""Robots with loops from URDF and MJCF: inverse dynamics against minimal coordinates, masses against the programs."""
 
 from pathlib import Path
 
-import mujoco
 import numpy as np
-import pytest
 
 import kinetruss as kt
 from reference.loops import MujocoTree, PinocchioTree, Tree

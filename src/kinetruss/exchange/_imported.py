@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.model import Model
@@ -49,19 +49,27 @@ class Imported:
     def lines(self) -> list[str]:
         """The import in words: contents, loops, freedoms, drives, and all that was left out."""
         model, found = self.model, self.mobility
+        tables: dict[str, Mapping[str, Any]] = {
+            "nodes": model.nodes,
+            "bars": model.bars,
+            "bodies": model.bodies,
+            "membranes": model.membranes,
+        }
+        tables |= {"solids": model.solids, "drives": model.all_drives}
         lines = [
-            f"{self.source}: {len(model.nodes)} nodes, {len(model.bars)} bars, {len(model.bodies)} bodies, "
-            f"{len(model.all_drives)} drives",
+            f"{self.source}: " + ", ".join(f"{len(table)} {word}" for word, table in tables.items() if table or word == "bars"),
             *self._loops(),
             f"{found.degrees_of_freedom} degrees of freedom before drives, {found.undriven} after; "
             f"{found.self_stress} states of self-stress",
         ]
         lines += [f"  with the drives held, {text}" for text in found.mechanism_texts(5)]
+        if model.membranes or model.solids:
+            lines.append("  counted by rigid bars alone; membranes and solids hold their nodes elastically")
         lines += [f"drive {name} = joint value {offset:+.9g}" for name, offset in self.offsets.items() if offset]
         lines += [f"note: {text}" for text in self.notes]
         if self.left_out:
-            counts = Counter(one.what for one in self.left_out)
-            lines.append(f"left out ({len(self.left_out)}): " + ", ".join(f"{n} {what}" for what, n in counts.most_common()))
+            kinds = Counter(one.what for one in self.left_out).most_common()
+            lines.append(f"left out ({len(self.left_out)}): " + ", ".join(f"{n} {what}" for what, n in kinds))
             lines += [f"  {one}" for one in self.left_out[:MOST]]
             lines += [f"  and {len(self.left_out) - MOST} more (--json lists all)"] * (len(self.left_out) > MOST)
         return lines

@@ -63,4 +63,3 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
         return reader.read(path, max_size=max_size, **given)
     except ModelError as error:
         raise ModelError(error.faults, error.source or str(path)) from None
-

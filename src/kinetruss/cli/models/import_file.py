@@ -45,14 +45,20 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 
 @click.command("import", cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("file", type=FILE)
-@click.option("-o", "--out", required=True, type=click.Path(dir_okay=False, path_type=Path), help="Model file (.yaml or .json).")
+@click.option(
+    "-o", "--out", required=True, type=click.Path(dir_okay=False, path_type=Path), help="Model file (.yaml or .json)."
+)
 @click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
 @click.option("--closures", type=FILE, help="URDF: the YAML file with closed_loop, type and name_mot.")
-@click.option("--at", multiple=True, metavar="JOINT=VALUE", callback=_values, help="Robots: pose of the model (rad, m, or with unit).")
+@click.option(
+    "--at", multiple=True, metavar="JOINT=VALUE", callback=_values, help="Robots: pose of the model (rad, m, or with unit)."
+)
 @click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
 @click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) are active members.")
 @click.option("--fixed", multiple=True, metavar="NAME", help="Layers of supports (DXF), or names of fixed nodes (others).")
+@click.option("--thickness", help="Meshes: of the membrane of the triangles, e.g. '2 mm'.")
+@click.option("--material", help="Meshes: of membranes and solids, a name of the library.")
 @click.option("--members", type=FILE, help="CSV: the table of members that belongs to the nodes.")
 @json_option
 @max_size_option

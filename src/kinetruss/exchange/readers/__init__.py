@@ -29,8 +29,8 @@ class Reader:
         return function(path, **options)
 
 
-_ROBOT = Reader("robot_files", "robot", ("closures", "at"))
-_MESH = Reader("mesh_files", "mesh_file", ("unit", "fixed"))
+_ROBOT = Reader("robot_formats.robot_files", "robot", ("closures", "at"))
+_MESH = Reader("mesh_files", "mesh_file", ("unit", "fixed", "thickness", "material"))
 
 READERS: Mapping[str, Reader] = {
     ".urdf": _ROBOT,

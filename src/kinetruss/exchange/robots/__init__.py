@@ -4,6 +4,7 @@ from kinetruss.exchange.robots.assemble import Assembled, assemble
 from kinetruss.exchange.robots.closing import Posed, closed
 from kinetruss.exchange.robots.records import (
     Closure,
+    JointKind,
     LeftOut,
     Link,
     Pivot,
@@ -14,6 +15,6 @@ from kinetruss.exchange.robots.records import (
 )
 
 __all__ = [
-    "Assembled", "Closure", "LeftOut", "Link", "Pivot", "Posed", "Robot", "assemble", "closed", "placement", "quaternion_matrix",
-    "turn_about",
+    "Assembled", "Closure", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "assemble", "closed", "placement",
+    "quaternion_matrix", "turn_about",
 ]  # fmt: skip

@@ -114,7 +114,7 @@ def assemble(posed: Posed) -> Assembled:
     for part in parts.values():
         for name, place in part.points.items():
             draft.share(name, place, (part.name,))
-    model = _started(draft, posed, parts)
+    model = _started(draft, posed)
     sliders = [one for one in connections if one.kind == "prismatic"]
     for part in parts.values():
         if part.name != GROUND:
@@ -151,9 +151,7 @@ def _hinge(draft: _Draft, one: Connection, parts: Mapping[str, Part]) -> None:
     """Two shared nodes on the axis, and the nodes between which its drive measures the angle."""
     reach = REACH * min(_extent(parts[name], draft.size) for name in one.parts)
     low, high = (0.0, reach) if one.anchored else (-reach / 2, reach / 2)
-    ends = tuple(
-        draft.share(f"{one.name}.{k}", one.place + far * one.axis, one.parts) for k, far in ((1, low), (2, high))
-    )
+    ends = tuple(draft.share(f"{one.name}.{k}", one.place + far * one.axis, one.parts) for k, far in ((1, low), (2, high)))
     hinges: tuple[Hinge, ...] = ()
     if one.drive is not None:
         aside = np.eye(3)[int(np.argmin(np.abs(one.axis)))]
@@ -169,7 +167,7 @@ def _hinge(draft: _Draft, one: Connection, parts: Mapping[str, Part]) -> None:
     draft.joints[one.name] = Joint(kind="revolute", bodies=one.parts, nodes=ends, hinges=hinges)
 
 
-def _started(draft: _Draft, posed: Posed, parts: Mapping[str, Part]) -> Model:
+def _started(draft: _Draft, posed: Posed) -> Model:
     """The model with its nodes, without bodies."""
     ground = draft.own.get(GROUND, [])
     if not draft.places:
@@ -256,7 +254,13 @@ def _rod(draft: _Draft, part: Part, slides: bool) -> Body | None:
     crossed = float(np.abs(given.inertia @ along - (along @ given.inertia @ along) * along).max())
     if float(np.linalg.norm(across @ off)) > SAME * draft.size or max(float(np.abs(rest).max()), crossed) > ROUND * moment:
         return None
-    return Body(nodes=tuple(names), carriers=tuple(names), mass=given.mass, center=tuple(given.center), inertia=(moment * across).tolist())
+    return Body(
+        nodes=tuple(names),
+        carriers=tuple(names),
+        mass=given.mass,
+        center=tuple(given.center),
+        inertia=(moment * across).tolist(),
+    )
 
 
 def _with_hinges(model: Model, draft: _Draft) -> dict[str, Joint]:

@@ -113,7 +113,9 @@ def _defined(closure: Closure, frames: Mapping[str, NDArray[np.float64]]) -> Clo
 def _size(robot: Robot, frames: Mapping[str, NDArray[np.float64]]) -> float:
     places = [frame[:3, 3] for frame in frames.values()]
     places += [(frames[pivot.parent] @ pivot.origin)[:3, 3] for pivot in robot.pivots]
-    places += [(frames[link] @ frame)[:3, 3] for one in robot.closures for link, frame in zip(one.links, _both(one), strict=True)]
+    places += [
+        (frames[link] @ frame)[:3, 3] for one in robot.closures for link, frame in zip(one.links, _both(one), strict=True)
+    ]
     size = float(np.ptp(np.array(places), axis=0).max())
     return size or 1.0
 

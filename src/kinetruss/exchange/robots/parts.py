@@ -113,7 +113,7 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
     found = []
     for pivot in posed.robot.pivots:
         parts = group[pivot.parent], group[pivot.child]
-        if pivot.kind in ("weld", "free"):
+        if pivot.kind == "weld" or pivot.kind == "free":
             continue
         if parts[0] == parts[1]:
             left.append(LeftOut("joint", pivot.where, "its two links are fixed to each other by closures: it cannot move"))
@@ -126,7 +126,7 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
             Connection(
                 name=pivot.name, kind=pivot.kind, parts=parts, place=place, axis=axis / np.linalg.norm(axis), value=value,
                 drive=pivot.drive, limits=pivot.limits, where=pivot.where,
-            )  # type: ignore[arg-type]
+            )
         )  # fmt: skip
     return found
 
@@ -159,7 +159,9 @@ def _without_idle(parts: dict[str, Part], connections: list[Connection], left: l
         if not idle:
             return connections
         for name in idle:
-            left.append(LeftOut("link", parts[name].where, "has no mass, and nothing is attached to it; left out with its joint"))
+            left.append(
+                LeftOut("link", parts[name].where, "has no mass, and nothing is attached to it; left out with its joint")
+            )
             connections = [one for one in connections if name not in one.parts]
             del parts[name]
 
@@ -187,4 +189,3 @@ def _meeting(one: Connection, two: Connection, size: float) -> NDArray[np.float6
     if square < 1e-6 or abs(float(way @ normal)) > SAME * size * np.sqrt(square):
         return None
     return np.asarray(one.place + float(np.cross(way, two.axis) @ normal) / square * one.axis)
-

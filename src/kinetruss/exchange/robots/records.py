@@ -13,7 +13,18 @@ if TYPE_CHECKING:
 
     from kinetruss.library.bodies import MassProperties
 
-__all__ = ["COLUMNS", "Closure", "JointKind", "LeftOut", "Link", "Pivot", "Robot", "placement", "quaternion_matrix", "turn_about"]
+__all__ = [
+    "COLUMNS",
+    "Closure",
+    "JointKind",
+    "LeftOut",
+    "Link",
+    "Pivot",
+    "Robot",
+    "placement",
+    "quaternion_matrix",
+    "turn_about",
+]
 
 JointKind = Literal["revolute", "prismatic", "ball", "weld", "free"]
 

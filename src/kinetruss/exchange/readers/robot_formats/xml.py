@@ -77,7 +77,9 @@ class Element:
         except ValueError:
             raise self.fault(f"{name} is {shown(text)}, which is not all numbers.", _example(name, counts)) from None
         if len(found) not in counts:
-            raise self.fault(f"{name} has {len(found)} numbers; expected {' or '.join(map(str, counts))}.", _example(name, counts))
+            raise self.fault(
+                f"{name} has {len(found)} numbers; expected {' or '.join(map(str, counts))}.", _example(name, counts)
+            )
         if not (np.abs(found) <= LARGEST).all():
             raise self.fault(f"{name} is {shown(text)}: not finite, or beyond {LARGEST:g}.", "Give finite numbers in SI.")
         return found
@@ -135,7 +137,9 @@ def parse_xml(path: Path, text: str, root: str) -> Element:
         mend = f"Give a whole file whose elements are all closed, with <{root}> outermost."
         raise ModelError([Fault((), message, mend, error.lineno, error.offset + 1, file=file)]) from None
     if found[0].tag != root:
-        raise found[0].fault(f"is the outermost element; expected <{root}>.", f"Name a file whose outermost element is <{root}>.")
+        raise found[0].fault(
+            f"is the outermost element; expected <{root}>.", f"Name a file whose outermost element is <{root}>."
+        )
     return found[0]
 
 

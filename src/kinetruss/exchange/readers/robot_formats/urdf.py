@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.exchange.readers.closures import Closures
 from kinetruss.exchange.readers.naming import Names
-from kinetruss.exchange.readers.xml import Element, parse_xml
-from kinetruss.exchange.robots import Closure, LeftOut, Link, Pivot, Robot, placement, turn_about
+from kinetruss.exchange.readers.robot_formats.closures import Closures
+from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
+from kinetruss.exchange.robots import Closure, JointKind, LeftOut, Link, Pivot, Robot, placement, turn_about
 from kinetruss.library.bodies import MassProperties
 from kinetruss.model import nearest
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 __all__ = ["read_urdf"]
 
-KINDS: Mapping[str, Any] = {
+KINDS: Mapping[str, JointKind] = {
     "revolute": "revolute",
     "continuous": "revolute",
     "prismatic": "prismatic",
@@ -198,9 +198,7 @@ def _link(element: Element, name: str) -> Link:
     return Link(name=name, properties=properties, where=(given or inertial).where.replace("<inertia>", f"{element.label}"))
 
 
-def _pivots(
-    joint: Element, other: str | None, links: Mapping[str, Link], names: Names
-) -> Iterator[tuple[Pivot, Link | None]]:
+def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names: Names) -> Iterator[tuple[Pivot, Link | None]]:
     """The joint; of a cardan two with a link between them. other : its type in the YAML file."""
     name, kind = names.of(joint.text("name"), joint.where, "joint"), joint.text("type")
     if other is None and kind not in KINDS:
@@ -211,10 +209,16 @@ def _pivots(
     along = np.array([1.0, 0.0, 0.0]) if axis is None else axis.numbers("xyz", 3, (1, 0, 0))
     if other == "CARDAN":
         middle = Link(name=names.of(f"{name}_cross", joint.where), where=joint.where)
-        yield Pivot(name=f"{name}_X", kind="revolute", parent=parent, child=middle.name, origin=origin, axis=np.eye(3)[0]), middle
-        yield Pivot(name=f"{name}_Y", kind="revolute", parent=middle.name, child=child, origin=np.eye(4), axis=np.eye(3)[1]), None
+        yield (
+            Pivot(name=f"{name}_X", kind="revolute", parent=parent, child=middle.name, origin=origin, axis=np.eye(3)[0]),
+            middle,
+        )
+        yield (
+            Pivot(name=f"{name}_Y", kind="revolute", parent=middle.name, child=child, origin=np.eye(4), axis=np.eye(3)[1]),
+            None,
+        )
         return
-    found = {"SPHERICAL": "ball", "FIXED": "weld", None: None}[other] or KINDS[kind]
+    found: JointKind = "ball" if other == "SPHERICAL" else "weld" if other == "FIXED" else KINDS[kind]
     if found in ("revolute", "prismatic"):
         if not (size := float(np.linalg.norm(along))):
             raise (axis or joint).fault("has an axis without direction.", 'Write for example <axis xyz="0 0 1"/>.')
@@ -223,9 +227,7 @@ def _pivots(
     if (limit := joint.one("limit")) is not None and "lower" in limit.attributes and "upper" in limit.attributes:
         limits = (limit.number("lower"), limit.number("upper"))
     yield (
-        Pivot(
-            name=name, kind=found, parent=parent, child=child, origin=origin, axis=along, limits=limits, where=joint.where
-        ),
+        Pivot(name=name, kind=found, parent=parent, child=child, origin=origin, axis=along, limits=limits, where=joint.where),
         None,
     )
 
@@ -239,4 +241,3 @@ def _left_out(root: Element) -> Iterator[LeftOut]:
             if child.tag not in PARTS[one.tag] or child.tag == "limit":
                 where = f"{child.file}:{child.line} {one.label}"
                 yield LeftOut(child.tag, where, WHY.get(child.tag, "is not known here"))
-

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.exchange.readers.xml import Element
+from kinetruss.exchange.readers.robot_formats.xml import Element
 from kinetruss.exchange.robots import placement, quaternion_matrix, turn_about
 from kinetruss.library.bodies import MassProperties, box_properties, combined, cylinder_properties, sphere_properties
 
@@ -206,7 +206,7 @@ def _made(kind: str, size: Any, weight: Mapping[str, Any]) -> MassProperties:
         mass = weight.get("mass", weight.get("density", 0.0) * volume)
         a, b, c = size**2
         return MassProperties(mass=mass, center=np.zeros(3), inertia=mass / 5.0 * np.array([b + c, a + c, a + b]))
-    return _capsule(*size, weight)
+    return _capsule(float(size[0]), float(size[1]), weight)
 
 
 def _capsule(radius: float, half: float, weight: Mapping[str, Any]) -> MassProperties:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.exchange.readers.mjcf_mass import Defaults, Units, pose_of, properties_of
 from kinetruss.exchange.readers.naming import Names
-from kinetruss.exchange.readers.xml import Element, parse_xml
-from kinetruss.exchange.robots import Closure, LeftOut, Link, Pivot, Robot, placement, quaternion_matrix, turn_about
+from kinetruss.exchange.readers.robot_formats.mjcf_mass import Defaults, Units, pose_of, properties_of
+from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
+from kinetruss.exchange.robots import Closure, JointKind, LeftOut, Link, Pivot, Robot, placement, quaternion_matrix, turn_about
 from kinetruss.model import nearest
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["read_mjcf"]
 
-JOINTS: Mapping[str, Any] = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "free"}
+JOINTS: Mapping[str, JointKind] = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "free"}
 COMPILED = "Load it in MuJoCo, save the compiled model (mj_saveLastXML), and import that."
 REFUSED = ("include", "replicate", "composite", "flexcomp", "attach")
 """Elements that stand for others."""
@@ -95,14 +95,14 @@ class _Reader:
             for one in self.pivots
         ]
         option = self.root.one("option")
-        gravity = (0.0, 0.0, -9.81) if option is None else tuple(option.numbers("gravity", 3, (0, 0, -9.81)).tolist())
+        x, y, z = (0.0, 0.0, -9.81) if option is None else option.numbers("gravity", 3, (0, 0, -9.81)).tolist()
         return Robot(
             title=self.root.attributes.get("model", self.path.stem),
             root="world",
             links=self.links,
             pivots=pivots,
             closures=closures,
-            gravity=gravity,  # type: ignore[arg-type]
+            gravity=(x, y, z),
             left_out=[*self.left, *self.names.renamed],
         )
 
@@ -162,7 +162,7 @@ class _Reader:
             held = Pivot(name=f"{name}.held", kind="weld", parent=parent, child=name, origin=frame, where=element.where)
             self.pivots.append(held)
 
-    def _pivot(self, one: Element, kind: Any, index: int, body: str) -> Pivot:
+    def _pivot(self, one: Element, kind: JointKind, index: int, body: str) -> Pivot:
         given = one.attributes.get("name", f"{body}_joint{index + 1 if index else ''}")
         if given in self.joint:
             raise one.fault("has the name of another joint.", "Give it another name.")

@@ -1,7 +1,7 @@
 """The YAML file beside a URDF: pairs of frames that close loops, motors, types of joints.
 
-``closed_loop: [[frame, frame], ...]``, ``type: [6d, 3d, ...]`` (6d: whole frames; 3d: their origins), ``name_mot: [joint, ...]``,
-``joint_name: [joint, ...]`` with ``joint_type: [SPHERICAL, FIXED or CARDAN, ...]``. The layout is that of the robots of
+``closed_loop: [[frame, frame], ...]``, ``type: [6d, 3d, ...]`` (6d: whole frames; 3d: their origins), ``name_mot: [joint,
+...]``, ``joint_name: [joint, ...]`` with ``joint_type: [SPHERICAL, FIXED or CARDAN, ...]``. The layout is that of the robots of
 example-parallel-robots (V. Batto, L. De Matteis, LAAS-CNRS).
 """
 
@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 from kinetruss.errors import Fault, ModelError, shown
-from kinetruss.exchange.robots import LeftOut
 from kinetruss.exchange.readers.texts import tree_of
+from kinetruss.exchange.robots import LeftOut
 from kinetruss.io.formats import Tree
 from kinetruss.model import nearest
 

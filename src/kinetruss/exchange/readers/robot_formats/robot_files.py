@@ -7,18 +7,16 @@ from pathlib import Path
 
 from kinetruss.errors import InputError
 from kinetruss.exchange._imported import Imported
-from kinetruss.exchange.readers.closures import read_closures
-from kinetruss.exchange.readers.mjcf import read_mjcf
+from kinetruss.exchange.readers.robot_formats.closures import read_closures
+from kinetruss.exchange.readers.robot_formats.mjcf import read_mjcf
+from kinetruss.exchange.readers.robot_formats.urdf import read_urdf
 from kinetruss.exchange.readers.texts import text_of
-from kinetruss.exchange.readers.urdf import read_urdf
 from kinetruss.exchange.robots import Robot, assemble, closed
 
 __all__ = ["robot", "robot_of"]
 
 
-def robot_of(
-    path: Path, *, max_size: int, closures: str | Path | None = None, at: Mapping[str, float] | None = None
-) -> Robot:
+def robot_of(path: Path, *, max_size: int, closures: str | Path | None = None, at: Mapping[str, float] | None = None) -> Robot:
     """The links, joints and closures of a URDF or MJCF file."""
     text = text_of(path, max_size)
     if path.suffix.lower() != ".urdf" and "<mujoco" in text:
@@ -29,9 +27,7 @@ def robot_of(
     return read_urdf(path, text, beside, at)
 
 
-def robot(
-    path: Path, *, max_size: int, closures: str | Path | None = None, at: Mapping[str, float] | None = None
-) -> Imported:
+def robot(path: Path, *, max_size: int, closures: str | Path | None = None, at: Mapping[str, float] | None = None) -> Imported:
     """The model of a URDF or MJCF file."""
     found = robot_of(path, max_size=max_size, closures=closures, at=at)
     posed = closed(found)
