@@ -2,19 +2,24 @@
 
 from kinetruss.exchange.robots.assemble import Assembled, assemble
 from kinetruss.exchange.robots.closing import Posed, closed
+from kinetruss.exchange.robots.of_model import robot_of_model
 from kinetruss.exchange.robots.records import (
     Closure,
+    Drawn,
     JointKind,
     LeftOut,
     Link,
     Pivot,
+    Pull,
     Robot,
+    matrix_quaternion,
     placement,
     quaternion_matrix,
     turn_about,
 )
+from kinetruss.exchange.robots.sliders import with_sliders
 
 __all__ = [
-    "Assembled", "Closure", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "assemble", "closed", "placement",
-    "quaternion_matrix", "turn_about",
+    "Assembled", "Closure", "Drawn", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Pull", "Robot", "assemble", "closed",
+    "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
 ]  # fmt: skip

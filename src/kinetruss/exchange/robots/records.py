@@ -16,11 +16,14 @@ if TYPE_CHECKING:
 __all__ = [
     "COLUMNS",
     "Closure",
+    "Drawn",
     "JointKind",
     "LeftOut",
     "Link",
     "Pivot",
+    "Pull",
     "Robot",
+    "matrix_quaternion",
     "placement",
     "quaternion_matrix",
     "turn_about",
@@ -111,6 +114,34 @@ class Robot:
     left_out: Sequence[LeftOut] = ()
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Pull:
+    """A driven length: a force along the line between points of two links, (3,) m in their frames.
+
+    properties : of the rods at both ends, None without mass.
+    """
+
+    name: str
+    links: tuple[str, str]
+    points: tuple[NDArray[np.float64], NDArray[np.float64]]
+    length: float
+    properties: tuple[MassProperties, MassProperties] | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Drawn:
+    """The robot of a model in a pose: frames of all links are the global axes there, and all joint values 0.
+
+    pulls : driven lengths. offsets : drive -> its value in that pose, rad or m: what to add to the joint's value.
+    lines : link -> pairs of points (2, 3), m, of its bars.
+    """
+
+    robot: Robot
+    lines: Mapping[str, Sequence[NDArray[np.float64]]] = field(default_factory=dict)
+    pulls: Sequence[Pull] = ()
+    offsets: Mapping[str, float] = field(default_factory=dict)
+
+
 def placement(rotation: Any = None, place: Any = (0.0, 0.0, 0.0)) -> NDArray[np.float64]:
     """(4, 4) of a rotation (3, 3) and a place (3,) m."""
     found = np.eye(4)
@@ -137,3 +168,16 @@ def quaternion_matrix(quaternion: Any) -> NDArray[np.float64]:
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
+
+
+def matrix_quaternion(R: Any) -> NDArray[np.float64]:
+    """The quaternion (w, x, y, z) of a rotation matrix, from its largest component (S. W. Shepperd, 1978)."""
+    trace = float(np.trace(R))
+    squares = np.array([trace, R[0, 0], R[1, 1], R[2, 2]])
+    k = int(np.argmax(squares))
+    found = np.array([1.0 + trace, R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    if k:
+        i = k - 1
+        found = np.array([found[k], *(R[i, j] + R[j, i] for j in range(3))])
+        found[k] = 1.0 + 2.0 * R[i, i] - trace
+    return np.asarray(found / np.linalg.norm(found))
