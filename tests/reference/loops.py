@@ -73,10 +73,10 @@ class Tree(ABC):
 
 
 class PinocchioTree(Tree):
-    """A URDF; closures of three conditions between pairs of frames."""
+    """A URDF; closures of three conditions between pairs of frames; some joints may be balls."""
 
-    def __init__(self, path: Path, pairs: list[tuple[str, str]], motors: list[str]) -> None:
-        self.model = pin.buildModelFromUrdf(str(path))
+    def __init__(self, path: Path, pairs: list[tuple[str, str]], motors: list[str], balls: tuple[str, ...] = ()) -> None:
+        self.model = with_balls(pin.buildModelFromUrdf(str(path)), balls)
         self.data = self.model.createData()
         self.pairs = [tuple(self.model.getFrameId(name) for name in pair) for pair in pairs]
         joints = [self.model.joints[self.model.getJointId(name)] for name in motors]
@@ -108,6 +108,19 @@ class PinocchioTree(Tree):
 
     def inverse(self, q, v, a):
         return pin.rnea(self.model, self.data, q, v, a)
+
+
+def with_balls(model: Any, balls: tuple[str, ...]) -> Any:
+    """The model of a URDF with some joints as balls, which URDF does not have."""
+    found = pin.Model()
+    for k in range(1, model.njoints):
+        name = model.names[k]
+        joint = pin.JointModelSpherical() if name in balls else model.joints[k]
+        found.addJoint(model.parents[k], joint, model.jointPlacements[k], name)
+        found.appendBodyToJoint(k, model.inertias[k], pin.SE3.Identity())
+    for frame in list(model.frames)[1:]:
+        found.addFrame(pin.Frame(frame.name, frame.parentJoint, frame.placement, frame.type), False)
+    return found
 
 
 class MujocoTree(Tree):

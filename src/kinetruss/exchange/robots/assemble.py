@@ -19,9 +19,10 @@ from kinetruss.exchange.robots.closing import Posed
 from kinetruss.exchange.robots.parts import SAME, Connection, Part, parts_of
 from kinetruss.exchange.robots.records import LeftOut, turn_about
 from kinetruss.library import joints
-from kinetruss.library.bodies import rigid
+from kinetruss.library.bodies import MassProperties, rigid
 from kinetruss.model import GROUND, Body, Hinge, HingeDrive, Joint, Model, Node
 from kinetruss.model.checks import beside
+from kinetruss.model.parts import quality, second_moments
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,6 +33,10 @@ REACH = 0.5
 """Distance of the two nodes of an axis, as a fraction of the size of the smaller body."""
 ROUND = 1e-6
 """Difference of the two cross moments of a rod, relative to their mean, that still counts as none."""
+THIN = 1e-9
+"""A body is a rod or a plate if a second moment is below this fraction of the largest."""
+WIDE, GOOD = 0.5, 0.05
+"""Least distance of its carriers, relative to the radius of gyration, and least normalised area or volume."""
 SPARE = 1.15
 """Half the stroke of a slider over the travel that its limits allow."""
 
@@ -150,17 +155,15 @@ def _extent(part: Part, size: float) -> float:
 def _hinge(draft: _Draft, one: Connection, parts: Mapping[str, Part]) -> None:
     """Two shared nodes on the axis, and the nodes between which its drive measures the angle."""
     reach = REACH * min(_extent(parts[name], draft.size) for name in one.parts)
-    low, high = (0.0, reach) if one.anchored else (-reach / 2, reach / 2)
-    ends = tuple(draft.share(f"{one.name}.{k}", one.place + far * one.axis, one.parts) for k, far in ((1, low), (2, high)))
+    ends = tuple(draft.share(f"{one.name}.{k}", one.place + far * one.axis, one.parts) for k, far in ((1, 0.0), (2, reach)))
     hinges: tuple[Hinge, ...] = ()
     if one.drive is not None:
         aside = np.eye(3)[int(np.argmin(np.abs(one.axis)))]
         aside = np.cross(one.axis, np.cross(aside, one.axis))
         aside *= reach / float(np.linalg.norm(aside))
-        middle = one.place + (low + high) / 2 * one.axis
         first, second = one.parts
-        start = draft.share(f"{one.name}.zero", middle + aside, (first,))
-        end = draft.share(f"{one.name}.turned", middle + turn_about(one.axis, one.value) @ aside, (second,))
+        start = draft.share(f"{one.name}.zero", one.place + aside, (first,))
+        end = draft.share(f"{one.name}.turned", one.place + turn_about(one.axis, one.value) @ aside, (second,))
         hinges = (Hinge(axis=ends, start=start, end=end),)
         draft.drives[one.drive] = HingeDrive(axis=ends, start=start, end=end)
         draft.offsets[one.drive] = 0.0
@@ -192,7 +195,8 @@ def _with_body(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
             text = "turns freely about the line of its two balls; it is carried by the two nodes without that turning"
             draft.left.append(LeftOut("spin", part.where, text))
             return model.with_(bodies=model.bodies | {part.name: rod})
-        return rigid(model, part.name, given, nodes=names)
+        points = _thin_carriers(draft, names, given)
+        return rigid(model, part.name, given, nodes=[name for name in names if name not in points], points=points or None)
     except InputError as error:
         faults = error.faults if isinstance(error, ModelError) else [Fault((), str(error), "")]
         words = " ".join(str(one) for one in faults)
@@ -238,6 +242,23 @@ def _spanning(places: Mapping[str, Any]) -> tuple[str, ...]:
         if len(rows) == 3:
             break
     return tuple(chosen)
+
+
+def _thin_carriers(draft: _Draft, names: Sequence[str], given: MassProperties) -> dict[str, Any]:
+    """Nodes that carry the mass of a rod or a plate, if it has some on its line or in its plane.
+
+    The carriers that are chosen otherwise lie near the ends of a uniform rod, so almost where its joints are.
+    """
+    values, axes = np.linalg.eigh(second_moments(given.inertia))
+    extent = int(np.sum(values > THIN * values[-1]))
+    off = {name: np.abs((draft.places[name] - given.center) @ axes[:, : 3 - extent]) for name in names}
+    own = {name: draft.places[name] for name in names if extent < 3 and (off[name] <= SAME * draft.size).all()}
+    if len(own) <= extent:
+        return {}
+    found = {name: own[name] for name in _spanning(own)[: extent + 1]}
+    spread = float(np.linalg.norm(np.ptp(np.array(list(found.values())), axis=0)))
+    wide = spread > WIDE * math.sqrt(float(values[-1]) / given.mass)
+    return found if wide and len(found) == extent + 1 and quality(list(found.values())) > GOOD else {}
 
 
 def _rod(draft: _Draft, part: Part, slides: bool) -> Body | None:

@@ -37,10 +37,7 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Connection:
-    """A joint between two parts in the pose: place (3,) m, unit axis, value in that pose; rad or m.
-
-    anchored : the first node of its axis is at the place, where another axis of a part meets it.
-    """
+    """A joint between two parts in the pose: place (3,) m, unit axis, value in that pose; rad or m."""
 
     name: str
     kind: Literal["revolute", "prismatic", "ball"]
@@ -50,7 +47,6 @@ class Connection:
     value: float = 0.0
     drive: str | None = None
     limits: tuple[float, float] | None = None
-    anchored: bool = False
     where: str = ""
 
 
@@ -167,8 +163,9 @@ def _without_idle(parts: dict[str, Part], connections: list[Connection], left: l
 
 
 def _anchored(parts: Mapping[str, Part], connections: Sequence[Connection], size: float) -> list[Connection]:
-    """Axes that meet in a part without mass get a node where they meet: the part then is a triangle, Hooke's cross."""
+    """Axes that meet in a part without mass get their first node where they meet: it is a triangle, Hooke's cross."""
     found = {one.name: one for one in connections}
+    moved: set[str] = set()
     for part in parts.values():
         own = [found[one.name] for one in connections if part.name in one.parts and one.kind == "revolute"]
         if part.name == GROUND or part.properties is not None:
@@ -176,8 +173,9 @@ def _anchored(parts: Mapping[str, Part], connections: Sequence[Connection], size
         for one, two in combinations(own, 2):
             if (place := _meeting(one, two, size)) is not None:
                 for each in (one, two):
-                    if not found[each.name].anchored:
-                        found[each.name] = replace(found[each.name], place=place, anchored=True)
+                    if each.name not in moved:
+                        found[each.name] = replace(found[each.name], place=place)
+                        moved.add(each.name)
     return list(found.values())
 
 

@@ -19,7 +19,7 @@ from kinetruss.exchange.readers.robot_formats.closures import Closures
 from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
 from kinetruss.exchange.robots import Closure, JointKind, LeftOut, Link, Pivot, Robot, placement, turn_about
 from kinetruss.library.bodies import MassProperties
-from kinetruss.model import nearest
+from kinetruss.model import GROUND, nearest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -65,7 +65,7 @@ def read_urdf(path: Path, text: str, closures: Closures | None = None, at: Mappi
     if not links:
         raise root.fault("has no links.", 'Give at least one: <link name="base"/>.')
     base = _base(root, links, joints)
-    made: dict[str, Link] = {name: _link(one, names.of(name, one.where)) for name, one in links.items()}
+    made = {name: _link(one, GROUND if name == base == GROUND else names.of(name, one.where)) for name, one in links.items()}
     left = list(_left_out(root))
     if closures is None:
         drives = [name for name, one in joints.items() if one.attributes.get("type") in SINGLE]
