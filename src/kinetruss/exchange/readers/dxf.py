@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -98,6 +99,9 @@ def _drawn(path: Path, max_size: int, fixed: Sequence[str]) -> tuple[_Drawing, i
         raise drawing.fault("there is no such file.", "Check the name.")
     if path.stat().st_size > max_size:
         raise drawing.fault(f"has more than {max_size:,} bytes.", "Raise --max-size if the file is meant.")
+    said = _Said()
+    logger = logging.getLogger("ezdxf")
+    logger.addHandler(said)
     try:
         document = ezdxf.readfile(path)
         for entity in document.modelspace():
@@ -106,6 +110,21 @@ def _drawn(path: Path, max_size: int, fixed: Sequence[str]) -> tuple[_Drawing, i
     except (*BROKEN, ezdxf.DXFError) as error:
         words = " ".join(str(error).split()) or type(error).__name__
         raise drawing.fault(f"is no whole DXF file: {words}.", "Save it again as DXF.") from None
+    finally:
+        logger.removeHandler(said)
+        drawing.left += [LeftOut("remark of ezdxf", str(path), text) for text in said.texts]
+
+
+class _Said(logging.Handler):
+    """Collects what ezdxf logs about a drawing."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self.texts: list[str] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep the text of a record."""
+        self.texts.append(record.getMessage())
 
 
 def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str]) -> None:

@@ -37,6 +37,10 @@ def mesh_file(
 ) -> Imported:  # fmt: skip
     """The model of a mesh. unit : of its lengths. thickness : of the membrane of its triangles. material : of the library."""
     found, scale = _opened(path, max_size), length_of(unit, "unit")
+    if np.ndim(found.points) != 2 or np.shape(found.points)[1] not in (2, 3):
+        raise _fault(
+            path, f"has points of the shape {np.shape(found.points)}; expected three numbers each.", "Repair the mesh."
+        )
     points = np.zeros((len(found.points), 3))
     points[:, : np.shape(found.points)[1]] = np.asarray(found.points, float) * scale
     cells = {kind: np.asarray(rows) for kind, rows in found.cells_dict.items()}
@@ -62,7 +66,7 @@ def _fault(path: Path, message: str, mend: str) -> ModelError:
 
 
 def _opened(path: Path, max_size: int) -> Any:
-    meshio = needed("meshio", "mesh")
+    meshio = needed("meshio", "exchange")
     if not path.is_file():
         raise _fault(path, "there is no such file.", "Check the name.")
     if path.stat().st_size > max_size:

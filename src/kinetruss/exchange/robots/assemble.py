@@ -70,7 +70,7 @@ class _Draft:
             while found in self.places:
                 found += "'"
             self.places[found] = np.array(place, float)
-        for other in dict.fromkeys(there[1:]):
+        for other in dict.fromkeys(node for node in there if node != found):
             self._merge(other, found)
         for part in parts:
             if found not in self.own[part]:
