@@ -133,7 +133,7 @@ def test_import_writes_a_whole_model_or_nothing(tmp_path):
     assert "is the file to import itself" in done.output
     done = run.invoke(main, ["export", str(out), str(tmp_path / "back.urdf")])
     assert done.exit_code == 0, done.output
-    assert (tmp_path / "back.yaml").exists()
+    assert (tmp_path / "back.closures.yaml").exists()
     assert run.invoke(main, ["export", str(out), str(tmp_path / "back.csv")]).exit_code == 2
 
 

@@ -50,7 +50,7 @@ def write(what: Model | RunResult, path: str | Path, *, time: float | None = Non
 
     Parameters
     ----------
-    path : ``.xml`` (MJCF), ``.urdf`` (with the closures in a ``.yaml`` beside it), ``.dxf``, ``.stl``, ``.vtu``, or ``.pvd``
+    path : ``.xml`` (MJCF), ``.urdf`` (its closures in ``NAME.closures.yaml``), ``.dxf``, ``.stl``, ``.vtu``, or ``.pvd``
         (all instants of a run, one VTU each, in a folder beside it).
     time : s, of a run: the nearest sample; by default the first. overwrite : replace files that are there.
 
@@ -127,7 +127,7 @@ def _urdf(what: Any, path: Path, time: float | None, overwrite: bool) -> Written
     from kinetruss.exchange.robots import robot_of_model
     from kinetruss.exchange.writers.urdf import urdf_texts
 
-    pose, target, beside = _pose(what, time), _free(path, overwrite), _free(path.with_suffix(".yaml"), overwrite)
+    pose, target, beside = _pose(what, time), _free(path, overwrite), _free(path.with_suffix(".closures.yaml"), overwrite)
     drawn = robot_of_model(pose.model, pose.x)
     text, closures, left = urdf_texts(drawn)
     with whole_file(target) as one, whole_file(beside) as two:

@@ -44,8 +44,8 @@ def export(
     """Write a run or a model to FILE for another program.
 
     Tables of a run: .csv (one row per instant), .parquet (one row per value), .nc (netCDF, all arrays with units); with
-    --group verdict a .csv holds the utilisation table. A pose of a run or a model: .xml (MJCF), .urdf (its closures in a
-    .yaml beside it), .dxf, .stl, .vtu; all poses of a run: .pvd. What a format cannot have is printed.
+    --group verdict a .csv holds the utilisation table. A pose of a run or a model: .xml (MJCF), .urdf (its closures in
+    NAME.closures.yaml), .dxf, .stl, .vtu; all poses of a run: .pvd. What a format cannot have is printed.
     """
     from kinetruss import exchange, io
 

@@ -34,16 +34,9 @@ ACTIVE = ("*active*",)
 LABEL = 0.25
 """Largest distance of a text from the middle of its line, relative to the length of the line."""
 BROKEN = (
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    LookupError,
-    OSError,
-    RuntimeError,
-    TypeError,
-    ValueError,
+    ArithmeticError, AssertionError, AttributeError, LookupError, OSError, RuntimeError, StopIteration, TypeError, ValueError,
     struct.error,
-)
+)  # fmt: skip
 """What ezdxf raises for broken files, besides its own errors."""
 
 

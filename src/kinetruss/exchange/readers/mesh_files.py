@@ -71,11 +71,12 @@ def _opened(path: Path, max_size: int) -> Any:
         raise _fault(path, "there is no such file.", "Check the name.")
     if path.stat().st_size > max_size:
         raise _fault(path, f"has more than {max_size:,} bytes.", "Raise --max-size if the file is meant.")
+    corrupt: type[Exception] = needed("meshio._exceptions", "exchange").CorruptionError
     said = io.StringIO()
     try:
         with redirect_stdout(said), redirect_stderr(said):
             return meshio.read(path)
-    except (*BROKEN, meshio.ReadError, SystemExit) as error:
+    except (*BROKEN, meshio.ReadError, corrupt, SystemExit) as error:
         words = " ".join(str(error).split()) or type(error).__name__
         raise _fault(
             path, f"is no mesh that meshio reads: {words}.", "Give a whole file in the format of its suffix."
