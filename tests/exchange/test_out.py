@@ -84,7 +84,7 @@ def test_masses_and_places_in_mujoco(tmp_path):
         np.testing.assert_allclose(*tensors, atol=1e-11 * tensors[1].max())
 
 
-def test_a_pull_and_a_slider_have_the_force_of_the_leg(tmp_path):
+def test_a_tendon_and_a_slider_have_the_force_of_the_leg(tmp_path):
     """Six driven lengths: tendons of MuJoCo, sliders of URDF."""
     model = kt.library.mechanisms.stewart(platform_mass=12.0)
     legs = [f"leg{k}" for k in range(1, 7)]
@@ -160,5 +160,22 @@ def test_files_that_are_there_stay(tmp_path):
 
 def test_what_is_left_out_is_named(tmp_path):
     model = fourbar(5).with_(springs={"soft": kt.Spring(coordinate=kt.AngleDrive("crank"), stiffness=2.0)})
+    model = model.with_(bars=model.bars | {"string": kt.Bar(ends=("A", "C"), kind="cable", stiffness=3.0)})
     written = kt.exchange.write(model, tmp_path / "fourbar.xml")
+    assert ("cable bar", "string") in {(one.what, one.where) for one in written.left_out}
     assert {(one.what, one.where) for one in written.left_out} >= {("springs", "soft")}
+
+
+def test_an_active_member_with_mass_becomes_two_rods_and_a_slide(tmp_path):
+    """Inverse dynamics of a driven triangle: base and tube slide in each other, in MuJoCo and back."""
+    model = kt.Model(
+        nodes={"A": (0, 0, 0), "B": (1, 0, 0), "C": (0, 0.2, 0), "T": kt.Node(at=(0.6, 0.1, 0.8), mass=2.0)},
+        fixed=["A", "B", "C"],
+        bars={"a": kt.Bar(ends=("A", "T"), mass=0.7), "c": kt.Bar(ends=("C", "T"), mass=0.4)}, gravity=(0, 0, -9.81),
+        active={"jack": kt.Active(ends=("B", "T"), base=kt.Part(length=0.5, mass=3.0), tube=kt.Part(length=0.6, mass=1.5))},
+    )  # fmt: skip
+    start = float(np.linalg.norm(np.array(model.nodes["T"].at) - (1, 0, 0)))
+    written = kt.exchange.write(model, tmp_path / "jack.xml")
+    assert written.offsets["jack"] == pytest.approx(start, abs=1e-12)
+    found, given = along(model, {"jack": (start, start + 0.1)}, written)
+    agree(found, MujocoTree(written.files[0], ["jack"]).torques(*given), 1e-9)

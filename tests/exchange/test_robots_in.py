@@ -162,3 +162,19 @@ def test_loops_that_are_open_where_they_are_drawn():
     end = motion.position.sel(node="tip_left_tip_right").values[-1]
     np.testing.assert_allclose(end, drawn.nodes["tip_left_tip_right"].at, atol=1e-12)
     assert np.linalg.norm(tip - end) > 0.05
+
+
+def test_a_pose_of_mjcf_leaves_the_anchors_where_the_file_has_them():
+    """`connect` defines its second anchor in the pose of the file, not in the one that is asked for."""
+    found = kt.exchange.read(DATA / "parallel.xml", at={"motor1": 0.3})
+    forces, given = torques(found.model, {"motor1": (0.3, 0.5), "motor2": (0.0, -0.2), "motor3": (0.0, 0.1)})
+    wanted = MujocoTree(DATA / "parallel.xml", ["motor1", "motor2", "motor3"]).torques(*given)
+    np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
+
+
+def test_a_floating_base():
+    fixed = kt.exchange.read(DATA / "robot.urdf", closures=DATA / "robot.yaml")
+    free = kt.exchange.read(DATA / "robot.urdf", closures=DATA / "robot.yaml", floating=True)
+    assert free.freedoms == fixed.freedoms + 6
+    assert free.mobility.degrees_of_freedom == fixed.mobility.degrees_of_freedom + 6
+    assert not free.model.fixed

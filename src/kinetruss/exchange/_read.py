@@ -21,10 +21,10 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
     path : ``.urdf``; ``.xml`` or ``.mjcf`` (MJCF, or URDF); ``.dxf``; ``.csv`` (nodes; `members` names the other table);
         ``.json`` (COMPAS); ``.vtu``, ``.vtk``, ``.msh``, ``.inp`` and other meshes (meshio).
     max_size : bytes; a larger file is refused before it is read.
-    options : of the format. Robots: ``closures`` (file beside a URDF), ``at`` (joint -> value, rad or m, of the pose). DXF:
-        ``unit`` (of a drawing that names none), ``tolerance`` (m, of nodes that are one), ``active`` (patterns of layers of
-        active members), ``fixed`` (patterns of layers of supports). CSV: ``members`` (path), ``fixed`` (names of nodes).
-        COMPAS and meshes: ``unit``, ``fixed``.
+    options : of the format. Robots: ``closures`` (file beside a URDF), ``at`` (joint -> value, rad or m, of the pose),
+        ``floating`` (the base of a URDF is not fixed). DXF: ``unit`` (of a drawing that names none), ``tolerance`` (m, of nodes
+        that are one), ``active`` (patterns of layers of active members), ``fixed`` (patterns of layers of supports). CSV:
+        ``members`` (path), ``fixed`` (names of nodes). COMPAS: ``unit``, ``fixed``. Meshes: these, ``material``, ``thickness``.
 
     Returns
     -------
@@ -54,7 +54,7 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
     reader = READERS.get(suffix)
     if reader is None:
         raise InputError(f"{path} has the suffix {path.suffix!r}. Files that are read: {', '.join(READERS)}.")
-    unknown = [name for name, value in options.items() if name not in reader.options and value not in (None, (), {}, [])]
+    unknown = [name for name, value in options.items() if name not in reader.options and value not in (None, (), {}, [], False)]
     if unknown:
         has = ", ".join(reader.options) or "none"
         raise InputError(f"{path}: a {suffix} file has no option {unknown[0]!r}. It has: {has}.")

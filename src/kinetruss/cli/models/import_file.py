@@ -53,6 +53,7 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 @click.option(
     "--at", multiple=True, metavar="JOINT=VALUE", callback=_values, help="Robots: pose of the model (rad, m, or with unit)."
 )
+@click.option("--floating", is_flag=True, help="URDF: the base floats; by default the ground holds it.")
 @click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
 @click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) are active members.")

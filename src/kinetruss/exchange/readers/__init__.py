@@ -29,7 +29,7 @@ class Reader:
         return function(path, **options)
 
 
-_ROBOT = Reader("robot_formats.robot_files", "robot", ("closures", "at"))
+_ROBOT = Reader("robot_formats.robot_files", "robot", ("closures", "at", "floating"))
 _MESH = Reader("mesh_files", "mesh_file", ("unit", "fixed", "thickness", "material"))
 
 READERS: Mapping[str, Reader] = {

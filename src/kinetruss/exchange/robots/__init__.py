@@ -5,13 +5,13 @@ from kinetruss.exchange.robots.closing import Posed, closed
 from kinetruss.exchange.robots.of_model import robot_of_model
 from kinetruss.exchange.robots.records import (
     Closure,
-    Drawn,
+    DrivenLength,
     JointKind,
     LeftOut,
     Link,
     Pivot,
-    Pull,
     Robot,
+    RobotOfModel,
     matrix_quaternion,
     placement,
     quaternion_matrix,
@@ -20,6 +20,6 @@ from kinetruss.exchange.robots.records import (
 from kinetruss.exchange.robots.sliders import with_sliders
 
 __all__ = [
-    "Assembled", "Closure", "Drawn", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Pull", "Robot", "assemble", "closed",
-    "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
+    "Assembled", "Closure", "DrivenLength", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "RobotOfModel", "assemble",
+    "closed", "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
 ]  # fmt: skip

@@ -18,7 +18,7 @@ from kinetruss.exchange.robots.records import COLUMNS, Closure, Pivot, Robot, pl
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Posed", "closed", "frames_of", "values_of"]
+__all__ = ["Posed", "closed", "frames_of"]
 
 STEPS = 100
 LONGEST = 0.5
@@ -58,8 +58,8 @@ def closed(robot: Robot) -> Posed:
     ------
     InputError : loops that no values of the joints close.
     """
-    state = values_of(robot)
-    frames = frames_of(robot, state)
+    frames = frames_of(robot, _values(robot, at_home=True))
+    state = _values(robot)
     robot = replace(robot, closures=[_defined(one, frames) for one in robot.closures])
     size = _size(robot, frames)
     idle = [pivot for pivot in robot.pivots if pivot.drive is None]
@@ -80,9 +80,10 @@ def closed(robot: Robot) -> Posed:
     return Posed(robot=robot, frames=frames, values=single, gap=left, freedoms=freedoms, redundant=redundant)
 
 
-def values_of(robot: Robot) -> State:
-    """The joints as the file has them."""
-    return {p.name: p.value if COLUMNS[p.kind] == 1 else np.eye(4) for p in robot.pivots}
+def _values(robot: Robot, *, at_home: bool = False) -> State:
+    """The joints as the file has them, or where the search starts."""
+    single = {p.name: p.home if at_home or p.start is None else p.start for p in robot.pivots}
+    return {p.name: single[p.name] if COLUMNS[p.kind] == 1 else np.eye(4) for p in robot.pivots}
 
 
 def frames_of(robot: Robot, state: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.exchange.robots.masses import masses_of, rods_of
-from kinetruss.exchange.robots.records import Closure, Drawn, LeftOut, Link, Pivot, Pull, Robot, placement
+from kinetruss.exchange.robots.records import Closure, DrivenLength, LeftOut, Link, Pivot, Robot, RobotOfModel, placement
 from kinetruss.exchange.robots.rigid import rigid_parts
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.configuration import drive_values
@@ -30,11 +30,15 @@ TABLES = {
     "solids": "solids are not carried",
     "bearings": "friction is not carried",
     "support_motion": "motions of supports are not carried",
+    "load_cases": "loads are not carried",
+    "conditions": "conditions are not carried",
+    "velocities": "velocities at the start are not carried",
+    "actuators": "gears, screws and motors are not carried; its drive is",
     "runs": "runs are not carried",
 }
 
 
-def robot_of_model(model: Model, position: Any = None) -> Drawn:
+def robot_of_model(model: Model, position: Any = None) -> RobotOfModel:
     """The robot of a model. position (n, dim), m : the pose; by default that of the model.
 
     Raises
@@ -69,12 +73,17 @@ class _Maker:
             for node in part.nodes:
                 self.at.setdefault(node, []).append(index)
         self.left = [LeftOut(table, one, why) for table, why in TABLES.items() for one in getattr(model, table)]
+        self.left += [
+            LeftOut(f"{bar.kind} bar", name, "its force is not carried")
+            for name, bar in model.bars.items()
+            if bar.kind in ("elastic", "cable", "free")
+        ]
         self.pivots: list[Pivot] = []
         self.met: dict[int, dict[int, int]] = {node: {part: part for part in parts} for node, parts in self.at.items()}
         self.link = self._link_names()
 
     def _link_names(self) -> list[str]:
-        taken: set[str] = set()
+        taken = {"world"}  # the name of the ground in MJCF
         found = []
         for part in self.parts:
             name = part.name
@@ -84,7 +93,7 @@ class _Maker:
             found.append(name)
         return found
 
-    def drawn(self) -> Drawn:
+    def drawn(self) -> RobotOfModel:
         properties, left = masses_of(self.model, self.x, self.parts)
         self.left += left
         turns = list(self._turns())
@@ -95,7 +104,7 @@ class _Maker:
             for one in turns
             if one.name not in drives
         ]
-        pulls = list(self._pulls())
+        lengths = list(self._lengths())
         links = {
             name: Link(name=name, properties=None if k == 0 else properties[k], where=name) for k, name in enumerate(self.link)
         }
@@ -110,8 +119,8 @@ class _Maker:
             gravity=(gravity[0], gravity[1], gravity[2] if len(gravity) == 3 else 0.0),
             left_out=self.left,
         )
-        offsets = {one.name: one.value for one in turns if one.name in drives} | {one.name: one.length for one in pulls}
-        return Drawn(robot=robot, pulls=pulls, offsets=offsets, lines=self._lines())
+        offsets = {one.name: one.value for one in turns if one.name in drives} | {one.name: one.length for one in lengths}
+        return RobotOfModel(robot=robot, lengths=lengths, offsets=offsets, lines=self._lines())
 
     def _lines(self) -> dict[str, list[NDArray[np.float64]]]:
         found: dict[str, list[NDArray[np.float64]]] = {}
@@ -224,7 +233,7 @@ class _Maker:
                 name = self.names[node] + (f".{self.link[head]}" if len(heads) > 2 else "")
                 yield Closure(name=name, kind="ball", links=(self.link[heads[0]], self.link[head]), frames=(place, place))
 
-    def _pulls(self) -> Iterator[Pull]:
+    def _lengths(self) -> Iterator[DrivenLength]:
         """Driven bars and active members, these with the masses of their rods."""
         for name in sorted(self.model.driven_members):
             a, b = (self.place[node] for node in self.model.members[name].ends)
@@ -233,7 +242,7 @@ class _Maker:
                 continue
             links = self.link[self.at[a][0]], self.link[self.at[b][0]]
             length = float(np.linalg.norm(self.x[b] - self.x[a]))
-            yield Pull(
+            yield DrivenLength(
                 name=name,
                 links=links,
                 points=(self.x[a], self.x[b]),

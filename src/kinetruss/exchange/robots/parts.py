@@ -62,6 +62,8 @@ def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[Left
         if link.properties is not None:
             own = link.properties.moved(frame[:3, 3], _orthonormal(frame[:3, :3]).T)
             part.properties = own if part.properties is None else combined(part.properties, own)
+            if name == GROUND:
+                left.append(LeftOut("mass", link.where, f"{own.mass:.6g} kg rest on the ground"))
         elif link.name not in (name, posed.robot.root) and not _closes(posed.robot, link.name):
             part.points[link.name] = frame[:3, 3]  # a frame of interest, e.g. of a tool
         for point, place in link.points.items():

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 __all__ = [
     "COLUMNS",
     "Closure",
-    "Drawn",
+    "RobotOfModel",
     "JointKind",
     "LeftOut",
     "Link",
     "Pivot",
-    "Pull",
+    "DrivenLength",
     "Robot",
     "matrix_quaternion",
     "placement",
@@ -67,8 +67,8 @@ class Link:
 class Pivot:
     """A joint: child frame = parent frame . origin . motion . after, each (4, 4); the motion is about or along `axis` (3,).
 
-    value : of a revolute or prismatic joint at which the search for a closed pose starts, rad or m. drive : the name of its
-    drive, if it has one. limits : of its value.
+    home : value of a revolute or prismatic joint where the file draws the robot, rad or m; start : that at which the search
+    for a closed pose starts, `home` if None. drive : the name of its drive, if it has one. limits : of its value.
     """
 
     name: str
@@ -78,7 +78,8 @@ class Pivot:
     origin: NDArray[np.float64]
     axis: NDArray[np.float64] = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
     after: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
-    value: float = 0.0
+    home: float = 0.0
+    start: float | None = None
     drive: str | None = None
     limits: tuple[float, float] | None = None
     where: str = ""
@@ -115,7 +116,7 @@ class Robot:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Pull:
+class DrivenLength:
     """A driven length: a force along the line between points of two links, (3,) m in their frames.
 
     properties : of the rods at both ends, None without mass.
@@ -129,16 +130,16 @@ class Pull:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Drawn:
+class RobotOfModel:
     """The robot of a model in a pose: frames of all links are the global axes there, and all joint values 0.
 
-    pulls : driven lengths. offsets : drive -> its value in that pose, rad or m: what to add to the joint's value.
+    lengths : driven lengths. offsets : drive -> its value in that pose, rad or m: what to add to the joint's value.
     lines : link -> pairs of points (2, 3), m, of its bars.
     """
 
     robot: Robot
     lines: Mapping[str, Sequence[NDArray[np.float64]]] = field(default_factory=dict)
-    pulls: Sequence[Pull] = ()
+    lengths: Sequence[DrivenLength] = ()
     offsets: Mapping[str, float] = field(default_factory=dict)
 
 

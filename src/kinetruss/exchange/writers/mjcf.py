@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from kinetruss.exchange.robots import Drawn, LeftOut, Link, Pivot, Robot, matrix_quaternion, with_sliders
+from kinetruss.exchange.robots import LeftOut, Link, Pivot, Robot, RobotOfModel, matrix_quaternion, with_sliders
 from kinetruss.model import GROUND
 
 if TYPE_CHECKING:
@@ -28,9 +28,9 @@ THIN = 0.004
 """Radius of the lines that show bars, relative to the size of the robot."""
 
 
-def mjcf_text(drawn: Drawn) -> tuple[str, list[LeftOut]]:
+def mjcf_text(drawn: RobotOfModel) -> tuple[str, list[LeftOut]]:
     """The text, and what it does not have."""
-    drawn = with_sliders(drawn, [one for one in drawn.pulls if one.properties is not None])
+    drawn = with_sliders(drawn, [one for one in drawn.lengths if one.properties is not None])
     robot, left = drawn.robot, list(drawn.robot.left_out)
     root = Element("mujoco", model=robot.title)
     ET.SubElement(root, "compiler", angle="radian", inertiafromgeom="false")
@@ -42,30 +42,30 @@ def mjcf_text(drawn: Drawn) -> tuple[str, list[LeftOut]]:
             names = [name for name in one.links if name != GROUND]
             ends = {f"body{k + 1}": name for k, name in enumerate(names)}
             ET.SubElement(group, "connect", {"name": one.name, **ends, "anchor": _row(one.frames[0][:3, 3])})
-    if drawn.pulls:
+    if drawn.lengths:
         group = ET.SubElement(root, "tendon")
-        for pull in drawn.pulls:
-            line = ET.SubElement(group, "spatial", name=pull.name)
+        for driven in drawn.lengths:
+            line = ET.SubElement(group, "spatial", name=driven.name)
             for end in "12":
-                ET.SubElement(line, "site", site=f"{pull.name}.{end}")
+                ET.SubElement(line, "site", site=f"{driven.name}.{end}")
     drives = [one for one in robot.pivots if one.drive is not None]
-    if drives or drawn.pulls:
+    if drives or drawn.lengths:
         group = ET.SubElement(root, "actuator")
         for pivot in drives:
             ET.SubElement(group, "motor", name=str(pivot.drive), joint=pivot.name)
-        for pull in drawn.pulls:
-            ET.SubElement(group, "motor", name=pull.name, tendon=pull.name)
+        for driven in drawn.lengths:
+            ET.SubElement(group, "motor", name=driven.name, tendon=driven.name)
     ET.indent(root)
     return ET.tostring(root, encoding="unicode") + "\n", left
 
 
-def _bodies(world: Element, drawn: Drawn, left: list[LeftOut]) -> None:
+def _bodies(world: Element, drawn: RobotOfModel, left: list[LeftOut]) -> None:
     """Nested bodies, all with global axes and origin in the pose; a chain of joints without links between them is one body."""
     robot = drawn.robot
     size = _size(drawn)
     elements: dict[str, Element] = {GROUND: world}
     held: dict[str, tuple[str, list[Pivot]]] = {}
-    used = {name for one in robot.closures for name in one.links} | {name for one in drawn.pulls for name in one.links}
+    used = {name for one in robot.closures for name in one.links} | {name for one in drawn.lengths for name in one.links}
     for pivot in robot.pivots:
         parent, chain = held.pop(pivot.parent, (pivot.parent, []))
         if _between(robot, pivot.child, used):
@@ -85,9 +85,9 @@ def _bodies(world: Element, drawn: Drawn, left: list[LeftOut]) -> None:
                 "fromto": _row(ends.ravel()),
             }
             ET.SubElement(element, "geom", {**shape, "contype": "0", "conaffinity": "0", "mass": "0"})
-    for pull in drawn.pulls:
-        for end, name, point in zip("12", pull.links, pull.points, strict=True):
-            ET.SubElement(elements[name], "site", name=f"{pull.name}.{end}", pos=_row(point))
+    for driven in drawn.lengths:
+        for end, name, point in zip("12", driven.links, driven.points, strict=True):
+            ET.SubElement(elements[name], "site", name=f"{driven.name}.{end}", pos=_row(point))
 
 
 def _between(robot: Robot, name: str, used: set[str]) -> bool:
@@ -95,7 +95,7 @@ def _between(robot: Robot, name: str, used: set[str]) -> bool:
     return robot.links[name].properties is None and name not in used and sum(one.parent == name for one in robot.pivots) == 1
 
 
-def _size(drawn: Drawn) -> float:
+def _size(drawn: RobotOfModel) -> float:
     points = [end for lines in drawn.lines.values() for ends in lines for end in ends]
     return float(np.ptp(np.array(points), axis=0).max()) if points else 1.0
 

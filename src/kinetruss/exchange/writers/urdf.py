@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import yaml
 
-from kinetruss.exchange.robots import Closure, Drawn, LeftOut, Link, Pivot, with_sliders
+from kinetruss.exchange.robots import Closure, LeftOut, Link, Pivot, RobotOfModel, with_sliders
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -23,9 +23,9 @@ FAR = "1e3"
 EARTH = (0.0, 0.0, -9.81)
 
 
-def urdf_texts(drawn: Drawn) -> tuple[str, str, list[LeftOut]]:
+def urdf_texts(drawn: RobotOfModel) -> tuple[str, str, list[LeftOut]]:
     """The URDF, the YAML of its closures and motors, and what they do not have."""
-    robot = with_sliders(drawn, drawn.pulls).robot
+    robot = with_sliders(drawn, drawn.lengths).robot
     left = list(robot.left_out)
     if tuple(robot.gravity) != EARTH:
         left.append(LeftOut("gravity", "model", f"URDF has none; other programs take {EARTH} m/s^2"))

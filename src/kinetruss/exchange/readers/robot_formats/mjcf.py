@@ -49,7 +49,7 @@ JOINT_WHY = {
 
 
 def read_mjcf(path: Path, text: str, at: Mapping[str, float] | None = None) -> Robot:
-    """The robot of an MJCF text. at : joint values, rad or m, of the pose in which it is drawn.
+    """The robot of an MJCF text. at : joint values, rad or m, at which the closed pose is searched.
 
     Raises
     ------
@@ -91,8 +91,7 @@ class _Reader:
             raise InputError(f"{self.path}: no joint called {unknown[0]!r}. {nearest(unknown[0], self.joint)}")
         values = {self.joint[name]: value for name, value in at.items()}
         pivots = [
-            replace(one, drive=one.name if one.name in drives else None, value=values.get(one.name, one.value))
-            for one in self.pivots
+            replace(one, drive=one.name if one.name in drives else None, start=values.get(one.name)) for one in self.pivots
         ]
         option = self.root.one("option")
         x, y, z = (0.0, 0.0, -9.81) if option is None else option.numbers("gravity", 3, (0, 0, -9.81)).tolist()
@@ -187,7 +186,7 @@ class _Reader:
             origin = placement(back, place if back is not None else place - value * axis)
         after = placement(None, -place)
         return Pivot(
-            name=own, kind=kind, parent="", child="", origin=origin, axis=axis, after=after, value=value, limits=limits,
+            name=own, kind=kind, parent="", child="", origin=origin, axis=axis, after=after, home=value, limits=limits,
             where=one.where,
         )  # fmt: skip
 

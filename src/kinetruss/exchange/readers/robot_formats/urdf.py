@@ -51,8 +51,10 @@ WHY = {
 PARTS = {"link": ("inertial",), "joint": ("origin", "parent", "child", "axis", "limit")}
 
 
-def read_urdf(path: Path, text: str, closures: Closures | None = None, at: Mapping[str, float] | None = None) -> Robot:
-    """The robot of a URDF text. at : joint values, rad or m, of the pose in which it is drawn.
+def read_urdf(
+    path: Path, text: str, closures: Closures | None = None, at: Mapping[str, float] | None = None, *, floating: bool = False
+) -> Robot:
+    """The robot of a URDF text. at : joint values, rad or m, at which the closed pose is searched. floating : its base is free.
 
     Raises
     ------
@@ -65,7 +67,10 @@ def read_urdf(path: Path, text: str, closures: Closures | None = None, at: Mappi
     if not links:
         raise root.fault("has no links.", 'Give at least one: <link name="base"/>.')
     base = _base(root, links, joints)
-    made = {name: _link(one, GROUND if name == base == GROUND else names.of(name, one.where)) for name, one in links.items()}
+    own_ground = base == GROUND and not floating
+    made = {
+        name: _link(one, GROUND if own_ground and name == base else names.of(name, one.where)) for name, one in links.items()
+    }
     left = list(_left_out(root))
     if closures is None:
         drives = [name for name, one in joints.items() if one.attributes.get("type") in SINGLE]
@@ -78,10 +83,12 @@ def read_urdf(path: Path, text: str, closures: Closures | None = None, at: Mappi
         raise InputError(f"{path}: no joint called {unknown[0]!r}. {nearest(unknown[0], joints)}")
     pivots: list[Pivot] = []
     own: dict[str, Link] = {}
+    if floating:
+        own[GROUND] = Link(name=GROUND)
+        pivots.append(Pivot(name="floating_base", kind="free", parent=GROUND, child=made[base].name, origin=np.eye(4)))
     for name in _outwards(base, joints):
         for pivot, link in _pivots(joints[name], kinds.get(name), made, names):
-            value = (at or {}).get(name, pivot.value)
-            pivots.append(replace(pivot, value=value, drive=pivot.name if name in drives else None))
+            pivots.append(replace(pivot, start=(at or {}).get(name), drive=pivot.name if name in drives else None))
             if link is not None:
                 own[link.name] = link
     frames = {name: made[name].name for name in links} | {
@@ -90,7 +97,7 @@ def read_urdf(path: Path, text: str, closures: Closures | None = None, at: Mappi
     pairs = [] if closures is None else closures.pairs(frames)
     return Robot(
         title=root.attributes.get("name", path.stem),
-        root=made[base].name,
+        root=GROUND if floating else made[base].name,
         links={link.name: link for link in made.values()} | own,
         pivots=pivots,
         closures=[
