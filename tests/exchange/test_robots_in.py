@@ -178,3 +178,17 @@ def test_a_floating_base():
     assert free.freedoms == fixed.freedoms + 6
     assert free.mobility.degrees_of_freedom == fixed.mobility.degrees_of_freedom + 6
     assert not free.model.fixed
+
+
+def test_a_link_with_mass_and_no_inertia(tmp_path):
+    """A pendulum of a mass point: torque m g r sin and m r^2 times the acceleration; base masses rest on the ground."""
+    path = tmp_path / "pendulum.urdf"
+    path.write_text(
+        '<robot name="p"><link name="base"><inertial><mass value="5"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>'
+        '<link name="bob"><inertial><origin xyz="0 0 -0.5"/><mass value="2"/></inertial></link>'
+        '<joint name="pin" type="revolute"><parent link="base"/><child link="bob"/><axis xyz="0 1 0"/></joint></robot>'
+    )
+    found = kt.exchange.read(path)
+    assert {one.what for one in found.left_out} == {"mass", "inertia"}
+    forces, (angle, _, acceleration) = torques(found.model, {"pin": (0.2, 1.3)})
+    np.testing.assert_allclose(forces, 2 * 9.81 * 0.5 * np.sin(angle) + 2 * 0.25 * acceleration, atol=1e-10)

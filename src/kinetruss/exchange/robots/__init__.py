@@ -20,6 +20,6 @@ from kinetruss.exchange.robots.records import (
 from kinetruss.exchange.robots.sliders import with_sliders
 
 __all__ = [
-    "Assembled", "Closure", "DrivenLength", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "RobotOfModel", "assemble",
-    "closed", "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
+    "Assembled", "Closure", "DrivenLength", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "RobotOfModel",
+    "assemble", "closed", "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
 ]  # fmt: skip

@@ -37,6 +37,8 @@ THIN = 1e-9
 """A body is a rod or a plate if a second moment is below this fraction of the largest."""
 WIDE, GOOD = 0.5, 0.05
 """Least distance of its carriers, relative to the radius of gyration, and least normalised area or volume."""
+ALONE = "(alone)"
+"""Name of the node of a model without nodes, which every model needs."""
 SPARE = 1.15
 """Half the stroke of a slider over the travel that its limits allow."""
 
@@ -119,11 +121,8 @@ def assemble(posed: Posed) -> Assembled:
     for part in parts.values():
         for name, place in part.points.items():
             draft.share(name, place, (part.name,))
-    model = _started(draft, posed)
     sliders = [one for one in connections if one.kind == "prismatic"]
-    for part in parts.values():
-        if part.name != GROUND:
-            model = _with_body(model, draft, part, any(part.name in one.parts for one in sliders))
+    model = _with_bodies(draft, posed, parts, {name for one in sliders for name in one.parts})
     model = model.with_(joints=_with_hinges(model, draft), drives=draft.drives)
     for one in sliders:
         model = _slider(model, draft, one)
@@ -170,13 +169,32 @@ def _hinge(draft: _Draft, one: Connection, parts: Mapping[str, Part]) -> None:
     draft.joints[one.name] = Joint(kind="revolute", bodies=one.parts, nodes=ends, hinges=hinges)
 
 
-def _started(draft: _Draft, posed: Posed) -> Model:
-    """The model with its nodes, without bodies."""
+def _with_bodies(draft: _Draft, posed: Posed, parts: Mapping[str, Part], slides: set[str]) -> Model:
+    """The model with its nodes and bodies. Each body is made in a model of its own nodes, so that many take little time."""
     ground = draft.own.get(GROUND, [])
     if not draft.places:
         draft.places["origin"], ground = np.zeros(3), ["origin"]
     nodes = {name: Node(at=tuple(place.tolist()), coincident=True) for name, place in draft.places.items()}
-    return Model(title=posed.robot.title, nodes=nodes, fixed=tuple(ground), gravity=posed.robot.gravity)
+    bodies: dict[str, Body] = {}
+    for part in parts.values():
+        if part.name != GROUND:
+            own = {name: nodes[name] for name in draft.own[part.name]}
+            made = _with_body(Model(nodes=own or {ALONE: Node(at=(0, 0, 0))}), draft, part, part.name in slides)
+            names = {name: name if name in own else _free(name, nodes) for name in made.nodes if name != ALONE}
+            nodes |= {names[name]: node for name, node in made.nodes.items() if name in names}
+            bodies |= {key: _renamed(body, names) for key, body in made.bodies.items()}
+    return Model(title=posed.robot.title, nodes=nodes, fixed=tuple(ground), gravity=posed.robot.gravity, bodies=bodies)
+
+
+def _free(name: str, taken: Mapping[str, Any]) -> str:
+    while name in taken:
+        name += "'"
+    return name
+
+
+def _renamed(body: Body, names: Mapping[str, str]) -> Body:
+    carriers = None if body.carriers is None else tuple(names[name] for name in body.carriers)
+    return body.with_(nodes=tuple(names[name] for name in body.nodes), carriers=carriers)
 
 
 def _with_body(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
@@ -186,11 +204,8 @@ def _with_body(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
         if given is None:
             return _massless(model, draft, part, slides)
         if not given.inertia.any():
-            centre = f"{part.name}.mass"
             draft.left.append(LeftOut("inertia", part.where, "the link has mass without inertia: its mass is at one node"))
-            model = model.with_(nodes=model.nodes | {centre: Node(at=tuple(given.center), mass=given.mass, coincident=True)})
-            draft.own[part.name].append(centre)
-            return _massless(model, draft, part, slides)
+            return _massless(_with_mass(model, draft, part.name, given), draft, part, slides)
         if (rod := _rod(draft, part, slides)) is not None:
             text = "turns freely about the line of its two balls; it is carried by the two nodes without that turning"
             draft.left.append(LeftOut("spin", part.where, text))
@@ -203,9 +218,18 @@ def _with_body(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
         raise ModelError([Fault((), f"{part.where}: {words}", "Correct the masses and inertias of this link.")]) from None
 
 
+def _with_mass(model: Model, draft: _Draft, part: str, given: MassProperties) -> Model:
+    """The model with a mass at one node of a part, a new one if none is there."""
+    there = [name for name in draft.own[part] if float(np.linalg.norm(draft.places[name] - given.center)) <= SAME * draft.size]
+    name = there[0] if there else f"{part}.mass"
+    at = model.nodes[name].at if there else tuple(given.center.tolist())
+    mass = given.mass + (model.nodes[name].mass if there else 0.0)
+    return model.with_(nodes=model.nodes | {name: Node(at=at, mass=mass, coincident=True)})
+
+
 def _massless(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
     """A body without mass on its nodes, with more nodes if they do not make a body."""
-    names = draft.own[part.name]
+    names = [name for name in model.nodes if name != ALONE]
     if not names and not slides:
         return model
     places = {name: np.array(model.nodes[name].at) for name in names}
