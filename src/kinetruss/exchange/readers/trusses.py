@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 __all__ = ["held", "joined", "length_of", "matches", "model_of"]
 
+FLAT = 1e-12
+"""Largest z of a planar drawing, relative to its size: round-off of its own axes."""
+
 
 def length_of(text: str | float, what: str) -> float:
     """Metres of a length, or of one unit such as ``mm``."""
@@ -67,7 +70,7 @@ def held(patterns: Sequence[str], nodes: Mapping[str, Any], source: str) -> list
 def model_of(
     source: str, places: Mapping[str, Any], bars: Mapping[str, Bar], fixed: Iterable[str] = (), **tables: Any
 ) -> Model:
-    """The model of nodes by name and place (3,) m, and bars; planar if every z is 0.
+    """The model of nodes by name and place (3,) m, and bars; planar if every z is 0 but for round-off.
 
     Raises
     ------
@@ -76,6 +79,7 @@ def model_of(
     if not places:
         raise InputError(f"{source} has no lines, so no nodes. Name a file with lines.")
     hold(max(len(places), len(bars)), source, "Import a smaller part.", most=MOST_ENTRIES, of="nodes or bars")
-    flat = not any(place[2] for place in places.values()) and not tables.get("solids")
+    at = np.array(list(places.values()))
+    flat = float(np.abs(at[:, 2]).max()) <= FLAT * float(np.ptp(at, axis=0).max()) and not tables.get("solids")
     nodes = {name: Node(at=tuple(float(x) for x in place[: 2 if flat else 3])) for name, place in places.items()}
     return Model(nodes=nodes, bars=dict(bars), fixed=list(fixed), **tables)
