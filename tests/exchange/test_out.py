@@ -20,7 +20,7 @@ FIVE = {"motor_left": (0.0, -0.5), "motor_right": (0.0, 0.6)}
 
 
 def five_bar() -> kt.Model:
-    return kt.exchange.read(DATA / "robot.urdf", closures=DATA / "robot.yaml").model
+    return kt.exchange.read(DATA / "robot.urdf", closures=DATA / "robot.yaml").model.with_(springs={})
 
 
 def along(model: kt.Model, moves, written) -> tuple[np.ndarray, list[np.ndarray]]:

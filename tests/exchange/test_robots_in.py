@@ -21,9 +21,9 @@ def torques(model: kt.Model, moves: dict[str, tuple[float, float]]) -> tuple[np.
     return forces.drive_force.sel(drive=names).values, given
 
 
-def against(tree: Tree, model: kt.Model, moves: dict[str, tuple[float, float]]) -> None:
+def against(tree: Tree, model: kt.Model, moves: dict[str, tuple[float, float]], **damping: float) -> None:
     found, given = torques(model, moves)
-    wanted = tree.torques(*given)
+    wanted = tree.torques(*given) + given[1] * [damping.get(name, 0.0) for name in moves]
     assert np.abs(wanted).max() > 1.0
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
 
@@ -31,7 +31,9 @@ def against(tree: Tree, model: kt.Model, moves: dict[str, tuple[float, float]]) 
 def test_five_bar_against_pinocchio():
     found = kt.exchange.read(DATA / "robot.urdf", closures=DATA / "robot.yaml")
     tree = PinocchioTree(DATA / "robot.urdf", [("tip_left", "tip_right")], ["motor_left", "motor_right"])
-    against(tree, found.model, {"motor_left": (0.0, -0.5), "motor_right": (0.0, 0.6)})
+    against(
+        tree, found.model, {"motor_left": (0.0, -0.5), "motor_right": (0.0, 0.6)}, {"motor_left": 0.1}
+    )  # rnea has no damping
 
 
 def test_three_arms_against_mujoco():
@@ -44,7 +46,8 @@ WRIST = """<mujoco model="wrist"><compiler angle="radian" eulerseq="xyz"/><world
 <body name="arm" pos="0 0 1" euler="0.1 0.2 0.3">
  <joint name="j0" axis="0 0 1" ref="0.2"/><geom type="capsule" size="0.03" fromto="0 0 0 0.5 0 0"/>
  <frame pos="0.5 0 0" axisangle="1 0 0 0.4"><body name="hand">
-  <joint name="a" axis="1 0 0"/><joint name="b" axis="0 1 0"/><joint name="c" axis="0 0 1"/>
+  <joint name="a" axis="1 0 0" stiffness="3" springref="0.4" damping="0.7"/>
+  <joint name="b" axis="0 1 0"/><joint name="c" axis="0 0 1"/>
   <geom type="ellipsoid" size="0.05 0.08 0.12" pos="0.1 0.02 0" zaxis="1 1 0"/>
   <geom type="cylinder" size="0.03 0.1" pos="0.2 0 0"/>
   <geom type="box" size="0.05 0.08" fromto="0 0 0 0.2 0.1 0.05" mass="0.7"/>

@@ -128,7 +128,6 @@ class MujocoTree(Tree):
 
     def __init__(self, path: Path, motors: list[str]) -> None:
         self.model = mujoco.MjModel.from_xml_path(str(path))
-        self.model.dof_damping[:] = 0
         self.model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
         self.data = mujoco.MjData(self.model)
         self.motors = [int(self.model.jnt_dofadr[self.model.joint(name).id]) for name in motors]

@@ -20,7 +20,7 @@ from kinetruss.exchange.robots.parts import SAME, Connection, Part, parts_of
 from kinetruss.exchange.robots.records import LeftOut, turn_about
 from kinetruss.library import joints
 from kinetruss.library.bodies import MassProperties, rigid
-from kinetruss.model import GROUND, Body, Hinge, HingeDrive, Joint, Model, Node
+from kinetruss.model import GROUND, Body, Hinge, HingeDrive, Joint, Model, Node, Spring
 from kinetruss.model.checks import beside
 from kinetruss.model.parts import quality, second_moments
 
@@ -61,6 +61,7 @@ class _Draft:
     own: dict[str, list[str]] = field(default_factory=dict)
     joints: dict[str, Joint] = field(default_factory=dict)
     drives: dict[str, HingeDrive] = field(default_factory=dict)
+    springs: dict[str, Spring] = field(default_factory=dict)
     offsets: dict[str, float] = field(default_factory=dict)
     left: list[LeftOut] = field(default_factory=list)
 
@@ -92,6 +93,9 @@ class _Draft:
             self.joints[name] = joint.with_(nodes=_other(joint.nodes, old, new), hinges=hinges)
         for name, drive in self.drives.items():
             self.drives[name] = HingeDrive(**_named(drive, old, new))
+        for name, spring in self.springs.items():
+            if isinstance(spring.coordinate, HingeDrive):
+                self.springs[name] = spring.with_(coordinate=HingeDrive(**_named(spring.coordinate, old, new)))
 
 
 def _other(names: Sequence[str], old: str, new: str) -> tuple[str, ...]:
@@ -123,7 +127,7 @@ def assemble(posed: Posed) -> Assembled:
             draft.share(name, place, (part.name,))
     sliders = [one for one in connections if one.kind == "prismatic"]
     model = _with_bodies(draft, posed, parts, {name for one in sliders for name in one.parts})
-    model = model.with_(joints=_with_hinges(model, draft), drives=draft.drives)
+    model = model.with_(joints=_with_hinges(model, draft), drives=draft.drives, springs=draft.springs)
     for one in sliders:
         model = _slider(model, draft, one)
     return Assembled(model=model, offsets=draft.offsets, left_out=draft.left)
@@ -156,17 +160,30 @@ def _hinge(draft: _Draft, one: Connection, parts: Mapping[str, Part]) -> None:
     reach = REACH * min(_extent(parts[name], draft.size) for name in one.parts)
     ends = tuple(draft.share(f"{one.name}.{k}", one.place + far * one.axis, one.parts) for k, far in ((1, 0.0), (2, reach)))
     hinges: tuple[Hinge, ...] = ()
-    if one.drive is not None:
-        aside = np.eye(3)[int(np.argmin(np.abs(one.axis)))]
-        aside = np.cross(one.axis, np.cross(aside, one.axis))
-        aside *= reach / float(np.linalg.norm(aside))
-        first, second = one.parts
-        start = draft.share(f"{one.name}.zero", one.place + aside, (first,))
-        end = draft.share(f"{one.name}.turned", one.place + turn_about(one.axis, one.value) @ aside, (second,))
-        hinges = (Hinge(axis=ends, start=start, end=end),)
-        draft.drives[one.drive] = HingeDrive(axis=ends, start=start, end=end)
-        draft.offsets[one.drive] = 0.0
+    if one.drive is not None or any(one.spring):
+        measured = HingeDrive(axis=ends, **_measured(draft, one, reach))
+        hinges = (Hinge(axis=ends, start=measured.start, end=measured.end),)
+        whole = math.atan2(math.sin(one.value), math.cos(one.value)) - one.value  # the drive starts within half a turn
+        if one.drive is not None:
+            draft.drives[one.drive] = measured
+            draft.offsets[one.drive] = whole
+        if any(one.spring):
+            stiffness, rest, damping = one.spring
+            draft.springs[f"{one.name}.spring"] = Spring(
+                coordinate=measured, stiffness=stiffness, rest=rest + whole, damping=damping
+            )
     draft.joints[one.name] = Joint(kind="revolute", bodies=one.parts, nodes=ends, hinges=hinges)
+
+
+def _measured(draft: _Draft, one: Connection, reach: float) -> dict[str, str]:
+    """Nodes at one distance from the axis, one in each body, at one place where the value of the joint is 0."""
+    aside = np.eye(3)[int(np.argmin(np.abs(one.axis)))]
+    aside = np.cross(one.axis, np.cross(aside, one.axis))
+    aside *= reach / float(np.linalg.norm(aside))
+    first, second = one.parts
+    start = draft.share(f"{one.name}.zero", one.place + aside, (first,))
+    turned = one.place + turn_about(one.axis, one.value) @ aside
+    return {"start": start, "end": draft.share(f"{one.name}.turned", turned, (second,))}
 
 
 def _with_bodies(draft: _Draft, posed: Posed, parts: Mapping[str, Part], slides: set[str]) -> Model:

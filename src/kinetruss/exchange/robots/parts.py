@@ -47,6 +47,7 @@ class Connection:
     value: float = 0.0
     drive: str | None = None
     limits: tuple[float, float] | None = None
+    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
     where: str = ""
 
 
@@ -123,7 +124,7 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
         found.append(
             Connection(
                 name=pivot.name, kind=pivot.kind, parts=parts, place=place, axis=axis / np.linalg.norm(axis), value=value,
-                drive=pivot.drive, limits=pivot.limits, where=pivot.where,
+                drive=pivot.drive, limits=pivot.limits, spring=pivot.spring, where=pivot.where,
             )
         )  # fmt: skip
     return found

@@ -68,7 +68,8 @@ class Pivot:
     """A joint: child frame = parent frame . origin . motion . after, each (4, 4); the motion is about or along `axis` (3,).
 
     home : value of a revolute or prismatic joint where the file draws the robot, rad or m; start : that at which the search
-    for a closed pose starts, `home` if None. drive : the name of its drive, if it has one. limits : of its value.
+    for a closed pose starts, `home` if None. spring : stiffness, N m/rad, value without moment, rad, and damping, N m s/rad,
+    of a revolute joint. drive : the name of its drive, if it has one. limits : of its value.
     """
 
     name: str
@@ -82,6 +83,7 @@ class Pivot:
     start: float | None = None
     drive: str | None = None
     limits: tuple[float, float] | None = None
+    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
     where: str = ""
 
 

@@ -41,8 +41,8 @@ WHY = {
 }
 JOINT_WHY = {
     "armature": "inertia of a rotor is not carried; give a motor to the drive",
-    "damping": "damping of joints is not carried; add a spring with damping",
-    "stiffness": "springs of joints are not carried; add a spring",
+    "damping": "damping of balls and slides, and laws of several numbers, are not carried",
+    "stiffness": "springs of balls and slides, and laws of several numbers, are not carried",
     "frictionloss": "friction of joints is not carried; add a spring with friction",
     "range": "a model has no limits at joints; those of sliders size their guides",
 }
@@ -167,7 +167,8 @@ class _Reader:
             raise one.fault("has the name of another joint.", "Give it another name.")
         own = self.names.of(given, one.where, "joint")
         self.joint[given] = own
-        for word in JOINT_WHY:
+        spring = self._spring(one) if kind == "revolute" else None
+        for word in JOINT_WHY if spring is None else ("armature", "frictionloss", "range"):
             if word in one.attributes and (word == "range" or np.any(one.numbers(word, (1, 2, 3)))):
                 self.left.append(LeftOut(word, one.where, JOINT_WHY[word]))
         if kind == "free":
@@ -187,8 +188,15 @@ class _Reader:
         after = placement(None, -place)
         return Pivot(
             name=own, kind=kind, parent="", child="", origin=origin, axis=axis, after=after, home=value, limits=limits,
+            spring=spring or (0.0, 0.0, 0.0),
             where=one.where,
         )  # fmt: skip
+
+    def _spring(self, one: Element) -> tuple[float, float, float] | None:
+        """Stiffness, value without moment and damping of a hinge; None for laws of several numbers."""
+        if any(len(one.text(word, "").split()) > 1 for word in ("stiffness", "damping")):
+            return None
+        return one.number("stiffness", 0.0), self.units.angle * one.number("springref", 0.0), one.number("damping", 0.0)
 
     def _closure(self, element: Element) -> Iterator[Closure]:
         given = self.defaults.of(element, "main")

@@ -40,7 +40,7 @@ WHY = {
     "visual": "shapes are not carried; mass and places are",
     "collision": "contacts are not part of a model",
     "limit": "a model has no limits of effort and speed at joints; those of position size the guides of sliders",
-    "dynamics": "friction and damping of joints are not carried; add a spring with damping or friction",
+    "dynamics": "friction, and damping but of hinges, are not carried",
     "mimic": "joints that copy others are not carried; add a coupling",
     "calibration": "has no meaning in a model",
     "safety_controller": "controllers are not carried",
@@ -48,7 +48,7 @@ WHY = {
     "gazebo": "settings of another program",
     "material": "colours are not carried",
 }
-PARTS = {"link": ("inertial",), "joint": ("origin", "parent", "child", "axis", "limit")}
+PARTS = {"link": ("inertial",), "joint": ("origin", "parent", "child", "axis", "limit", "dynamics")}
 
 
 def read_urdf(
@@ -230,11 +230,24 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
         if not (size := float(np.linalg.norm(along))):
             raise (axis or joint).fault("has an axis without direction.", 'Write for example <axis xyz="0 0 1"/>.')
         along = along / size
+    damping = 0.0
+    if found == "revolute" and (dynamics := joint.one("dynamics")) is not None:
+        damping = dynamics.number("damping", 0.0)
     limits = None
     if (limit := joint.one("limit")) is not None and "lower" in limit.attributes and "upper" in limit.attributes:
         limits = (limit.number("lower"), limit.number("upper"))
     yield (
-        Pivot(name=name, kind=found, parent=parent, child=child, origin=origin, axis=along, limits=limits, where=joint.where),
+        Pivot(
+            name=name,
+            kind=found,
+            parent=parent,
+            child=child,
+            origin=origin,
+            axis=along,
+            limits=limits,
+            spring=(0.0, 0.0, damping),
+            where=joint.where,
+        ),
         None,
     )
 
@@ -245,6 +258,8 @@ def _left_out(root: Element) -> Iterator[LeftOut]:
             yield LeftOut(one.tag, one.where, WHY.get(one.tag, "is not known here"))
             continue
         for child in one.children:
-            if child.tag not in PARTS[one.tag] or child.tag == "limit":
+            hinge = one.attributes.get("type") in ("revolute", "continuous")
+            still = child.tag == "dynamics" and hinge and not child.number("friction", 0.0)
+            if child.tag not in PARTS[one.tag] or (child.tag in ("limit", "dynamics") and not still):
                 where = f"{child.file}:{child.line} {one.label}"
                 yield LeftOut(child.tag, where, WHY.get(child.tag, "is not known here"))
