@@ -31,9 +31,7 @@ def against(tree: Tree, model: kt.Model, moves: dict[str, tuple[float, float]], 
 def test_five_bar_against_pinocchio():
     found = kt.exchange.read(DATA / "robot.urdf", closures=DATA / "robot.yaml")
     tree = PinocchioTree(DATA / "robot.urdf", [("tip_left", "tip_right")], ["motor_left", "motor_right"])
-    against(
-        tree, found.model, {"motor_left": (0.0, -0.5), "motor_right": (0.0, 0.6)}, {"motor_left": 0.1}
-    )  # rnea has no damping
+    against(tree, found.model, {"motor_left": (0.0, -0.5), "motor_right": (0.0, 0.6)}, motor_left=0.1)  # rnea has no damping
 
 
 def test_three_arms_against_mujoco():
