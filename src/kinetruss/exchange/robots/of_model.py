@@ -43,7 +43,7 @@ def robot_of_model(model: Model, position: Any = None) -> RobotOfModel:
 
     Raises
     ------
-    InputError : parts that cannot be told apart in this pose; supports that guide nodes.
+    InputError : supports that guide nodes which move.
     """
     x = np.zeros((len(model.nodes), 3))
     x[:, : model.dim] = [node.at for node in model.nodes.values()] if position is None else np.asarray(position)[:, : model.dim]
