@@ -168,11 +168,12 @@ def test_what_is_left_out_is_named(tmp_path):
 
 def test_an_active_member_with_mass_becomes_two_rods_and_a_slide(tmp_path):
     """Inverse dynamics of a driven triangle: base and tube slide in each other, in MuJoCo and back."""
+    base = kt.Part(length=0.5, mass=3.0, masses=(kt.PointMass(at=0.2, mass=0.8),))
     model = kt.Model(
         nodes={"A": (0, 0, 0), "B": (1, 0, 0), "C": (0, 0.2, 0), "T": kt.Node(at=(0.6, 0.1, 0.8), mass=2.0)},
         fixed=["A", "B", "C"],
         bars={"a": kt.Bar(ends=("A", "T"), mass=0.7), "c": kt.Bar(ends=("C", "T"), mass=0.4)}, gravity=(0, 0, -9.81),
-        active={"jack": kt.Active(ends=("B", "T"), base=kt.Part(length=0.5, mass=3.0), tube=kt.Part(length=0.6, mass=1.5))},
+        active={"jack": kt.Active(ends=("B", "T"), base=base, tube=kt.Part(length=0.6, mass=1.5))},
     )  # fmt: skip
     start = float(np.linalg.norm(np.array(model.nodes["T"].at) - (1, 0, 0)))
     written = kt.exchange.write(model, tmp_path / "jack.xml")

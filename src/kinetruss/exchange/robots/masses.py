@@ -87,20 +87,20 @@ def _moved(model: Model, x: Any, name: str, nodes: Sequence[int]) -> MassPropert
     return whole.moved(-old.mean(axis=0)).moved(new.mean(axis=0), turn)
 
 
-def rods_of(model: Model, name: str, x: NDArray[np.float64]) -> tuple[MassProperties, MassProperties] | None:
-    """The base of an active member with the masses clamped on it, and its tube, in global axes; None without mass."""
+def rods_of(model: Model, name: str, x: NDArray[np.float64]) -> tuple[MassProperties | None, MassProperties | None] | None:
+    """The base and the tube of an active member with the masses clamped on them, in global axes; None for what has no mass."""
     if name not in model.active:
         return None
     system = compile(model)
     k = system.members.index(name)
     a, b = x[system.p[k]], x[system.q[k]]
     u = (b - a) / np.linalg.norm(b - a)
-    mass, length = system.base[k, :2]
-    base = [rod_properties(a, a + length * u, mass=mass)] if mass else []
-    for member, fraction, clamped in system.clamped:
-        if int(member) == k and clamped:
-            base.append(MassProperties(mass=clamped, center=a + fraction * length * u, inertia=np.zeros((3, 3))))
-    mass, length = system.rods[k, 3:5]
-    if not base or not mass:
-        return None
-    return combined(*base), rod_properties(b - length * u, b, mass=mass)
+    found: list[MassProperties | None] = []
+    for part, start in ((0, a), (1, b - system.own_rods[k, 4] * u)):
+        mass, length = system.own_rods[k, 3 * part : 3 * part + 2]
+        own = [rod_properties(start, start + length * u, mass=mass)] if mass else []
+        for at, fraction, clamped in system.clamped:
+            if int(at) == 2 * k + part and clamped:
+                own.append(MassProperties(mass=clamped, center=start + fraction * length * u, inertia=np.zeros((3, 3))))
+        found.append(combined(*own) if own else None)
+    return (found[0], found[1]) if any(found) else None

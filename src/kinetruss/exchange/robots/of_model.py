@@ -73,6 +73,8 @@ class _Maker:
             for node in part.nodes:
                 self.at.setdefault(node, []).append(index)
         self.left = [LeftOut(table, one, why) for table, why in TABLES.items() for one in getattr(model, table)]
+        if model.base_rotation is not None:
+            self.left.append(LeftOut("base_rotation", "model", "the base rests"))
         self.left += [
             LeftOut(f"{bar.kind} bar", name, "its force is not carried")
             for name, bar in model.bars.items()

@@ -128,7 +128,7 @@ class DrivenLength:
     links: tuple[str, str]
     points: tuple[NDArray[np.float64], NDArray[np.float64]]
     length: float
-    properties: tuple[MassProperties, MassProperties] | None = None
+    properties: tuple[MassProperties | None, MassProperties | None] | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
