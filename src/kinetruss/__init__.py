@@ -18,7 +18,7 @@ from kinetruss.shelves import put_up
 __version__ = "0.1.0"
 
 _PACKAGES = (
-    "actuators design dynamics errors flexible io kinematics library model notebook report results runs "
+    "actuators design dynamics errors exchange flexible io kinematics library model notebook report results runs "
     "statics strength studio units verification viewer "
 )
 _NAMES = {

@@ -11,6 +11,7 @@ from kinetruss.cli._verify import verify
 from kinetruss.cli.models.check import check
 from kinetruss.cli.models.examples import examples
 from kinetruss.cli.models.explain import explain
+from kinetruss.cli.models.import_file import import_file
 from kinetruss.cli.models.info import info
 from kinetruss.cli.models.new import new
 from kinetruss.cli.models.size import size
@@ -62,7 +63,7 @@ def main(context: click.Context) -> None:
 
 
 for _verb in (
-    new, check, run, info, verify, examples, export, plot, compare, size, budget, explain, gauges, view, picture, render,
-    report, studio, compile_kernels,
+    new, check, run, info, verify, examples, import_file, export, plot, compare, size, budget, explain, gauges, view, picture,
+    render, report, studio, compile_kernels,
 ):  # fmt: skip
     main.add_command(_verb)

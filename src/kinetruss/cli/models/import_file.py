@@ -1,0 +1,105 @@
+"""``kinetruss import``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.errors import InputError, UnitError
+
+if TYPE_CHECKING:
+    from kinetruss.exchange import Imported
+
+__all__ = ["import_file"]
+
+EPILOG = """\b
+Examples:
+  kinetruss import robot.urdf --closures robot.yaml -o robot_model.yaml
+  kinetruss import arm.xml --at elbow="20 deg" -o arm.yaml
+  kinetruss import tower.dxf --unit mm --active JACKS --fixed SUPPORTS -o tower.yaml
+  kinetruss import nodes.csv --members members.csv --fixed A --fixed B -o truss.yaml
+"""
+
+
+def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...]) -> dict[str, float]:
+    """Joint -> rad or m, from texts such as ``elbow=20 deg``."""
+    from kinetruss.units import parse
+
+    found = {}
+    for text in texts:
+        name, sign, value = text.partition("=")
+        if not (name and sign):
+            raise click.BadParameter(f"{text!r} is no JOINT=VALUE. Write for example elbow=20deg.")
+        try:
+            found[name.strip()] = parse(value.strip(), "angle")
+        except UnitError:
+            try:
+                found[name.strip()] = parse(value.strip(), "length")
+            except UnitError as error:
+                raise click.BadParameter(str(error)) from None
+    return found
+
+
+@click.command("import", cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.argument("file", type=FILE)
+@click.option(
+    "-o", "--out", required=True, type=click.Path(dir_okay=False, path_type=Path), help="Model file (.yaml or .json)."
+)
+@click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
+@click.option("--closures", type=FILE, help="URDF: the YAML file with closed_loop, type and name_mot.")
+@click.option(
+    "--at", multiple=True, metavar="JOINT=VALUE", callback=_values, help="Robots: pose of the model (rad, m, or with unit)."
+)
+@click.option("--floating", is_flag=True, help="URDF: the base floats; by default the ground holds it.")
+@click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
+@click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
+@click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) are active members.")
+@click.option("--fixed", multiple=True, metavar="NAME", help="Layers of supports (DXF), or names of fixed nodes (others).")
+@click.option("--thickness", help="Meshes: of the membrane of the triangles, e.g. '2 mm'.")
+@click.option("--material", help="Meshes: of membranes and solids, a name of the library.")
+@click.option("--members", type=FILE, help="CSV: the table of members that belongs to the nodes.")
+@json_option
+@max_size_option
+def import_file(file: Path, out: Path, overwrite: bool, as_json: bool, max_size: int, **options: Any) -> None:
+    """Make a model from a FILE of another program.
+
+    URDF (.urdf), MJCF (.xml), DXF lines (.dxf), tables of nodes and members (.csv), COMPAS (.json), meshes (.vtu, .msh, ...).
+    Prints what the model has, its loops and freedoms, and everything of the file that it does not have.
+    """
+    if out.exists() and not overwrite:
+        raise InputError(f"{out} is there already. Name another file, or give --overwrite.")
+    if out.exists() and file.exists() and out.samefile(file):
+        raise InputError(f"{out} is the file to import itself. Name another one.")
+    if out.suffix.lower() not in (".yaml", ".yml", ".json"):
+        raise InputError(f"{out} has the suffix {out.suffix!r}. Name a file that ends in .yaml, .yml, .json.")
+    from kinetruss import exchange, io
+
+    found = exchange.read(file, max_size=max_size, **options)
+    lines = found.lines()
+    written = io.write(found.model, out)
+    if as_json:
+        print_json("import", {"file": str(file), "model": str(written), **_record(found)})
+    else:
+        click.echo("\n".join([*lines, str(written)]))
+
+
+def _record(found: Imported) -> dict[str, Any]:
+    mobility = found.mobility
+    return {
+        "nodes": len(found.model.nodes),
+        "bars": len(found.model.bars),
+        "bodies": len(found.model.bodies),
+        "drives": list(found.model.all_drives),
+        "degrees_of_freedom": mobility.degrees_of_freedom,
+        "undriven": mobility.undriven,
+        "self_stress": mobility.self_stress,
+        "freedoms_of_the_file": found.freedoms,
+        "redundant_conditions": dict(found.closures),
+        "gap": found.gap,
+        "offsets": dict(found.offsets),
+        "notes": list(found.notes),
+        "left_out": [{"what": one.what, "where": one.where, "why": one.why} for one in found.left_out],
+    }

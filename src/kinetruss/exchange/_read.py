@@ -1,0 +1,65 @@
+"""A model from a file of another program; the suffix says which."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from kinetruss.errors import InputError, ModelError
+from kinetruss.exchange._imported import Imported
+from kinetruss.exchange.readers import READERS
+from kinetruss.io import MAX_SIZE
+
+__all__ = ["read"]
+
+
+def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Imported:
+    """Read a model from a file of another program.
+
+    Parameters
+    ----------
+    path : ``.urdf``; ``.xml`` or ``.mjcf`` (MJCF, or URDF); ``.dxf``; ``.csv`` (nodes; `members` names the other table);
+        ``.json`` (COMPAS); ``.vtu``, ``.vtk``, ``.msh``, ``.inp`` and other meshes (meshio).
+    max_size : bytes; a larger file is refused before it is read.
+    options : of the format. Robots: ``closures`` (file beside a URDF), ``at`` (joint -> value, rad or m, of the pose),
+        ``floating`` (the base of a URDF is not fixed). DXF: ``unit`` (of a drawing that names none), ``tolerance`` (m, of nodes
+        that are one), ``active`` (patterns of layers of active members), ``fixed`` (patterns of layers of supports). CSV:
+        ``members`` (path), ``fixed`` (names of nodes). COMPAS: ``unit``, ``fixed``. Meshes: these, ``material``, ``thickness``.
+
+    Returns
+    -------
+    Imported : the model, and all of the file that it does not have.
+
+    Raises
+    ------
+    ModelError : faults of the file, with line or element. InputError : an unknown suffix or option, or a package of the extra
+        ``exchange`` or ``mesh`` that is not installed.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import kinetruss as kt
+    >>> Path("arm.urdf").write_text('''<robot name="arm"><link name="base"/><link name="arm"><inertial><mass value="2"/>
+    ... <origin xyz="0.3 0 0"/><inertia ixx="0.01" iyy="0.07" izz="0.07" ixy="0" ixz="0" iyz="0"/></inertial></link>
+    ... <joint name="shoulder" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 1 0"/></joint>
+    ... </robot>''') > 0
+    True
+    >>> found = kt.exchange.read("arm.urdf")
+    >>> found.freedoms, list(found.model.drives)
+    (1, ['shoulder'])
+    >>> Path("arm.urdf").unlink()
+    """
+    path = Path(path)
+    suffix = path.suffix.lower()
+    reader = READERS.get(suffix)
+    if reader is None:
+        raise InputError(f"{path} has the suffix {path.suffix!r}. Files that are read: {', '.join(READERS)}.")
+    unknown = [name for name, value in options.items() if name not in reader.options and value not in (None, (), {}, [], False)]
+    if unknown:
+        has = ", ".join(reader.options) or "none"
+        raise InputError(f"{path}: a {suffix} file has no option {unknown[0]!r}. It has: {has}.")
+    given = {name: value for name, value in options.items() if name in reader.options and value is not None}
+    try:
+        return reader.read(path, max_size=max_size, **given)
+    except ModelError as error:
+        raise ModelError(error.faults, error.source or str(path)) from None

@@ -1,0 +1,212 @@
+"""A model from the lines of a DXF drawing."""
+
+from __future__ import annotations
+
+import logging
+import struct
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from kinetruss.errors import Fault, ModelError, shown
+from kinetruss.exchange._imported import Imported
+from kinetruss.exchange._needed import needed
+from kinetruss.exchange.readers.naming import Names
+from kinetruss.exchange.readers.trusses import joined, length_of, matches, model_of
+from kinetruss.exchange.robots import LeftOut
+from kinetruss.model import Bar
+
+__all__ = ["dxf"]
+
+UNITS: Mapping[int, float] = {
+    1: 0.0254, 2: 0.3048, 3: 1609.344, 4: 1e-3, 5: 1e-2, 6: 1.0, 7: 1e3, 8: 25.4e-9, 9: 25.4e-6, 10: 0.9144, 11: 1e-10,
+    12: 1e-9, 13: 1e-6, 14: 0.1, 15: 10.0, 16: 100.0, 21: 1200 / 3937,
+}  # fmt: skip
+"""Metres of a unit, by the number of $INSUNITS (DXF reference, HEADER section)."""
+NEAR = 1e-6
+"""Default tolerance of nodes, relative to the size of the drawing."""
+FIXED = ("*support*", "*fixed*")
+ACTIVE = ("*active*",)
+LABEL = 0.25
+"""Largest distance of a text from the middle of its line, relative to the length of the line."""
+BROKEN = (
+    ArithmeticError, AssertionError, AttributeError, LookupError, OSError, RuntimeError, StopIteration, TypeError, ValueError,
+    struct.error,
+)  # fmt: skip
+"""What ezdxf raises for broken files, besides its own errors."""
+
+
+@dataclass(eq=False)
+class _Drawing:
+    """Lines with layer and place in the file, places of supports, texts; in the unit of the drawing."""
+
+    path: Path
+    lines: list[tuple[str, Any, Any, str]] = field(default_factory=list)
+    supports: list[tuple[Any, str]] = field(default_factory=list)
+    texts: list[tuple[Any, str, str]] = field(default_factory=list)
+    left: list[LeftOut] = field(default_factory=list)
+
+    def fault(self, message: str, mend: str) -> ModelError:
+        return ModelError([Fault((), message, mend, file=str(self.path))])
+
+
+def dxf(
+    path: Path, *, max_size: int, unit: str | None = None, tolerance: str | float | None = None, active: Sequence[str] = (),
+    fixed: Sequence[str] = (),
+) -> Imported:  # fmt: skip
+    """The model of the lines and polylines in the model space of a drawing.
+
+    Bars are called ``LAYER.1``, ... by their layer, or after a text at their middle. active : patterns of layers whose lines
+    become driven bars, by default ``*active*``. fixed : patterns of layers whose points, circles and inserted symbols mark
+    supports, by default ``*support*`` and ``*fixed*``.
+    """
+    drawing, code = _drawn(path, max_size, fixed or FIXED)
+    scale, notes = _scale(drawing, code, unit)
+    if not drawing.lines:
+        kinds = ", ".join(dict.fromkeys(one.what for one in drawing.left)) or "nothing"
+        raise drawing.fault(f"has no lines in its model space, but {kinds}.", "Draw members as LINE, LWPOLYLINE or POLYLINE.")
+    ends = np.array([point for _, a, b, _ in drawing.lines for point in (a, b)]) * scale
+    size = float(np.ptp(ends, axis=0).max())
+    near = NEAR * size if tolerance is None else length_of(tolerance, "tolerance")
+    node = joined(ends, near)
+    number = {k: f"n{i + 1}" for i, k in enumerate(sorted(set(node.tolist())))}
+    places = {name: ends[k] for k, name in number.items()}
+    bars = _bars(drawing, [number[k] for k in node.tolist()], places, scale, active or ACTIVE)
+    held = _held(drawing, places, scale, max(near, 1e-3 * size))
+    if not held:
+        notes.append("no supports: put points or circles on a layer called support, or add fixed: to the model")
+    model = model_of(str(path), places, bars, held, title=path.stem)
+    notes.append("bars have no section and no material: give section: and material: in the model")
+    return Imported(model=model, source=str(path), left_out=drawing.left, notes=notes)
+
+
+def _drawn(path: Path, max_size: int, fixed: Sequence[str]) -> tuple[_Drawing, int]:
+    """The drawing, and the number of its unit."""
+    ezdxf = needed("ezdxf", "exchange")
+    drawing = _Drawing(path)
+    if not path.is_file():
+        raise drawing.fault("there is no such file.", "Check the name.")
+    if path.stat().st_size > max_size:
+        raise drawing.fault(f"has more than {max_size:,} bytes.", "Raise --max-size if the file is meant.")
+    said = _Said()
+    logger = logging.getLogger("ezdxf")
+    logger.addHandler(said)
+    try:
+        document = ezdxf.readfile(path)
+        for entity in document.modelspace():
+            _take(drawing, entity, fixed)
+        return drawing, int(document.header.get("$INSUNITS", 0))
+    except (*BROKEN, ezdxf.DXFError) as error:
+        words = " ".join(str(error).split()) or type(error).__name__
+        raise drawing.fault(f"is no whole DXF file: {words}.", "Save it again as DXF.") from None
+    finally:
+        logger.removeHandler(said)
+        drawing.left += [LeftOut("remark of ezdxf", str(path), text) for text in said.texts]
+
+
+class _Said(logging.Handler):
+    """Collects what ezdxf logs about a drawing."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self.texts: list[str] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep the text of a record."""
+        self.texts.append(record.getMessage())
+
+
+def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str]) -> None:
+    kind, layer = entity.dxftype(), str(entity.dxf.layer)
+    where = f"{drawing.path}: {kind} #{entity.dxf.handle} on layer {shown(layer)}"
+    if kind in ("POINT", "CIRCLE", "INSERT") and matches(layer, fixed):
+        place = entity.dxf.insert if kind == "INSERT" else entity.dxf.center if kind == "CIRCLE" else entity.dxf.location
+        drawing.supports.append((_xyz(place if kind == "POINT" else entity.ocs().to_wcs(place)), where))
+    elif kind == "LINE":
+        drawing.lines.append((layer, _xyz(entity.dxf.start), _xyz(entity.dxf.end), where))
+    elif kind == "LWPOLYLINE" or (kind == "POLYLINE" and (entity.is_2d_polyline or entity.is_3d_polyline)):
+        points = [_xyz(one) for one in (entity.vertices_in_wcs() if kind == "LWPOLYLINE" else entity.points_in_wcs())]
+        points += points[:1] if (entity.closed if kind == "LWPOLYLINE" else entity.is_closed) else []
+        drawing.lines += [(layer, a, b, where) for a, b in pairwise(points)]
+        if entity.has_arc:
+            drawing.left.append(LeftOut("arc", where, "arcs of polylines are taken as straight lines between their ends"))
+    elif kind in ("TEXT", "MTEXT"):
+        text = entity.plain_text() if kind == "MTEXT" else entity.dxf.text
+        place = entity.dxf.insert if kind == "MTEXT" else entity.ocs().to_wcs(entity.dxf.insert)
+        drawing.texts.append((_xyz(place), str(text).strip(), where))
+    else:
+        why = "blocks are not read; explode them" if kind == "INSERT" else "only straight lines become bars"
+        drawing.left.append(LeftOut(kind, where, why))
+
+
+def _xyz(point: Any) -> tuple[float, float, float]:
+    return float(point[0]), float(point[1]), float(point[2])
+
+
+def _scale(drawing: _Drawing, code: int, unit: str | None) -> tuple[float, list[str]]:
+    """Metres of one unit of the drawing."""
+    own = UNITS.get(code)
+    if unit is None:
+        if own is None:
+            raise drawing.fault("names no unit of lengths ($INSUNITS).", "Give it: --unit mm (unit='mm').")
+        return own, []
+    scale = length_of(unit, "unit")
+    if own is not None and abs(scale / own - 1) > 1e-9:
+        return scale, [f"the drawing says that its unit is {own:g} m; {unit} was given and is taken"]
+    return scale, []
+
+
+def _bars(
+    drawing: _Drawing, node: Sequence[str], places: Mapping[str, Any], scale: float, active: Sequence[str]
+) -> dict[str, Bar]:
+    """A bar for each line, named after a text beside its middle or after its layer."""
+    names, labels = Names(), _labels(drawing, node, places, scale)
+    count: dict[str, int] = {}
+    bars: dict[str, Bar] = {}
+    seen: set[frozenset[str]] = set()
+    for index, (layer, _, _, where) in enumerate(drawing.lines):
+        ends = node[2 * index], node[2 * index + 1]
+        if ends[0] == ends[1]:
+            drawing.left.append(LeftOut("line", where, "its two ends are one node"))
+        elif frozenset(ends) in seen:
+            drawing.left.append(LeftOut("line", where, f"a line from {ends[0]} to {ends[1]} is there already"))
+        else:
+            seen.add(frozenset(ends))
+            count[layer] = count.get(layer, 0) + 1
+            name = names.of(labels.get(index, f"{layer}.{count[layer]}"), where, "bar")
+            bars[name] = Bar(ends=ends, kind="driven" if matches(layer, active) else "rigid")
+    drawing.left += names.renamed
+    return bars
+
+
+def _labels(drawing: _Drawing, node: Sequence[str], places: Mapping[str, Any], scale: float) -> dict[int, str]:
+    """Number of a line -> the text nearest to its middle."""
+    a = np.array([places[name] for name in node[::2]])
+    b = np.array([places[name] for name in node[1::2]])
+    middle, length = (a + b) / 2, np.linalg.norm(b - a, axis=1)
+    found: dict[int, str] = {}
+    for place, text, where in drawing.texts:
+        away = np.linalg.norm(middle - np.array(place) * scale, axis=1)
+        line = int(np.argmin(away))
+        if not text or away[line] > LABEL * length[line] or line in found:
+            drawing.left.append(LeftOut(f"text {shown(text)}", where, "is beside no middle of a line without a name"))
+        else:
+            found[line] = text
+    return found
+
+
+def _held(drawing: _Drawing, places: Mapping[str, Any], scale: float, reach: float) -> list[str]:
+    """The nodes at the marks of supports."""
+    names, at = list(places), np.array(list(places.values()))
+    found = []
+    for place, where in drawing.supports:
+        away = np.linalg.norm(at - np.array(place) * scale, axis=1)
+        if away.min() <= reach:
+            found.append(names[int(np.argmin(away))])
+        else:
+            drawing.left.append(LeftOut("support", where, f"no line ends within {reach:.3g} m of it"))
+    return list(dict.fromkeys(found))

@@ -1,0 +1,59 @@
+"""Robots from URDF and MJCF files as models."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from kinetruss.errors import InputError
+from kinetruss.exchange._imported import Imported
+from kinetruss.exchange.readers.robot_formats.closures import read_closures
+from kinetruss.exchange.readers.robot_formats.mjcf import read_mjcf
+from kinetruss.exchange.readers.robot_formats.urdf import read_urdf
+from kinetruss.exchange.readers.texts import text_of
+from kinetruss.exchange.robots import Robot, assemble, closed
+
+__all__ = ["robot", "robot_of"]
+
+
+def robot_of(
+    path: Path,
+    *,
+    max_size: int,
+    closures: str | Path | None = None,
+    at: Mapping[str, float] | None = None,
+    floating: bool = False,
+) -> Robot:
+    """The links, joints and closures of a URDF or MJCF file."""
+    text = text_of(path, max_size)
+    if path.suffix.lower() != ".urdf" and "<mujoco" in text:
+        if closures is not None:
+            raise InputError(f"{path} is MJCF, which has its closures in <equality>. Leave out {closures}.")
+        if floating:
+            raise InputError(f"{path} is MJCF, which says itself what floats: <freejoint/>. Leave out --floating (floating).")
+        return read_mjcf(path, text, at)
+    beside = None if closures is None else read_closures(Path(closures), max_size)
+    return read_urdf(path, text, beside, at, floating=floating)
+
+
+def robot(
+    path: Path,
+    *,
+    max_size: int,
+    closures: str | Path | None = None,
+    at: Mapping[str, float] | None = None,
+    floating: bool = False,
+) -> Imported:
+    """The model of a URDF or MJCF file."""
+    found = robot_of(path, max_size=max_size, closures=closures, at=at, floating=floating)
+    posed = closed(found)
+    made = assemble(posed)
+    return Imported(
+        model=made.model,
+        source=str(path),
+        left_out=(*found.left_out, *made.left_out),
+        closures=posed.redundant,
+        gap=posed.gap,
+        offsets=made.offsets,
+        freedoms=posed.freedoms,
+    )

@@ -1,0 +1,265 @@
+"""A robot from URDF, with the closures of its loops in a YAML file.
+
+URDF describes a tree. The YAML file beside it, as robots of the collection example-parallel-robots have it (Gepetto team, LAAS-
+CNRS), adds pairs of frames that stay together, motors, and joints with more freedoms than URDF knows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.exchange.readers.naming import Names
+from kinetruss.exchange.readers.robot_formats.closures import Closures
+from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
+from kinetruss.exchange.robots import Closure, JointKind, LeftOut, Link, Pivot, Robot, placement, turn_about
+from kinetruss.library.bodies import MassProperties
+from kinetruss.model import GROUND, nearest
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["read_urdf"]
+
+KINDS: Mapping[str, JointKind] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "weld",
+    "floating": "free",
+    "spherical": "ball",
+}
+SINGLE = ("revolute", "continuous", "prismatic")
+"""Types of joints that are driven if no file names motors."""
+WHY = {
+    "visual": "shapes are not carried; mass and places are",
+    "collision": "contacts are not part of a model",
+    "limit": "a model has no limits of effort and speed at joints; those of position size the guides of sliders",
+    "dynamics": "friction, and damping but of hinges, are not carried",
+    "mimic": "joints that copy others are not carried; add a coupling",
+    "calibration": "has no meaning in a model",
+    "safety_controller": "controllers are not carried",
+    "transmission": "gears and motors are not carried; give them to the drive",
+    "gazebo": "settings of another program",
+    "material": "colours are not carried",
+}
+PARTS = {"link": ("inertial",), "joint": ("origin", "parent", "child", "axis", "limit", "dynamics")}
+
+
+def read_urdf(
+    path: Path, text: str, closures: Closures | None = None, at: Mapping[str, float] | None = None, *, floating: bool = False
+) -> Robot:
+    """The robot of a URDF text. at : joint values, rad or m, at which the closed pose is searched. floating : its base is free.
+
+    Raises
+    ------
+    ModelError : all that is wrong with an element, with its line.
+    """
+    root = parse_xml(path, text, "robot")
+    names = Names()
+    links = {one.text("name"): one for one in _unique(root, "link")}
+    joints = {one.text("name"): one for one in _unique(root, "joint")}
+    if not links:
+        raise root.fault("has no links.", 'Give at least one: <link name="base"/>.')
+    base = _base(root, links, joints)
+    own_ground = base == GROUND and not floating
+    made = {
+        name: _link(one, GROUND if own_ground and name == base else names.of(name, one.where)) for name, one in links.items()
+    }
+    left = list(_left_out(root))
+    if closures is None:
+        drives = [name for name, one in joints.items() if one.attributes.get("type") in SINGLE]
+        kinds: Mapping[str, str] = {}
+    else:
+        drives, kinds = closures.drives(list(joints)), closures.kinds(list(joints))
+        left += closures.left_out
+    unknown = [name for name in at or {} if name not in joints]
+    if unknown:
+        raise InputError(f"{path}: no joint called {unknown[0]!r}. {nearest(unknown[0], joints)}")
+    pivots: list[Pivot] = []
+    own: dict[str, Link] = {}
+    if floating:
+        own[GROUND] = Link(name=GROUND)
+        pivots.append(Pivot(name="floating_base", kind="free", parent=GROUND, child=made[base].name, origin=np.eye(4)))
+    for name in _outwards(base, joints):
+        for pivot, link in _pivots(joints[name], kinds.get(name), made, names):
+            pivots.append(replace(pivot, start=(at or {}).get(name), drive=pivot.name if name in drives else None))
+            if link is not None:
+                own[link.name] = link
+    frames = {name: made[name].name for name in links} | {
+        name: made[_child(one)].name for name, one in joints.items() if name not in links
+    }
+    pairs = [] if closures is None else closures.pairs(frames)
+    return Robot(
+        title=root.attributes.get("name", path.stem),
+        root=GROUND if floating else made[base].name,
+        links={link.name: link for link in made.values()} | own,
+        pivots=pivots,
+        closures=[
+            Closure(name=name, kind=kind, links=(one, two), frames=(np.eye(4), np.eye(4)), where=where)
+            for name, kind, one, two, where in pairs
+        ],
+        left_out=[*left, *names.renamed],
+    )
+
+
+def _child(joint: Element) -> str:
+    """Name of the child link of a joint."""
+    child = joint.one("child")
+    if child is None:
+        raise joint.fault("has no <child>.", 'Write <child link="..."/>.')
+    return child.text("link")
+
+
+def _parent(joint: Element) -> str:
+    parent = joint.one("parent")
+    if parent is None:
+        raise joint.fault("has no <parent>.", 'Write <parent link="..."/>.')
+    return parent.text("link")
+
+
+def _unique(root: Element, tag: str) -> Iterator[Element]:
+    seen: dict[str, int] = {}
+    for one in root.all(tag):
+        name = one.text("name")
+        if name in seen:
+            raise one.fault(f"has the name of the {tag} in line {seen[name]}.", "Give it another name.")
+        seen[name] = one.line
+        yield one
+
+
+def _base(root: Element, links: Mapping[str, Element], joints: Mapping[str, Element]) -> str:
+    """The link that is no child; every other link is the child of one joint."""
+    held: dict[str, Element] = {}
+    for joint in joints.values():
+        for end in (joint.one("parent"), joint.one("child")):
+            name = "" if end is None else end.text("link")
+            if end is None:
+                _parent(joint), _child(joint)
+            elif name not in links:
+                raise end.fault(f"names the link {name!r}, which is not there.", nearest(name, links))
+        child = _child(joint)
+        if child in held:
+            text = f"is the second joint that holds the link {child!r}; the first is in line {held[child].line}."
+            raise joint.fault(text, "URDF is a tree: close loops in the YAML file (closed_loop).")
+        held[child] = joint
+    free = [name for name in links if name not in held]
+    if not free:
+        raise root.fault("has no base: every link is the child of a joint.", "Remove the joint that closes the circle.")
+    if len(free) > 1:
+        text = f"has {len(free)} links that no joint holds: {', '.join(free[:5])}."
+        raise links[free[1]].fault(text, "Give all but the base a joint; a fixed one if they do not move.")
+    return free[0]
+
+
+def _outwards(base: str, joints: Mapping[str, Element]) -> list[str]:
+    """Names of joints, each after that of its parent."""
+    below: dict[str, list[str]] = {}
+    for name, joint in joints.items():
+        below.setdefault(_parent(joint), []).append(name)
+    found: list[str] = []
+    left = [base]
+    while left:
+        here = below.pop(left.pop(0), [])
+        found += here
+        left += [_child(joints[name]) for name in here]
+    if below:  # links in a circle hang on no base
+        name = next(iter(below.values()))[0]
+        raise joints[name].fault("belongs to a circle of links that hangs on no base.", "Correct its parent or child.")
+    return found
+
+
+def _pose(element: Element | None) -> NDArray[np.float64]:
+    """(4, 4) of <origin xyz rpy>: rotations about the fixed x, y, z, in this order."""
+    if element is None:
+        return np.eye(4)
+    roll, pitch, yaw = element.numbers("rpy", 3, (0, 0, 0))
+    R = turn_about((0, 0, 1), yaw) @ turn_about((0, 1, 0), pitch) @ turn_about((1, 0, 0), roll)
+    return placement(R, element.numbers("xyz", 3, (0, 0, 0)))
+
+
+def _link(element: Element, name: str) -> Link:
+    inertial = element.one("inertial")
+    if inertial is None:
+        return Link(name=name, where=element.where)
+    weight = inertial.one("mass")
+    if weight is None:
+        raise inertial.fault("has no <mass>.", 'Write <mass value="..."/>, kg.')
+    mass = weight.number("value")
+    if mass < 0:
+        raise weight.fault(f"has the mass {mass:g} kg.", "Give 0 or more.")
+    if mass == 0:
+        return Link(name=name, where=element.where)
+    tensor, pose = np.zeros((3, 3)), _pose(inertial.one("origin"))
+    if (given := inertial.one("inertia")) is not None:
+        for i, row in enumerate("xyz"):
+            for j, column in enumerate("xyz"):
+                tensor[i, j] = given.number("i" + "".join(sorted(row + column)), 0.0 if row != column else None)
+    R = pose[:3, :3]
+    properties = MassProperties(mass=mass, center=pose[:3, 3], inertia=R @ tensor @ R.T)
+    return Link(name=name, properties=properties, where=(given or inertial).where.replace("<inertia>", f"{element.label}"))
+
+
+def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names: Names) -> Iterator[tuple[Pivot, Link | None]]:
+    """The joint; of a cardan two with a link between them. other : its type in the YAML file."""
+    name, kind = names.of(joint.text("name"), joint.where, "joint"), joint.text("type")
+    if other is None and kind not in KINDS:
+        mend = "Build it from revolute and prismatic joints with links without mass between them."
+        raise joint.fault(f"has the type {kind!r}, which is not carried.", f"{mend} Known are: {', '.join(KINDS)}.")
+    parent, child, origin = links[_parent(joint)].name, links[_child(joint)].name, _pose(joint.one("origin"))
+    axis = joint.one("axis")
+    along = np.array([1.0, 0.0, 0.0]) if axis is None else axis.numbers("xyz", 3, (1, 0, 0))
+    if other == "CARDAN":
+        middle = Link(name=names.of(f"{name}_cross", joint.where), where=joint.where)
+        yield (
+            Pivot(name=f"{name}_X", kind="revolute", parent=parent, child=middle.name, origin=origin, axis=np.eye(3)[0]),
+            middle,
+        )
+        yield (
+            Pivot(name=f"{name}_Y", kind="revolute", parent=middle.name, child=child, origin=np.eye(4), axis=np.eye(3)[1]),
+            None,
+        )
+        return
+    found: JointKind = "ball" if other == "SPHERICAL" else "weld" if other == "FIXED" else KINDS[kind]
+    if found in ("revolute", "prismatic"):
+        if not (size := float(np.linalg.norm(along))):
+            raise (axis or joint).fault("has an axis without direction.", 'Write for example <axis xyz="0 0 1"/>.')
+        along = along / size
+    damping = 0.0
+    if found == "revolute" and (dynamics := joint.one("dynamics")) is not None:
+        damping = dynamics.number("damping", 0.0)
+    limits = None
+    if (limit := joint.one("limit")) is not None and "lower" in limit.attributes and "upper" in limit.attributes:
+        limits = (limit.number("lower"), limit.number("upper"))
+    yield (
+        Pivot(
+            name=name,
+            kind=found,
+            parent=parent,
+            child=child,
+            origin=origin,
+            axis=along,
+            limits=limits,
+            spring=(0.0, 0.0, damping),
+            where=joint.where,
+        ),
+        None,
+    )
+
+
+def _left_out(root: Element) -> Iterator[LeftOut]:
+    for one in root.children:
+        if one.tag not in PARTS:
+            yield LeftOut(one.tag, one.where, WHY.get(one.tag, "is not known here"))
+            continue
+        for child in one.children:
+            hinge = one.attributes.get("type") in ("revolute", "continuous")
+            still = child.tag == "dynamics" and hinge and not child.number("friction", 0.0)
+            if child.tag not in PARTS[one.tag] or (child.tag in ("limit", "dynamics") and not still):
+                where = f"{child.file}:{child.line} {one.label}"
+                yield LeftOut(child.tag, where, WHY.get(child.tag, "is not known here"))

@@ -1,0 +1,25 @@
+"""Robots as other programs describe them, and models made of them."""
+
+from kinetruss.exchange.robots.assemble import Assembled, assemble
+from kinetruss.exchange.robots.closing import Posed, closed
+from kinetruss.exchange.robots.of_model import robot_of_model
+from kinetruss.exchange.robots.records import (
+    Closure,
+    DrivenLength,
+    JointKind,
+    LeftOut,
+    Link,
+    Pivot,
+    Robot,
+    RobotOfModel,
+    matrix_quaternion,
+    placement,
+    quaternion_matrix,
+    turn_about,
+)
+from kinetruss.exchange.robots.sliders import with_sliders
+
+__all__ = [
+    "Assembled", "Closure", "DrivenLength", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "RobotOfModel",
+    "assemble", "closed", "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
+]  # fmt: skip

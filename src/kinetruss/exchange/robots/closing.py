@@ -1,0 +1,267 @@
+"""The pose of a robot in which its loops are closed, and which conditions of its closures are independent.
+
+Frames follow from the values of the joints along the tree. Closures are solved by Gauss-Newton steps of least length with the
+geometric Jacobian; the joints with drives stay where the file has them if the others can close the loops.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.exchange.robots.records import COLUMNS, Closure, Pivot, Robot, placement, turn_about
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Posed", "closed", "frames_of"]
+
+STEPS = 100
+LONGEST = 0.5
+"""Longest step of a joint, rad, or as a multiple of the size of the robot."""
+CLOSED = 1e-12
+"""Gap of a loop that counts as closed, as a multiple of the size."""
+NEARLY = 1e-5
+"""Largest gap, as a multiple of the size, that is accepted and reported: files hold few digits."""
+INDEPENDENT = 1e-9
+"""Smallest singular value, relative to the largest, that counts as independent."""
+
+State = dict[str, Any]
+"""Name of a joint -> (4, 4) motion, or the value of a revolute or prismatic one."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Posed:
+    """A robot in its closed pose.
+
+    frames : (4, 4) of each link. values : of revolute and prismatic joints, rad, m. gap : largest that is left, m or rad.
+    freedoms : of the joints and closures together, by rank. redundant : closure -> number of its conditions that the
+        joints and the closures before it imply.
+    """
+
+    robot: Robot
+    frames: Mapping[str, NDArray[np.float64]]
+    values: Mapping[str, float]
+    gap: float
+    freedoms: int
+    redundant: Mapping[str, int]
+
+
+def closed(robot: Robot) -> Posed:
+    """The closed pose nearest to that of the file.
+
+    Raises
+    ------
+    InputError : loops that no values of the joints close.
+    """
+    frames = frames_of(robot, _values(robot, at_home=True))
+    state = _values(robot)
+    robot = replace(robot, closures=[_defined(one, frames) for one in robot.closures])
+    size = _size(robot, frames)
+    idle = [pivot for pivot in robot.pivots if pivot.drive is None]
+    best: tuple[float, State] | None = None
+    for moving in (idle, list(robot.pivots)):
+        gap, found = _solve(robot, dict(state), moving, size)
+        if best is None or gap < best[0]:
+            best = gap, found
+        if best[0] <= CLOSED * 10:
+            break
+    gap, state = best if best is not None else (0.0, state)
+    if gap > NEARLY:
+        raise _open(robot, state, size)
+    frames = frames_of(robot, state)
+    freedoms, redundant = _independent(robot, frames, size)
+    single = {pivot.name: float(state[pivot.name]) for pivot in robot.pivots if COLUMNS[pivot.kind] == 1}
+    left = 0.0 if gap <= CLOSED * 10 else gap * size
+    return Posed(robot=robot, frames=frames, values=single, gap=left, freedoms=freedoms, redundant=redundant)
+
+
+def _values(robot: Robot, *, at_home: bool = False) -> State:
+    """The joints as the file has them, or where the search starts."""
+    single = {p.name: p.home if at_home or p.start is None else p.start for p in robot.pivots}
+    return {p.name: single[p.name] if COLUMNS[p.kind] == 1 else np.eye(4) for p in robot.pivots}
+
+
+def frames_of(robot: Robot, state: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
+    """Frames (4, 4) of all links along the tree."""
+    frames = {robot.root: np.eye(4)}
+    for pivot in robot.pivots:
+        frames[pivot.child] = frames[pivot.parent] @ pivot.origin @ _motion(pivot, state[pivot.name]) @ pivot.after
+    return frames
+
+
+def _motion(pivot: Pivot, value: Any) -> NDArray[np.float64]:
+    if pivot.kind == "revolute":
+        return placement(turn_about(pivot.axis, float(value)))
+    if pivot.kind == "prismatic":
+        return placement(None, float(value) * pivot.axis)
+    return np.asarray(value)
+
+
+def _defined(closure: Closure, frames: Mapping[str, NDArray[np.float64]]) -> Closure:
+    """A closure whose second frame is where the pose of the file has the first."""
+    first, second = closure.frames
+    if second is not None:
+        return closure
+    one, two = closure.links
+    return replace(closure, frames=(first, np.linalg.inv(frames[two]) @ frames[one] @ first))
+
+
+def _size(robot: Robot, frames: Mapping[str, NDArray[np.float64]]) -> float:
+    places = [frame[:3, 3] for frame in frames.values()]
+    places += [(frames[pivot.parent] @ pivot.origin)[:3, 3] for pivot in robot.pivots]
+    places += [
+        (frames[link] @ frame)[:3, 3] for one in robot.closures for link, frame in zip(one.links, _both(one), strict=True)
+    ]
+    size = float(np.ptp(np.array(places), axis=0).max())
+    return size or 1.0
+
+
+def _both(closure: Closure) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    first, second = closure.frames
+    return first, first if second is None else second
+
+
+def _solve(robot: Robot, state: State, moving: Sequence[Pivot], size: float) -> tuple[float, State]:
+    """The gap that is left (relative to the size; rad), and the state."""
+    gap = _gap(robot, frames_of(robot, state), size)
+    best = float(np.abs(gap).max(initial=0.0)), dict(state)
+    columns = {pivot.name for pivot in moving if COLUMNS[pivot.kind]}
+    stalled = 0
+    for _ in range(STEPS if columns else 0):
+        if best[0] <= CLOSED / 10 or stalled > 3:
+            break
+        J = _jacobian(robot, frames_of(robot, state), size, columns)
+        step = np.linalg.lstsq(J, -gap, rcond=INDEPENDENT)[0]
+        step *= min(1.0, LONGEST / max(float(np.abs(step).max()), 1e-300))
+        _advance(robot, state, step, size, columns)
+        gap = _gap(robot, frames_of(robot, state), size)
+        now = float(np.abs(gap).max(initial=0.0))
+        stalled = 0 if now < 0.9 * best[0] else stalled + 1
+        if now < best[0]:
+            best = now, dict(state)
+    return best
+
+
+def _gap(robot: Robot, frames: Mapping[str, NDArray[np.float64]], size: float) -> NDArray[np.float64]:
+    """Place of the first frame minus that of the second, relative to the size; of welds the rotation between them too, rad."""
+    rows: list[Any] = []
+    for closure in robot.closures:
+        one, two = (frames[link] @ frame for link, frame in zip(closure.links, _both(closure), strict=True))
+        rows.append((one[:3, 3] - two[:3, 3]) / size)
+        if closure.kind == "weld":
+            rows.append(_rotation_vector(one[:3, :3] @ two[:3, :3].T))
+    return np.concatenate(rows) if rows else np.zeros(0)
+
+
+def _rotation_vector(R: Any) -> NDArray[np.float64]:
+    axial = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    sine, cosine = float(np.linalg.norm(axial)), 0.5 * (float(np.trace(R)) - 1.0)
+    if sine > 1e-8:
+        return np.asarray(axial * np.arctan2(sine, cosine) / sine)
+    if cosine > 0:
+        return axial
+    axis = np.sqrt(np.maximum(0.5 * (np.diag(R) + 1.0), 0.0))  # half a turn: any of both directions
+    return np.asarray(np.pi * axis * np.where(R[int(np.argmax(axis))] < 0, -1.0, 1.0))
+
+
+def _jacobian(robot: Robot, frames: Mapping[str, Any], size: float, columns: set[str]) -> NDArray[np.float64]:
+    """Rates of `_gap` by the joints: of each w (3,), the angular velocity, and v (3,), the velocity of the point."""
+    place, count = {}, 0
+    for pivot in robot.pivots:
+        if pivot.name in columns:
+            place[pivot.name] = count
+            count += COLUMNS[pivot.kind]
+    above = _above(robot)
+    blocks = []
+    for closure in robot.closures:
+        point = (frames[closure.links[0]] @ closure.frames[0])[:3, 3]
+        block = np.zeros((6, count))
+        for link, sign in zip(closure.links, (1.0, -1.0), strict=True):
+            for pivot in above[link]:
+                if pivot.name in place:
+                    at = place[pivot.name]
+                    block[:, at : at + COLUMNS[pivot.kind]] += sign * _rates(pivot, frames, point, size)
+        blocks.append(block if closure.kind == "weld" else block[:3])
+    return np.vstack(blocks) if blocks else np.zeros((0, count))
+
+
+def _rates(pivot: Pivot, frames: Mapping[str, Any], point: Any, size: float) -> NDArray[np.float64]:
+    """Velocity of a point over the size, and angular velocity, (6, columns); lengths count in sizes."""
+    frame = frames[pivot.parent] @ pivot.origin
+    arm = point - frame[:3, 3]
+    if pivot.kind == "revolute":
+        w = frame[:3, :3] @ pivot.axis
+        return np.concatenate([np.cross(w, arm) / size, w])[:, None]
+    if pivot.kind == "prismatic":
+        return np.concatenate([frame[:3, :3] @ pivot.axis, np.zeros(3)])[:, None]
+    if pivot.kind == "free":  # about the origin of the child, which moves with it
+        arm = point - (frames[pivot.child] @ np.linalg.inv(pivot.after))[:3, 3]
+    turning = np.vstack([np.cross(np.eye(3), arm).reshape(3, 3).T / size, np.eye(3)])
+    if pivot.kind == "ball":
+        return turning
+    return np.hstack([np.vstack([np.eye(3), np.zeros((3, 3))]), turning])
+
+
+def _above(robot: Robot) -> dict[str, list[Pivot]]:
+    """The joints between the root and each link."""
+    found: dict[str, list[Pivot]] = {robot.root: []}
+    for pivot in robot.pivots:
+        found[pivot.child] = [*found[pivot.parent], pivot]
+    return found
+
+
+def _advance(robot: Robot, state: State, step: Any, size: float, columns: set[str]) -> None:
+    """Add a step; rotations and translations of balls and free links are in global axes."""
+    frames = frames_of(robot, state)
+    at = 0
+    for pivot in robot.pivots:
+        if pivot.name not in columns:
+            continue
+        count = COLUMNS[pivot.kind]
+        part = step[at : at + count]
+        at += count
+        if count == 1:
+            state[pivot.name] += float(part[0]) * (size if pivot.kind == "prismatic" else 1.0)
+        elif count:
+            R = (frames[pivot.parent] @ pivot.origin)[:3, :3]
+            turned, moved = R.T @ part[-3:], (R.T @ part[:3] * size if count == 6 else np.zeros(3))
+            angle = float(np.linalg.norm(turned))
+            old = state[pivot.name]
+            new = placement(turn_about(turned / angle, angle) @ old[:3, :3] if angle else old[:3, :3], old[:3, 3] + moved)
+            state[pivot.name] = new
+
+
+def _independent(robot: Robot, frames: Mapping[str, Any], size: float) -> tuple[int, dict[str, int]]:
+    """Freedoms by rank, and of each closure the number of conditions that those before it imply."""
+    J = _jacobian(robot, frames, size, {pivot.name for pivot in robot.pivots if COLUMNS[pivot.kind]})
+    largest = float(np.linalg.norm(J, 2)) if J.size else 1.0
+    rank, row, redundant = 0, 0, {}
+    for closure in robot.closures:
+        count = 6 if closure.kind == "weld" else 3
+        row += count
+        now = int(np.sum(np.linalg.svd(J[:row], compute_uv=False) > INDEPENDENT * largest)) if J.size else 0
+        redundant[closure.name] = count - (now - rank)
+        rank = now
+    return J.shape[1] - rank, redundant
+
+
+def _open(robot: Robot, state: State, size: float) -> InputError:
+    frames = frames_of(robot, state)
+    lines = []
+    for closure in robot.closures:
+        gap = np.abs(_gap(replace(robot, closures=[closure]), frames, size))
+        apart, turned = float(gap[:3].max()) * size, float(gap[3:].max(initial=0.0))
+        if max(apart / size, turned) > NEARLY:
+            more = f" and {np.degrees(turned):.3g} deg" if closure.kind == "weld" else ""
+            lines.append(f"{closure.where}: closure {closure.name!r} stays open by {apart:.3g} m{more}.")
+    mend = (
+        "The joints cannot bring its two frames together from the pose of the file. Give joint values near a closed pose "
+        "(--at JOINT=VALUE), or correct the places of the two frames. A closure of three conditions ('3d', connect) needs "
+        "only their origins to meet."
+    )
+    return InputError("\n".join([*lines, mend]))

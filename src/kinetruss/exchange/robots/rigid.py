@@ -1,0 +1,178 @@
+"""Rigid parts of a model in a pose: nodes that keep their distances in every motion of its rigid bars.
+
+The motions are the null space of the gradients of the lengths, with drives released. Nodes belong to a part if they move with
+it in all of them and the bars inside the part make it rigid, by rank: the sides of a parallelogram move alike, and are two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.limits import hold
+from kinetruss.mechanics import compile, constraint_jacobian
+from kinetruss.model import Model
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Rigid", "rigid_parts"]
+
+MOST = 6000
+"""Largest number of coordinates; the null space is dense."""
+ALIKE = 1e-7
+"""Difference of velocities that counts as none; the largest of a motion is about 1."""
+
+
+@dataclass(eq=False)
+class Rigid:
+    """A rigid part: numbers of its nodes. kind : ``ground``, ``body`` (it has an orientation) or ``rod``."""
+
+    name: str
+    kind: str
+    nodes: list[int]
+
+
+def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
+    """The ground, the bodies, and the bars that are part of none. x (n, 3), m, at which the model is assembled.
+
+    Raises
+    ------
+    InputError : a support guides a node that moves, or the model has too many coordinates.
+    """
+    system = compile(model)
+    hold(x.size, "The motions of the model", "Export a smaller part.", most=MOST, of="coordinates")
+    from scipy.linalg import null_space
+
+    rows = (system.row_drive < 0) & (system.row_kind == LENGTH)
+    J = constraint_jacobian(system, x)[:, system.free][rows]
+    modes = null_space(J.toarray(), rcond=1e-10) if J.shape[0] else np.eye(len(system.free))
+    V = np.zeros((modes.shape[1], x.size))
+    V[:, system.free] = modes.T
+    V = V.reshape(len(V), len(x), 3)
+    pairs = _pairs(model, system)
+    parts = [Rigid("ground", "ground", _still(model, V))]
+    taken = [set(parts[0].nodes)]
+    for name, seed in _seeds(model, pairs):
+        if any(set(seed) <= own for own in taken):
+            continue
+        nodes = _moving_with(x, V, seed, model.dim)
+        if nodes is not None:
+            if not _held_together(x, nodes, pairs, taken[0], model):
+                nodes = _grown(x, seed, nodes, pairs, model.dim)
+                if not _held_together(x, nodes, pairs, taken[0], model):
+                    continue
+            parts.append(Rigid(name, "body", nodes))
+            taken.append(set(nodes))
+    for pair, name in pairs.items():
+        if not any(pair <= own for own in taken):
+            parts.append(Rigid(name, "rod", sorted(pair)))
+            taken.append(set(pair))
+    return parts
+
+
+def _pairs(model: Model, system: Any) -> dict[frozenset[int], str]:
+    """Rigid bars between nodes, with their names."""
+    driven = model.driven_members
+    return {
+        frozenset(map(system.node_index, bar.ends)): name
+        for name, bar in model.bars.items()
+        if bar.kind == "rigid" and name not in driven
+    }
+
+
+def _seeds(model: Model, pairs: Iterable[frozenset[int]]) -> Iterator[tuple[str, list[int]]]:
+    """Nodes that are in one part: of bodies, of triangles of bars (in the plane of bars)."""
+    place = {name: k for k, name in enumerate(model.nodes)}
+    for name, body in model.bodies.items():
+        if body.kind == "rigid":
+            yield name, [place[node] for node in body.nodes]
+    beside: dict[int, set[int]] = {}
+    names = {frozenset((place[a], place[b])): name for name, (a, b) in ((n, bar.ends) for n, bar in model.bars.items())}
+    for pair in pairs:
+        for a, b in (tuple(pair), tuple(pair)[::-1]):
+            beside.setdefault(a, set()).add(b)
+    for pair in pairs:
+        a, b = pair
+        if model.dim == 2:
+            yield names[pair], [a, b]
+        for c in sorted(beside[a] & beside[b]) if model.dim == 3 else ():
+            yield names[pair], [a, b, c]
+
+
+def _still(model: Model, V: Any) -> list[int]:
+    """Nodes that do not move. Nodes that are guided by a support are refused."""
+    still = np.abs(V).max(axis=(0, 2), initial=0.0) < ALIKE
+    for k, (name, _) in enumerate(model.nodes.items()):
+        axes = model.fixed.get(name, "")
+        if axes and set(axes) < set("xyz"[: model.dim]) and not still[k]:
+            raise InputError(
+                f"Node {name!r} is held along {axes} only and moves along its guide: such supports are not carried. "
+                "Replace the guide by a bar, or by a joint."
+            )
+    return np.flatnonzero(still).tolist()
+
+
+def _moving_with(x: Any, V: Any, seed: Sequence[int], dim: int) -> list[int] | None:
+    """All nodes that move with those of a seed; None if they are on one line (in space), or no part."""
+    r = x[list(seed)] - x[seed[0]]
+    spread = np.linalg.svd(r, compute_uv=False)
+    if dim == 3 and (len(spread) < 2 or spread[1] < 1e-6 * spread[0]):
+        return None
+    # v_k - v_0 = w x r_k for the rotation w of each motion
+    rows = np.concatenate([_crossed(one) for one in r[1:]])
+    if dim == 2:
+        rows = rows[:, 2:]
+    w = np.zeros((len(V), 3))
+    relative = (V[:, seed[1:]] - V[:, seed[:1]]).reshape(len(V), -1)
+    w[:, -rows.shape[1] :] = np.linalg.lstsq(rows, relative.T, rcond=None)[0].T
+    expected = V[:, seed[:1]] + np.cross(w[:, None], (x - x[seed[0]])[None])
+    off = np.abs(V - expected).max(axis=(0, 2), initial=0.0)
+    return np.flatnonzero(off < ALIKE).tolist() if (off[list(seed)] < ALIKE).all() else None
+
+
+def _crossed(r: Any) -> NDArray[np.float64]:
+    """The matrix of w x r by w."""
+    a, b, c = r
+    return np.array([[0.0, c, -b], [-c, 0.0, a], [b, -a, 0.0]])
+
+
+def _held_together(x: Any, nodes: Sequence[int], pairs: Iterable[frozenset[int]], ground: set[int], model: Model) -> bool:
+    """True if the bars, bodies and fixed nodes inside a part make it rigid, by rank."""
+    own, dim = set(nodes), model.dim
+    place = {name: k for k, name in enumerate(model.nodes)}
+    inside = {pair for pair in pairs if pair <= own} | {frozenset(two) for two in combinations(sorted(own & ground), 2)}
+    for body in model.bodies.values():
+        inside |= {frozenset(two) for two in combinations(sorted({place[name] for name in body.nodes} & own), 2)}
+    at = {node: k for k, node in enumerate(nodes)}
+    R = np.zeros((len(inside), dim * len(nodes)))
+    for row, (a, b) in enumerate(map(tuple, inside)):
+        u = (x[b] - x[a])[:dim] / max(float(np.linalg.norm(x[b] - x[a])), 1e-300)
+        R[row, dim * at[a] : dim * at[a] + dim], R[row, dim * at[b] : dim * at[b] + dim] = -u, u
+    wanted = dim * len(nodes) - dim * (dim + 1) // 2
+    return bool(np.linalg.matrix_rank(R, tol=1e-9) >= wanted) if len(R) else wanted <= 0
+
+
+def _grown(x: Any, seed: Sequence[int], nodes: Sequence[int], pairs: Iterable[frozenset[int]], dim: int) -> list[int]:
+    """The seed and the nodes that bars hold to it one by one: parts may move alike, as those of parallelograms, and be two."""
+    own, left = list(seed), [node for node in nodes if node not in seed]
+    beside: dict[int, set[int]] = {}
+    for a, b in map(tuple, pairs):
+        beside.setdefault(a, set()).add(b)
+        beside.setdefault(b, set()).add(a)
+    added = True
+    while added:
+        added = False
+        for node in list(left):
+            ends = [x[other] - x[node] for other in own if other in beside.get(node, ())]
+            if len(ends) >= dim and np.linalg.matrix_rank(np.array(ends)[:, :dim], tol=1e-9) >= dim:
+                own.append(node)
+                left.remove(node)
+                added = True
+    return sorted(own)

@@ -1,0 +1,1 @@
+"""Writers of files of other programs, by suffix."""
