@@ -18,6 +18,8 @@ __all__ = ["inputs", "sources", "worded"]
 MOST = 30
 """Largest number of rows of an input table; the page includes the whole model."""
 NAMES = 8
+DIGITS = 6
+"""Significant digits of the model's numbers."""
 ANALYSES = {
     "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
     "kinematics.follow": "kinematics: a given motion, without forces",
@@ -182,7 +184,14 @@ def _valued(value: Any, unit: str) -> str:
         return f"[{', '.join(_valued(one, '') for one in value)}] {_marked(unit)}".rstrip()
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return quantity(value, unit, 9) if isinstance(value, float) else str(value)
+    return _numbered(value, unit) if isinstance(value, float) else str(value)
+
+
+def _numbered(value: float, unit: str) -> str:
+    """A number of the model; the model file at the end of the report has all digits."""
+    if unit == "m/rad":
+        return quantity(1e3 * value, "mm/rad", DIGITS)
+    return quantity(value, unit, DIGITS)
 
 
 def _marked(unit: str) -> str:

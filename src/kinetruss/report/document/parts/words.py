@@ -16,11 +16,9 @@ __all__ = [
     "counted",
     "is_over",
     "left_out",
-    "long",
     "margin_of",
     "named",
     "share_of",
-    "station_of",
     "value_of",
 ]
 
@@ -39,12 +37,6 @@ def named(case: str) -> str:
 def at(time: float | None) -> str:
     """An instant as text."""
     return instant(time)
-
-
-def station_of(row: dict[str, Any]) -> str:
-    """Station along the member as text."""
-    position = value_of(row["position"])
-    return quantity(position, "m")
 
 
 def value_of(value: Any) -> float:
@@ -74,11 +66,6 @@ def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
     shares = [value_of(row["utilisation"]) for row in rows]
     most = BEYOND if any(share > 1 for share in shares) else 1.0
     return [bar(share, most) for share in shares]
-
-
-def long(value: float, unit: str) -> str:
-    """A value of a drive, with as many digits as a length needs."""
-    return quantity(value, unit, 6)
 
 
 def counted(count: int, noun: str) -> str:

@@ -9,8 +9,8 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.report.document.worked.chosen import worked
     from kinetruss.report.document.worked.sheet import Sheet
-    from kinetruss.report.document.worked.shown import shown, worked_record
+    from kinetruss.report.document.worked.markup import shown, worked_record
 
 __all__ = ["Sheet", "shown", "worked", "worked_record"]
 
-__getattr__, __dir__ = late(__name__, {"chosen": "worked", "sheet": "Sheet", "shown": "shown worked_record"})
+__getattr__, __dir__ = late(__name__, {"chosen": "worked", "sheet": "Sheet", "markup": "shown worked_record"})

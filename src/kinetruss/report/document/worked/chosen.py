@@ -20,11 +20,13 @@ __all__ = ["worked"]
 
 NEGLIGIBLE = 1e-9
 """Utilisation below which an entry has no demand to work out."""
+CHAINED = ("voltage", "current", "torque", "speed", "input")
+"""Demands that are worked from the load of the drive, step by step."""
 WORKS = {"yield": yield_sheet, "buckling": buckling_sheet, "beam-column": beam_column_sheet}
 
 
 def worked(run: RunResult) -> list[Sheet]:
-    """The calculations of the governing entry of each rule and of the governing demand on a drive, worst first."""
+    """The calculations of the governing entry of each rule and of the governing demands on drives, worst first."""
     found = [sheet for row in governing_rows(run) if (sheet := member_sheet(run, row)) is not None]
     found += [sheet for row, case in governing_demands(run) if (sheet := demand_sheet(run, row, case)) is not None]
     return sorted(found, key=lambda sheet: -sheet.row.utilisation)
@@ -40,10 +42,15 @@ def governing_rows(run: RunResult) -> Iterator[Row]:
 
 
 def governing_demands(run: RunResult) -> Iterator[tuple[Row, str]]:
-    """The worst demand on a drive over all load cases, with its load case."""
+    """The worst demand on a drive over all load cases, and the worst one of an instant, with their load cases."""
     rows = [(row, case) for case, demand in run.demand.items() if "utilisation" in demand.data for row in demand.table()]
-    held = [one for one in rows if one[0].checked and one[0].utilisation > NEGLIGIBLE]
-    yield from sorted(held, key=lambda one: -one[0].utilisation)[:1]
+    held = sorted(
+        (one for one in rows if one[0].checked and one[0].utilisation > NEGLIGIBLE), key=lambda one: -one[0].utilisation
+    )
+    yield from held[:1]
+    # a stroke or a root mean square does not tell of the train: the worst demand of an instant does
+    if held and held[0][0].rule not in CHAINED:
+        yield from [one for one in held if one[0].rule in CHAINED][:1]
 
 
 def member_sheet(run: RunResult, row: Row) -> Sheet | None:
