@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.display import Markup, element
 from kinetruss.model import TitleBlock
 from kinetruss.report._page import Page
+from kinetruss.report.document._mission import mission_html
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
@@ -20,7 +21,7 @@ from kinetruss.report.document.result.assumptions import assumptions
 from kinetruss.report.document.result.lines import result_lines
 from kinetruss.report.document.result.tiles import not_whole, span_of, tiles, warned
 from kinetruss.report.document.worked import shown, worked, worked_record
-from kinetruss.report.missions import mission_html, mission_record
+from kinetruss.report.missions import mission_record
 from kinetruss.report.pictures.figures import specifications
 from kinetruss.runs import MissionRun
 
@@ -29,12 +30,10 @@ if TYPE_CHECKING:
     from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
 
-__all__ = ["document_page", "filled"]
+__all__ = ["document_page", "filled", "run_parts"]
 
 
-def document_page(
-    run: RunResult, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4"
-) -> Page:
+def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4") -> Page:
     """The report of a run as HTML, and the numbers of all its tables as plain data.
 
     Parameters
@@ -53,7 +52,9 @@ def document_page(
 def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> TitleBlock:
     """A title block whose empty entries are those of a model, and its date that of the report."""
     told = {} if own is None else {name: value for name, value in own.model_dump().items() if value}
-    told = {"date": date} | told | ({} if block is None else {name: value for name, value in block.model_dump().items() if value})
+    told = (
+        {"date": date} | told | ({} if block is None else {name: value for name, value in block.model_dump().items() if value})
+    )
     return TitleBlock(**told)
 
 
@@ -77,7 +78,7 @@ def _html(run: RunResult, view: str, block: TitleBlock, paper: str) -> str:
         title,
         block,
         result_lines(record),
-        _parts(run, record, sheets, view),
+        run_parts(run, record, sheets, view),
         kicker="Report of a structural analysis",
         quiet=" · ".join(word for word in words if word),
         above=not_whole(run),
@@ -88,21 +89,29 @@ def _html(run: RunResult, view: str, block: TitleBlock, paper: str) -> str:
     )
 
 
-def _parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
+def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
+    """The sections of the report of a run, in their order."""
     drawn = _Drawn(specifications(run))
     changes = drawn.of("lengths") if _changes(run) else ()
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
         Part("result", "Result", "", [tiles(record), *warned(record)]),
         Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumptions(run, record)),
-        Part("structure", "Structure and loads", "Supports, drives, loads and the governing part", _shown(run, record, view, drawn)),
+        Part(
+            "structure",
+            "Structure and loads",
+            "Supports, drives, loads and the governing part",
+            _shown(run, record, view, drawn),
+        ),
         Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", inputs(run)),
         Part("worked", "Worked calculations", calculations, shown(sheets)),
         Part("strength", "Strength", "Every part by its governing rule", [*demands.strength(record), *drawn.of("stresses")]),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
         Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
         Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
-        Part("simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]),
+        Part(
+            "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]
+        ),
         Part("statics", "Displacements and stability", "The static analysis", parts.standing(run)),
         Part("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
         Part("checks", "Checks", "Checks that need no other program", parts.checked(run, record)),

@@ -1,7 +1,7 @@
 """Reads from a printed report on which pages its sections begin, and how far its last page is filled.
 
-Chromium writes the destinations of links as plain objects: ``/Dests`` names them, and each is an array of a page, ``/XYZ`` and a
-place in points from the lower left corner (PDF 32000-1:2008, 12.3.2).
+Chromium writes the destinations of links as plain objects: ``/Dests`` names them, and each is an array of a page, ``/XYZ``
+and a place in points from the lower left corner (PDF 32000-1:2008, 12.3.2).
 """
 
 from __future__ import annotations

@@ -26,7 +26,9 @@ SCHEMA = "kinetruss.report/1"
 def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, Any]:
     """The contents of a report as plain data in SI units; numbers equal those of the results to the last bit.
 
-    worked : its worked calculations as data. NaN becomes None, infinity the text ``Infinity``. Only the name of the run folder is included, since reports are sent out.
+    worked : its worked calculations as data.
+
+    NaN becomes None, infinity the text ``Infinity``. Only the name of the run folder is included, since reports are sent out.
     """
     text = model_text(run)
     told = run.told

@@ -66,7 +66,7 @@ def drawn(figure: Loaded) -> Canvas:
         _governing(ax, figure, points, labels)
         for start, end, words in arrows:
             pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
-            ax.annotate("", end, start, arrowprops=pen)
+            ax.annotate("", tuple(end), tuple(start), arrowprops=pen)
             labels.put(words, (start + end) / 2, LOAD)
         _drives(figure, points, labels)
         _names(figure, points, labels)
@@ -172,14 +172,22 @@ def _aside(canvas: Canvas, figure: Loaded, scale: float, height: float) -> None:
     origin = np.array([0.42, 0.85])
     for name, end in zip("xyz", axes, strict=False):
         pen = {"arrowstyle": "-|>", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
-        ax.annotate("", origin + end, origin, arrowprops=pen)
-        ax.text(*(origin + 1.3 * end), name, fontsize=7, ha="center", va="center", color=INK)
+        ax.annotate("", tuple(origin + end), tuple(origin), arrowprops=pen)
+        ax.text(
+            float((origin + 1.3 * end)[0]),
+            float((origin + 1.3 * end)[1]),
+            name,
+            fontsize=7,
+            ha="center",
+            va="center",
+            color=INK,
+        )
     if figure.model.gravity and any(figure.model.gravity) and height > 1.8:
         down = np.asarray(figure.model.gravity, float)
         arrow = projected(down[None] / np.linalg.norm(down))[0] * 0.36
         start = np.array([0.42, 1.72])
         pen = {"arrowstyle": "-|>", "color": QUIET, "linewidth": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9}
-        ax.annotate("", start + arrow, start, arrowprops=pen)
+        ax.annotate("", tuple(start + arrow), tuple(start), arrowprops=pen)
         ax.text(0.56, 1.62, "g", fontsize=8, color=QUIET, va="center")
     length = _round_length(0.85 * scale)
     ax.plot([0.05, 0.05 + length / scale], [0.16, 0.16], color=QUIET, linewidth=2, solid_capstyle="butt")

@@ -29,7 +29,8 @@ CROWDED = 9.0
 
 class Labels:
     """Labels of one drawing. scale : m an inch; lines : pairs of points (2, 2), m, and marks : points (k, 2), m,
-    that labels avoid."""
+    that labels avoid.
+    """
 
     def __init__(self, ax: Any, scale: float, lines: Sequence[Array], marks: Array) -> None:
         self._ax, self._scale = ax, scale

@@ -35,7 +35,13 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     steps = f"kinetruss check model.json\nkinetruss run model.json {run.name} -o again\nkinetruss info again"
     parts = [
         Table(("", ""), rows, "Provenance").html,
-        element("p", "The file report.html holds the model, byte by byte. ", saved, " Then, with the versions above:", class_="where"),
+        element(
+            "p",
+            "The file report.html holds the model, byte by byte. ",
+            saved,
+            " Then, with the versions above:",
+            class_="where",
+        ),
         element("pre", element("code", steps), class_="short"),
     ]
     return [*parts, *_listing(run.model)]

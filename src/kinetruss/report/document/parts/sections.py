@@ -150,10 +150,12 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     rest = any(one["at_rest"] is not None for one in shown)
     keys = {"least": "least", "largest": "largest"} | ({"at rest": "at_rest"} if rest else {})
     table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N")
-    table.together(["least at (s)", "largest at (s)"], [[one[key] for one in shown] for key in ("least_time", "largest_time")], "")
+    table.together(
+        ["least at (s)", "largest at (s)"], [[one[key] for one in shown] for key in ("least_time", "largest_time")], ""
+    )
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
-        f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: the pose of the larger of the two."
+        f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: in the pose of the larger one."
     ) + ("" if all(one["unique"] for one in entries) else " † Not unique: depends on stiffness or convention.")
     return table.html(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note)
 

@@ -33,7 +33,9 @@ def assumptions(run: RunResult, record: dict[str, Any]) -> list[Markup]:
         rows = [(what, len(parts), few(parts)) for what, parts in record["not_checked"].items()]
         found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
     elif not count:
-        found.append(element("p", element("strong", "Strength not verified: the run has no strength check."), class_="headline"))
+        found.append(
+            element("p", element("strong", "Strength not verified: the run has no strength check."), class_="headline")
+        )
     unlimited = sorted({row["rule"] for row in record["limits"] if row["utilisation"] is None})
     never = [*([f"drives: no limit is given for {', '.join(unlimited)}"] if unlimited else []), *NEVER]
     found.append(element("p", f"Not checked: {'; '.join(never)}."))
@@ -43,7 +45,7 @@ def assumptions(run: RunResult, record: dict[str, Any]) -> list[Markup]:
 def _assumed(run: RunResult) -> Iterator[str]:
     model = run.model
     if run.forces:
-        yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, their inertia and the actions on them."
+        yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
     if model.beams:
         yield "Beams are elastic and share the rotation of the nodes where they meet."
     if run.verdict is not None:

@@ -26,20 +26,27 @@ def governing_entry(record: Mapping[str, Any]) -> dict[str, Any] | None:
 
 
 def _governing(record: Mapping[str, Any]) -> str:
-    begin = "" if record["whole"] else f"Not complete ({record['samples']['good']} of {record['samples']['asked']} samples). "
+    begin = (
+        ""
+        if record["whole"]
+        else f"Not complete ({record['samples']['good']} of {record['samples']['asked']} {record['samples'].get('what', 'samples')}). "
+    )
     worst = governing_entry(record)
     if worst is None:
         return f"{begin}No limit was checked. {_largest(record)}".strip()
     drive = worst in record["limits"]
     what = f"{worst['rule']} of {'the drive of ' if drive else ''}{worst['part']}"
-    when = f"pose {worst['pose']}" if worst.get("pose") else f"t = {instant(worst['time'])}" if worst["time"] is not None else ""
+    when = (
+        f"pose {worst['pose']}" if worst.get("pose") else f"t = {instant(worst['time'])}" if worst["time"] is not None else ""
+    )
     case = named(worst["load_case"]) if worst["load_case"] else ""
     place = ", ".join(words for words in (when, case) if words)
     amounts = ""
     if worst["unit"]:
         value, limit = (quantity(value_of(worst[key]), worst["unit"]) for key in ("value", "limit"))
         amounts = f": {value} of {limit}"
-    return f"{begin}Governing: {what}, {share_of(worst['utilisation'])} of what is allowed{amounts}{f' ({place})' if place else ''}."
+    used = f"{share_of(worst['utilisation'])} of what is allowed"
+    return f"{begin}Governing: {what}, {used}{amounts}{f' ({place})' if place else ''}."
 
 
 def _largest(record: Mapping[str, Any]) -> str:

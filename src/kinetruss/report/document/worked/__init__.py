@@ -8,8 +8,8 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.report.document.worked.chosen import worked
-    from kinetruss.report.document.worked.sheet import Sheet
     from kinetruss.report.document.worked.markup import shown, worked_record
+    from kinetruss.report.document.worked.sheet import Sheet
 
 __all__ = ["Sheet", "shown", "worked", "worked_record"]
 

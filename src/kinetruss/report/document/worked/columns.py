@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from kinetruss import strength
-from kinetruss.report.document.worked.place import Cut, constants, cuts, record_of
+from kinetruss.report.document.worked.place import Cut, constants, cuts, made_of
 from kinetruss.report.document.worked.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -47,8 +47,7 @@ def beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     ]
     bent = max(choices, key=lambda pair: pair[0])[1]
     mark = _mark(model, row.part, bent.part)
-    section = model.section_of(record_of(model, bent.part))
-    assert section is not None
+    section, _ = made_of(model, bent.part)
     lowest = min(sheet.values[name] for name in ("P_e", "P_e2", "P_e3") if name in sheet.values)
     if sheet.values["n_b"] * sheet.values["P"] >= lowest:
         sheet.notes.append("The compression with its safety factor reaches Euler's load: no equilibrium, utilisation infinite.")
@@ -82,8 +81,7 @@ def _mark(model: Model, member: str, part: str) -> str:
 
 
 def _known(model: Model, part: str) -> bool:
-    own = record_of(model, part)
-    return model.section_of(own) is not None and model.material_of(own) is not None
+    return None not in made_of(model, part)
 
 
 def _critical(sheet: Sheet, model: Model, member: str, length: float) -> None:
@@ -109,8 +107,7 @@ def _critical(sheet: Sheet, model: Model, member: str, length: float) -> None:
 
 def _load(sheet: Sheet, model: Model, part: str, mark: str) -> str:
     """Critical load of one part over the length of the member; the symbol."""
-    section = model.section_of(record_of(model, part))
-    assert section is not None
+    section, _ = made_of(model, part)
     of = f" of {part}" if mark else ""
     if section.round:
         I, euler = f"I{mark}", f"P_e{mark}"
@@ -143,10 +140,7 @@ def _bending(model: Model, cut: Cut) -> float:
     """Bending over its capacity, by which parts and sides of a jump are compared; -1 if the part has no section."""
     if not _known(model, cut.part):
         return -1.0
-    own = record_of(model, cut.part)
-    section, material = model.section_of(own), model.material_of(own)
-    assert section is not None
-    assert material is not None
+    section, material = made_of(model, cut.part)
     (I2, I3), (c2, c3) = section.second_moments, section.extreme_fibres
     b2, b3 = abs(cut.M2) * c3 / I2, abs(cut.M3) * c2 / I3
     bending = math.hypot(b2, b3) if section.round else b2 + b3

@@ -89,7 +89,9 @@ def _chain(sheet: Sheet, model: Model, motion: Motion, column: _Column, k: int, 
     if linear:
         load = _screw(sheet, train.screw, float(column.of("thrust")[k]), moving)
     else:
-        load = sheet.give("T_a", "torque on the angle, positive when it turns it on", column.of("drive_torque")[k], "N m", ENGINE)
+        load = sheet.give(
+            "T_a", "torque on the angle, positive when it turns it on", column.of("drive_torque")[k], "N m", ENGINE
+        )
     rate = "v" if linear else "omega_a"
     unit = "m/s" if linear else "rad/s"
     lead = "/lead" if linear else ""
@@ -109,7 +111,7 @@ def _chain(sheet: Sheet, model: Model, motion: Motion, column: _Column, k: int, 
     sheet.step("i", "current", "T_m/K_t", "A", MOTOR)
     voltage = "R*i + K_b*omega"
     if motor.inductance:
-        rates = current_rate(column.time, column.of("motor_torque") / motor.torque_constant, *_signs(model, motion, column, name))
+        rates = current_rate(column.time, column.of("motor_torque") / motor.torque_constant, *_signs(model, column, name))
         sheet.give("L", "inductance of the winding", motor.inductance, "H", motor.source or TRAIN)
         sheet.give("i_dot", "rate of the current, of a spline through its samples", float(rates[k]), "A/s", ENGINE)
         voltage += " + L*i_dot"
@@ -128,7 +130,7 @@ def _rates(model: Model, motion: Motion, column: _Column, k: int, name: str) -> 
     return 0.0 if abs(rate) < STANDSTILL else float(rate), float(change)
 
 
-def _signs(model: Model, motion: Motion, column: _Column, name: str) -> tuple[Any, Any]:
+def _signs(model: Model, column: _Column, name: str) -> tuple[Any, Any]:
     """Rates and loads whose signs tell where the current jumps."""
     rate = column.of("length_rate" if name in model.active else "angle_rate")
     return np.where(np.abs(rate) < STANDSTILL, 0.0, rate), column.of("thrust" if name in model.active else "drive_torque")
@@ -178,8 +180,7 @@ def _break_away(sheet: Sheet, column: _Column, k: int) -> None:
 
 
 def _input(sheet: Sheet, model: Model, name: str) -> None:
-    amplifier = actuators.train_of(model, name).amplifier
-    assert amplifier is not None
+    amplifier: Any = actuators.train_of(model, name).amplifier
     current = amplifier.current_gain is not None
     sheet.give("g", "gain of the amplifier", amplifier.gain, "A/V" if current else "V/V", amplifier.source or TRAIN)
     sheet.step("U_in", "input of the amplifier", "i/g" if current else "U/g", "V")

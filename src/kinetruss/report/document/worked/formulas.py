@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 
-from kinetruss.display import quantity, scale
+from kinetruss.display import quantity
 
 __all__ = ["evaluate", "in_numbers", "in_symbols", "plain_symbol", "valued"]
 
@@ -75,8 +75,7 @@ def _value(node: ast.expr, values: Mapping[str, float]) -> float:
 
 
 def _name(node: ast.Call) -> str:
-    assert isinstance(node.func, ast.Name)
-    return node.func.id
+    return ast.unparse(node.func)
 
 
 def in_symbols(text: str) -> str:
@@ -134,7 +133,7 @@ def _raised(power: str) -> str:
 def _shown(node: ast.expr, put: Callable[[str], str], times: str, rank: int = 0) -> str:
     """Text of a node; in brackets if it binds less than its surroundings."""
     if isinstance(node, ast.Constant):
-        return f"{node.value}"
+        return ast.unparse(node)
     if isinstance(node, ast.Name):
         text = "π" if node.id == "pi" else put(node.id)
         spaced = rank >= RANK[ast.Pow] and " " in text

@@ -20,8 +20,8 @@ RESULT = 5
 """Significant digits of a result."""
 
 
-LONG = 30
-"""Characters of a source up to which it stands in a table; longer ones are listed below."""
+GIVEN, STEP = 44, 14
+"""Characters of a source up to which it stands in the table of what is given, and of steps; longer ones are listed below."""
 
 
 def shown(sheets: Sequence[Sheet]) -> list[Markup]:
@@ -41,9 +41,9 @@ class _Sources:
     def __init__(self) -> None:
         self.known: list[str] = []
 
-    def mark(self, source: str) -> str:
+    def mark(self, source: str, longest: int) -> str:
         """A short source as it is, a long one as its number."""
-        if len(source) <= LONG:
+        if len(source) <= longest:
             return source
         if source not in self.known:
             self.known.append(source)
@@ -65,7 +65,9 @@ def worked_record(sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
             "part": sheet.row.part,
             "rule": sheet.row.rule,
             "load_case": sheet.row.load_case,
-            "given": [{"symbol": one.symbol, "meaning": one.meaning, "value": one.value, "unit": one.unit} for one in sheet.given],
+            "given": [
+                {"symbol": one.symbol, "meaning": one.meaning, "value": one.value, "unit": one.unit} for one in sheet.given
+            ],
             "steps": [
                 {"symbol": one.symbol, "formula": one.formula, "numbers": one.numbers, "value": one.value, "unit": one.unit}
                 for one in sheet.steps
@@ -86,7 +88,10 @@ def _where(row: Row) -> str:
 
 
 def _given(sheet: Sheet, sources: _Sources) -> Markup:
-    rows = [(symbol(one.symbol), one.meaning, valued(one.value, one.unit), sources.mark(one.source)) for one in sheet.given]
+    rows = [
+        (symbol(one.symbol), symbol(one.meaning), valued(one.value, one.unit), sources.mark(one.source, GIVEN))
+        for one in sheet.given
+    ]
     return _worked(Table(("symbol", "what is given", "value", "from"), rows, f"{sheet.title}: what is given").html, "given")
 
 
@@ -95,7 +100,7 @@ def _steps(sheet: Sheet, sources: _Sources) -> Markup:
     for one in sheet.steps:
         numbers = "" if one.numbers == valued(one.value, one.unit) else f" = {one.numbers}"
         line = symbol(f"{one.symbol} = {one.formula}{numbers}")
-        rows.append((one.meaning, line, valued(one.value, one.unit, RESULT), sources.mark(one.source)))
+        rows.append((symbol(one.meaning), line, valued(one.value, one.unit, RESULT), sources.mark(one.source, STEP)))
     heads = ("step", "formula, and the numbers put in", "result", "source")
     return _worked(Table(heads, rows, f"{sheet.title}: calculation").html, "steps")
 
@@ -117,11 +122,13 @@ def _outcome(sheet: Sheet) -> Markup:
     words = f"Result: {value} of {limit} allowed, utilisation {used}: {'exceeded' if sheet.values['u'] > 1 else 'satisfied'}. "
     if sheet.agrees:
         return element("p", words, "The run has the same values.", class_="outcome")
-    apart = f"The run has {valued(row.value, row.unit)} of {valued(row.limit, row.unit)}, utilisation {quantity(row.utilisation, '%')}."
+    own = f"{valued(row.value, row.unit)} of {valued(row.limit, row.unit)}"
+    apart = f"The run has {own}, utilisation {quantity(row.utilisation, '%')}."
     return element("p", words, element("strong", f"{apart} The two differ: clarify this before use."), class_="outcome alarm")
 
 
 def symbol(text: str) -> Markup:
-    """Text with its subscripts."""
-    escaped = str(element("b", text))[3:-4]
+    """Text with its subscripts; numbers keep together with their units."""
+    whole = re.sub(r"(?<=[\d¹²³⁴⁵⁶⁷⁸⁹⁰]) (?=[A-Za-zµ])|(?<=[NVAs]) (?=(?:m|s|m²)(?![A-Za-z]))", "\u00a0", text)
+    escaped = str(element("b", whole))[3:-4]
     return Markup(re.sub(r"(\w′?)_([A-Za-z0-9,]+)", r"\1<sub>\2</sub>", escaped))

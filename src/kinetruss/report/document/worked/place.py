@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import strength
-from kinetruss.model import Active
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.report.document.worked.sheet import Sheet
     from kinetruss.results import Forces, Row
 
-__all__ = ["Cut", "constants", "cuts", "only", "sample_of"]
+__all__ = ["Cut", "constants", "cuts", "made_of", "only", "sample_of"]
 
 BESIDE = 1e-12
 """Fraction of a part's length to either side of a section, for section forces that jump there."""
@@ -83,15 +82,18 @@ def record_of(model: Model, part: str) -> Any:
     if part in model.bars or part in model.beams:
         return model.bars.get(part) or model.beams[part]
     member, _, role = part.rpartition(".")
-    active = model.active[member]
-    assert isinstance(active, Active)
-    return getattr(active, role)
+    return getattr(model.active[member], role)
+
+
+def made_of(model: Model, part: str) -> tuple[Any, Any]:
+    """Section and material of a part; None where it has none."""
+    own = record_of(model, part)
+    return model.section_of(own), model.material_of(own)
 
 
 def constants(sheet: Sheet, model: Model, part: str, mark: str = "") -> None:
     """Enter the constants of a part's section and material that its record has; mark : suffix of the symbols."""
-    own = record_of(model, part)
-    section, material = model.section_of(own), model.material_of(own)
+    section, material = made_of(model, part)
     of = f" of {part}" if mark else ""
     if section is not None:
         words = _dimensions(section)

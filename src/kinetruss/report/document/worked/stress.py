@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss import strength
-from kinetruss.report.document.worked.place import Cut, constants, cuts, record_of
+from kinetruss.report.document.worked.place import Cut, constants, cuts, made_of
 from kinetruss.report.document.worked.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -35,11 +35,10 @@ def yield_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     """Yielding of a bar or rod; forces : of the entry's sample."""
     sheet = Sheet(title=f"{row.part}: yield", row=row)
     constants(sheet, model, row.part)
-    section = model.section_of(record_of(model, row.part))
-    assert section is not None
-    found = [_stress(model, row.part, cut) for cut in cuts(model, forces, row.part, row.position)]
-    largest = max(found)
-    cut = cuts(model, forces, row.part, row.position)[0 if found[0] >= largest * (1 - 1e-7) else found.index(largest)]
+    section, _ = made_of(model, row.part)
+    there = cuts(model, forces, row.part, row.position)
+    found = [_stress(model, row.part, cut) for cut in there]
+    cut = there[0 if found[0] >= max(found) * (1 - 1e-7) else found.index(max(found))]  # section forces may jump here
     if section.round:
         _round(sheet, cut, section.shear_factor)
     else:
@@ -134,8 +133,7 @@ def _bound(sheet: Sheet) -> None:
 
 def _stress(model: Model, part: str, cut: Cut) -> float:
     """A measure by which section forces on both sides of a jump are compared: the bound of von Mises' stress, Pa."""
-    section = model.section_of(record_of(model, part))
-    assert section is not None
+    section, _ = made_of(model, part)
     (I2, I3), (c2, c3) = section.second_moments, section.extreme_fibres
     b2, b3 = abs(cut.M2) * c3 / I2, abs(cut.M3) * c2 / I3
     bending = math.hypot(b2, b3) if section.round else b2 + b3
@@ -159,8 +157,7 @@ def beam_yield_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     """Yielding of an elastic beam: all shear at the point of the largest normal stress, a bound."""
     sheet = Sheet(title=f"{row.part}: yield", row=row)
     constants(sheet, model, row.part)
-    section = model.section_of(model.beams[row.part])
-    assert section is not None
+    section, _ = made_of(model, row.part)
     found = strength.beams(model, forces, stations=[row.station]).sel(beam=row.part).isel(station=0, time=0)
     where = "section force of the run"
     V = float(np.linalg.norm(np.atleast_1d(found["section_V"].values)))
