@@ -26,11 +26,9 @@ def governing_entry(record: Mapping[str, Any]) -> dict[str, Any] | None:
 
 
 def _governing(record: Mapping[str, Any]) -> str:
-    begin = (
-        ""
-        if record["whole"]
-        else f"Not complete ({record['samples']['good']} of {record['samples']['asked']} {record['samples'].get('what', 'samples')}). "
-    )
+    count = record["samples"]
+    part = f"{count['good']} of {count['asked']} {count.get('what', 'samples')}"
+    begin = "" if record["whole"] else f"Not complete ({part}). "
     worst = governing_entry(record)
     if worst is None:
         return f"{begin}No limit was checked. {_largest(record)}".strip()
