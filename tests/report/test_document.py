@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.display import Table, element, quantity
+from kinetruss.display import Table, element
 from kinetruss.report.document._bars import bar, span_bar
 from kinetruss.report.document.parts.checks import closure, mobility_record
 from kinetruss.report.document.parts.inputs import worded

@@ -56,7 +56,10 @@ def geared(**motor: object) -> kt.Model:
 
 MODELS = {
     "screws": lambda: tripod(),
-    "static, stocky": lambda: tripod(safety=kt.Safety(yielding=1.5, buckling=2.0), section=kt.Tube(outer=0.06, inner=0.01)),
+    "poses": lambda: tripod(
+        safety=kt.Safety(yielding=1.5, buckling=2.0),
+        runs={"stand": kt.Run(analysis="statics.at_poses", poses={"rest": {}, "high": {"LA": 1.1}})},
+    ),
     "angle behind a gear": lambda: geared(max_torque=1.0, max_speed=700.0, rated_current=2.0),
     "with inductance": lambda: geared(inductance=2e-3),
     "rectangle in the plane": lambda: fourbar(),
@@ -89,7 +92,11 @@ def test_printed_numbers_give_the_printed_result(kind):
         assert sheet.steps
         for step in sheet.steps:
             if np.isfinite(step.value) and step.value:
-                assert computed(step.numbers) == pytest.approx(step.value, rel=2e-3, abs=1e-9), (sheet.title, step.symbol, step.numbers)
+                assert computed(step.numbers) == pytest.approx(step.value, rel=2e-3, abs=1e-9), (
+                    sheet.title,
+                    step.symbol,
+                    step.numbers,
+                )
 
 
 def test_a_column_by_hand():
