@@ -23,6 +23,7 @@ from kinetruss.report.document.result.tiles import not_whole, span_of, tiles, wa
 from kinetruss.report.document.worked import shown, worked, worked_record
 from kinetruss.report.missions import mission_record
 from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def _html(run: RunResult, view: str, block: TitleBlock, paper: str) -> str:
 
 def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
     """The sections of the report of a run, in their order."""
-    drawn = _Drawn(specifications(run))
+    drawn = _Drawn(run)
     changes = drawn.of("lengths") if _changes(run) else ()
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
@@ -144,10 +145,12 @@ def _moves(run: RunResult) -> bool:
 
 
 class _Drawn:
-    """Figures of a run by the beginning of their names, each numbered once."""
+    """Figures of a run by the beginning of their names, each numbered once; curves over time only of runs over time."""
 
-    def __init__(self, figures: list[Figure]) -> None:
-        self._figures = list(enumerate(figures))
+    def __init__(self, run: RunResult) -> None:
+        self._figures: list[tuple[int, Figure]] = list(enumerate(specifications(run)))
+        self._timed = run.good > 1 and "pose" not in run.motion.data.coords
 
     def of(self, name: str) -> list[Markup]:
-        return [picture(one, k, one.title) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]
+        named = [(k, one) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]
+        return [picture(one, k, one.title) for k, one in named if self._timed or not isinstance(one, Histories)]

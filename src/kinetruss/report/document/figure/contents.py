@@ -102,7 +102,11 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
     words = [f"The structure {when}{f', {named(case)}' if case else ''}"]
     if governing:
         words.append(f"the governing part in red ({governing[1]})")
-    words.append("driven members green, supports as triangles (held) and circles (guided)")
+    if model.all_drives:
+        words.append("driven members green")
+    partly = any(len(axes) < model.dim for axes in model.fixed.values())
+    if model.fixed:
+        words.append(f"supports as triangles{' (held) and circles (guided)' if partly else ''}")
     if count:
         words.append("arrows: forces on nodes")
     others = [name for name, load in model.loads.items() if type(load).__name__ != "NodalForce"]

@@ -148,7 +148,7 @@ def _drives(figure: Loaded, points: Array, labels: Labels) -> None:
         bar = getattr(drive, "bar", "")
         if bar in names and told not in (name, bar) and shown < NAMED // 2:
             shown += 1
-            labels.put(name, points[list(ends[names.index(bar)])].mean(axis=0), DRIVEN, most=2 * CROWDED)
+            labels.put(name, points[list(ends[names.index(bar)])].mean(axis=0), DRIVEN, most=CROWDED)
 
 
 def _names(figure: Loaded, points: Array, labels: Labels) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table
 from kinetruss.report.document.frame import Columns
-from kinetruss.report.document.parts.words import MOST, bars_of, left_out, margin_of, named, share_of
+from kinetruss.report.document.parts.words import MOST, bars_of, is_single, left_out, margin_of, named, share_of
 
 if TYPE_CHECKING:
     Record = dict[str, Any]
@@ -43,8 +43,7 @@ def strength(record: Record) -> list[Markup]:
         return []
     shown = worst[:MOST]
     table = _held(Columns(), "part", shown)
-    table.measured("at (s)", [row["time"] for row in shown], "")
-    _poses(table, shown)
+    _times(table, shown, record)
     table.measured("station", [row["position"] for row in shown], "m")
     table.words("load case", [named(row["load_case"]) for row in shown])
     note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
@@ -53,17 +52,18 @@ def strength(record: Record) -> list[Markup]:
 
 def drives(record: Record) -> list[Markup]:
     """Demands on actuators and their limits; torques, energies; all exceeded limits."""
-    return [*_limits(record["limits"]), *_motors(record["motors"]), *_trains(record["trains"]), *_exceeded(record["exceeded"])]
+    return [*_limits(record), *_motors(record["motors"]), *_trains(record["trains"]), *_exceeded(record["exceeded"])]
 
 
-def _limits(rows: Sequence[Record]) -> list[Markup]:
+def _limits(record: Record) -> list[Markup]:
+    rows = record["limits"]
     held = [row for row in rows if row["utilisation"] is not None]
     if not held:
         return []
     unlimited = sorted({row["rule"] for row in rows if row["utilisation"] is None})
     shown = held[:MOST]
     table = _held(Columns(), "member", shown)
-    table.measured("at (s)", [row["time"] for row in shown], "")
+    _times(table, shown, record)
     table.words("load case", [named(row["load_case"]) for row in shown])
     note = left_out(held) + (f"No limit is given for: {', '.join(unlimited)}." if unlimited else "")
     return [table.html("Demands on the actuators against their limits, worst first", note)]
@@ -122,9 +122,9 @@ def _held(table: Columns, what: str, rows: Sequence[Record]) -> Columns:
     return table.words("margin", [margin_of(row) for row in rows])
 
 
-def _poses(table: Columns, rows: Sequence[Record]) -> None:
-    """The poses of the entries, where there are any, in place of their times."""
+def _times(table: Columns, rows: Sequence[Record], record: Record) -> None:
+    """The poses of the entries, or their times; nothing for a single position."""
     if any(row.get("pose") for row in rows):
-        table.heads.pop()
-        table.columns.pop()
         table.words("pose", [row["pose"] for row in rows])
+    elif not is_single(record):
+        table.measured("at (s)", [row["time"] for row in rows], "")

@@ -10,14 +10,8 @@ from kinetruss.report.document._bars import span_bar
 from kinetruss.report.document.frame import Columns
 from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
-<<<<<<< HEAD
-from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
-from kinetruss.report.run_text.drives import drive_cells
+from kinetruss.report.document.parts.words import MOST, at, counted, is_single, left_out, named
 from kinetruss.report.run_text.statics import statics_lines, statics_title
-=======
-from kinetruss.report.document.parts.words import MOST, at, counted, left_out, named
-from kinetruss.report.run_text.statics import statics_lines
->>>>>>> cbb5962f (Reports with title block, contents, numbered sections, figure of loads and worked calculations)
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -25,6 +19,9 @@ if TYPE_CHECKING:
     Record = dict[str, Any]
 
 __all__ = ["checked", "forces", "method", "mobility", "motion", "simulated", "standing"]
+
+
+UNSURE = "† Not unique: depends on stiffness or convention."
 
 
 def mobility(record: Record) -> list[Markup]:
@@ -110,11 +107,23 @@ def standing(run: RunResult) -> list[Markup]:
 
 def forces(record: Record) -> list[Markup]:
     """The envelope of every member, the supports, and drives that have no motor."""
-    parts = [_envelope(case, entries) for case, entries in record["envelopes"].items()]
-    return [*parts, *_reactions(record["reactions"]), *_driven(record["drive_loads"])]
+    single = is_single(record)
+    parts = [(_single if single else _envelope)(case, entries) for case, entries in record["envelopes"].items()]
+    return [*parts, *_reactions(record["reactions"], single), *_driven(record["drive_loads"])]
 
 
-def _reactions(found: Sequence[Record]) -> list[Markup]:
+def _single(case: str, entries: list[Record]) -> Markup:
+    """The forces of one position."""
+    shown = entries[:MOST]
+    forces = [one["largest"] for one in shown]
+    ends = (min(*forces, 0.0), max(*forces, 0.0)) if forces else (0.0, 0.0)
+    table = Columns().words("member", [one["member"] + ("" if one["unique"] else " †") for one in shown])
+    table.words("", [span_bar(min(force, 0.0), max(force, 0.0), *ends) for force in forces]).measured("force", forces, "N")
+    note = left_out(entries) + ("" if all(one["unique"] for one in entries) else UNSURE)
+    return table.html(f"Member forces, {named(case)}: mean axial force, tension positive", note)
+
+
+def _reactions(found: Sequence[Record], single: bool) -> list[Markup]:
     if not found:
         return []
     shown, axes = found[:MOST], list(found[0]["force"])
@@ -122,7 +131,8 @@ def _reactions(found: Sequence[Record]) -> list[Markup]:
     table.words("load case", [named(one["load_case"]) for one in shown])
     components = [[one["force"][axis] for one in shown] for axis in axes]
     table.together(["largest", *axes], [[one["magnitude"] for one in shown], *components], "N")
-    table.measured("at (s)", [one["time"] for one in shown], "")
+    if not single:
+        table.measured("at (s)", [one["time"] for one in shown], "")
     return [table.html("Largest force of each support on the structure, with its components", left_out(found))]
 
 
@@ -156,7 +166,7 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
         f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: in the pose of the larger one."
-    ) + ("" if all(one["unique"] for one in entries) else " † Not unique: depends on stiffness or convention.")
+    ) + ("" if all(one["unique"] for one in entries) else f" {UNSURE}")
     return table.html(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note)
 
 

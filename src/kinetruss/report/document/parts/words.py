@@ -15,6 +15,7 @@ __all__ = [
     "bars_of",
     "counted",
     "is_over",
+    "is_single",
     "left_out",
     "margin_of",
     "named",
@@ -32,6 +33,11 @@ ROUND_OFF = 1e-9
 def named(case: str) -> str:
     """A load case as text."""
     return "all loads" if case == "all" else case
+
+
+def is_single(record: dict[str, Any]) -> bool:
+    """True for results of one position: they have no times."""
+    return bool(record["samples"]["good"] == 1 and "what" not in record["samples"])
 
 
 def at(time: float | None) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kinetruss.display import instant, quantity
-from kinetruss.report.document.parts.words import counted, is_over, named, share_of, value_of
+from kinetruss.report.document.parts.words import counted, is_over, is_single, named, share_of, value_of
 
 __all__ = ["governing_entry", "result_lines", "unverified"]
 
@@ -34,9 +34,11 @@ def _governing(record: Mapping[str, Any]) -> str:
         return f"{begin}No limit was checked. {_largest(record)}".strip()
     drive = worst in record["limits"]
     what = f"{worst['rule']} of {'the drive of ' if drive else ''}{worst['part']}"
-    when = (
-        f"pose {worst['pose']}" if worst.get("pose") else f"t = {instant(worst['time'])}" if worst["time"] is not None else ""
-    )
+    when = ""
+    if worst.get("pose"):
+        when = f"pose {worst['pose']}"
+    elif worst["time"] is not None and not is_single(record):
+        when = f"t = {instant(worst['time'])}"
     case = named(worst["load_case"]) if worst["load_case"] else ""
     place = ", ".join(words for words in (when, case) if words)
     amounts = ""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, element, instant, number, quantity
-from kinetruss.report.document.parts.words import at, is_over, named, share_of
+from kinetruss.report.document.parts.words import at, is_over, is_single, named, share_of
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -19,6 +19,8 @@ __all__ = ["not_whole", "span_of", "tiles", "warned"]
 def span_of(record: Record) -> str:
     """Time range and number of samples."""
     span = record["time"]
+    if is_single(record):
+        return "one position"
     return f"t = {number(span[0])} to {instant(span[1])}, {record['samples']['good']} samples" if span else "no good sample"
 
 
@@ -54,7 +56,7 @@ def warned(record: Record) -> list[Markup]:
 
 def _tiles(record: Record) -> Iterator[Markup]:
     for one in record["worst"][:1]:
-        words = f"{one['part']}, {one['rule']}, {_when(one)}"
+        words = f"{one['part']}, {one['rule']}{_when(one, record)}"
         yield _tile("Highest utilisation of a member", share_of(one["utilisation"]), words, is_over(one))
     held = [one for one in record["limits"] if one["utilisation"] is not None]
     for one in held[:1]:
@@ -62,18 +64,20 @@ def _tiles(record: Record) -> Iterator[Markup]:
         words = f"{one['rule']} of {one['part']}, {named(one['load_case'])}"
         yield _tile("Highest utilisation of a drive", value, words, is_over(one))
     for one in record["largest_forces"][:1]:
-        words = f"{'tension' if one['force'] > 0 else 'compression'}, {one['member']}, {_when(one)}"
+        words = f"{'tension' if one['force'] > 0 else 'compression'}, {one['member']}{_when(one, record)}"
         words += "" if one["unique"] else "; not unique"
         yield _tile("Largest member force", quantity(abs(one["force"]), "N"), words)
     gauge, balance = record["checks"]["singularity"], record["checks"]["energy_balance"]
     if gauge is not None:
-        yield _tile("Singularity margin", number(gauge["smallest"], 3), f"t = {at(gauge['time'])}; 0 is singular")
+        yield _tile("Singularity margin", number(gauge["smallest"], 3), f"0 is singular{_when(gauge, record)}")
     if balance is not None:
         yield _tile("Energy balance", number(balance["relative"], 2), "of the largest power; 0 is exact")
 
 
-def _when(one: Record) -> str:
-    return f"pose {one['pose']}" if one.get("pose") else f"t = {at(one['time'])}"
+def _when(one: Record, record: Record) -> str:
+    if one.get("pose"):
+        return f", pose {one['pose']}"
+    return "" if is_single(record) else f", t = {at(one['time'])}"
 
 
 def _tile(name: str, value: str, words: str, alarming: bool = False) -> Markup:

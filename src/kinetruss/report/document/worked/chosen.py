@@ -29,6 +29,8 @@ def worked(run: RunResult) -> list[Sheet]:
     """The calculations of the governing entry of each rule and of the governing demands on drives, worst first."""
     found = [sheet for row in governing_rows(run) if (sheet := member_sheet(run, row)) is not None]
     found += [sheet for row, case in governing_demands(run) if (sheet := demand_sheet(run, row, case)) is not None]
+    for sheet in found:
+        sheet.timed = run.good > 1
     return sorted(found, key=lambda sheet: -sheet.row.utilisation)
 
 

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kinetruss.display import Markup, Table, element, instant, quantity
 from kinetruss.report.document.parts.words import named
 from kinetruss.report.document.worked.formulas import valued
 from kinetruss.report.document.worked.sheet import Sheet
-
-if TYPE_CHECKING:
-    from kinetruss.results import Row
 
 __all__ = ["shown", "worked_record"]
 
@@ -30,7 +28,7 @@ def shown(sheets: Sequence[Sheet]) -> list[Markup]:
     sources = _Sources()
     for k, sheet in enumerate(sheets, 1):
         name = element("h3", f"Calculation {k}. {sheet.title}")
-        when = element("p", _where(sheet.row), class_="where")
+        when = element("p", _where(sheet), class_="where")
         found += [name, when, _given(sheet, sources), _steps(sheet, sources), *_notes(sheet), _outcome(sheet)]
     return [*found, *sources.listed()]
 
@@ -81,10 +79,22 @@ def worked_record(sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
     ]
 
 
-def _where(row: Row) -> str:
-    when = f"Pose {row.pose}" if row.pose else "Over the whole run" if row.time != row.time else f"At t = {instant(row.time)}"
-    place = "" if row.position != row.position else f", {quantity(row.position, 'm')} from end A of the member"
-    return f"{when}{', ' + named(row.load_case) if row.load_case else ''}{place}."
+def _where(sheet: Sheet) -> str:
+    """Instant or pose, load case and place of an entry."""
+    row = sheet.row
+    words = []
+    if row.pose:
+        words.append(f"pose {row.pose}")
+    elif math.isnan(row.time):
+        words.append("over the whole run")
+    elif sheet.timed:
+        words.append(f"at t = {instant(row.time)}")
+    if row.load_case:
+        words.append(named(row.load_case))
+    if not math.isnan(row.position):
+        words.append(f"{quantity(row.position, 'm')} from end A of the member")
+    text = ", ".join(words)
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
 def _given(sheet: Sheet, sources: _Sources) -> Markup:

@@ -46,6 +46,7 @@ class Sheet:
     """A worked calculation of one entry of a verdict or a demand.
 
     row : the entry. result, allowed : symbols of demand and capacity. `values` and `units` hold every symbol.
+    timed : the entry belongs to an instant of a run over time.
     """
 
     title: str
@@ -57,6 +58,7 @@ class Sheet:
     units: dict[str, str] = field(default_factory=dict)
     result: str = ""
     allowed: str = ""
+    timed: bool = True
 
     def give(self, symbol: str, meaning: str, value: float, unit: str, source: str = "") -> float:
         """Enter a quantity."""
