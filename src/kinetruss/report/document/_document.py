@@ -14,6 +14,7 @@ from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
+from kinetruss.report.document.parts.constants import section_constants
 from kinetruss.report.document.parts.inputs import inputs
 from kinetruss.report.document.parts.pictures import picture
 from kinetruss.report.document.parts.recompute import recompute
@@ -104,7 +105,7 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
             "Supports, drives, loads and the governing part",
             _shown(run, record, view, drawn),
         ),
-        Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", inputs(run)),
+        Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Part("worked", "Worked calculations", calculations, shown(sheets)),
         Part("strength", "Strength", "Every part by its governing rule", [*demands.strength(record), *drawn.of("stresses")]),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
@@ -119,6 +120,11 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         Part("method", "Method and sources", "", parts.method(run)),
         Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, record)),
     ]
+
+
+def basis(run: RunResult) -> list[Markup]:
+    """The tables of inputs, with the constants of sections."""
+    return [*inputs(run), *section_constants(run.model)]
 
 
 def _changes(run: RunResult) -> bool:

@@ -13,6 +13,7 @@ from kinetruss.report.document._envelopes import envelopes
 from kinetruss.report.document._record import document_record, model_text
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
+from kinetruss.report.document.parts.constants import section_constants
 from kinetruss.report.document.parts.inputs import inputs
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.recompute import recompute
@@ -123,7 +124,8 @@ def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], told: d
         yield Part("worked", "Worked calculations", calculations, shown(sheets))
     yield from envelopes(told, mission_record(run))
     if pair is not None:
-        yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", inputs(pair))
+        basis = [*inputs(pair), *section_constants(pair.model)]
+        yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
         yield Part("method", "Method and sources", "", _methods(pair))
     yield Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sized
+from collections.abc import Iterable, Mapping, Sized
 from typing import Any
 
 from kinetruss.display import Markup, instant, number, quantity
@@ -35,7 +35,7 @@ def named(case: str) -> str:
     return "all loads" if case == "all" else case
 
 
-def is_single(record: dict[str, Any]) -> bool:
+def is_single(record: Mapping[str, Any]) -> bool:
     """True for results of one position: they have no times."""
     return bool(record["samples"]["good"] == 1 and "what" not in record["samples"])
 
