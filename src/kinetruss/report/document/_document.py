@@ -11,7 +11,7 @@ from kinetruss.report._page import Page
 from kinetruss.report.document._mission import mission_html
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.figure import loaded_figure
-from kinetruss.report.document.frame import Part, framed
+from kinetruss.report.document.frame import Part, framed, known_paper
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
 from kinetruss.report.document.parts.constants import section_constants
@@ -44,7 +44,12 @@ def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBl
     replaces it.
     date : date of the report, as text; none by default, so that the same run gives the same text.
     block : the title block; its empty entries are those of the model's `report`. paper : ``a4`` or ``letter``.
+
+    Raises
+    ------
+    InputError : unknown paper.
     """
+    known_paper(paper)
     given = filled(block, run.model.report, date)
     if isinstance(run, MissionRun):
         return Page(found=run, as_record=mission_record, as_html=partial(mission_html, view=view, block=given, paper=paper))

@@ -17,7 +17,7 @@ from kinetruss.model import Model, TitleBlock
 from kinetruss.report._page import Page
 from kinetruss.report.document._document import filled, run_parts
 from kinetruss.report.document._record import document_record
-from kinetruss.report.document.frame import Columns, Part, framed
+from kinetruss.report.document.frame import Columns, Part, framed, known_paper
 from kinetruss.report.document.parts.words import value_of
 from kinetruss.report.document.result.lines import governing_entry, result_lines
 from kinetruss.report.document.worked import worked, worked_record
@@ -60,8 +60,9 @@ def sizing_page(record: Record, view: str = "", date: str = "", block: TitleBloc
 
     Raises
     ------
-    InputError : the model of the record cannot be read, or none of its runs can be computed.
+    InputError : unknown paper; the model of the record cannot be read, or it has no runs.
     """
+    known_paper(paper)
     run = governing_run(record)
     given = filled(block, run.model.report, date)
     return Page(

@@ -18,7 +18,7 @@ from kinetruss.report.document.frame.typeset import typeset
 if TYPE_CHECKING:
     from kinetruss.model import TitleBlock
 
-__all__ = ["PAPERS", "Part", "framed", "with_pages"]
+__all__ = ["PAPERS", "Part", "framed", "known_paper", "with_pages"]
 
 STYLE = Path(__file__).parents[1] / "style.css"
 PAPERS = {"a4": "A4", "letter": "letter"}
@@ -35,6 +35,18 @@ class Part:
     name: str
     words: str
     content: Sequence[Markup] = field(default_factory=tuple)
+
+
+def known_paper(paper: str) -> str:
+    """The name of a paper, if it is known.
+
+    Raises
+    ------
+    InputError : it is not.
+    """
+    if paper not in PAPERS:
+        raise InputError(f"No paper called {paper!r}. Give one of {', '.join(PAPERS)}.")
+    return paper
 
 
 def framed(
@@ -58,10 +70,6 @@ def framed(
     lines : the result in its first lines; the first part follows them. parts : sections in their order. kicker, quiet : above
     and below the title. above : before the result. record : data of the page, JSON can hold it. foot : of printed pages.
     paper : one of `PAPERS`. mark : after the title in the window's name.
-
-    Raises
-    ------
-    InputError : unknown paper.
     """
     shown = [part for part in parts if part.content]
     head = element("header", element("p", kicker, class_="kicker"), element("h1", title), element("p", quiet, class_="quiet"))
@@ -113,7 +121,5 @@ def with_pages(page: str, pages: Mapping[str, int]) -> str:
 
 def _sheet(words: str, paper: str) -> str:
     """Size of the paper and footer of printed pages; every character of the title is escaped."""
-    if paper not in PAPERS:
-        raise InputError(f"No paper called {paper!r}. Give one of {', '.join(PAPERS)}.")
     text = "".join(sign if sign.isascii() and sign.isalnum() else f"\\{ord(sign):x} " for sign in words[:LONGEST])
     return f'@page {{ size: {PAPERS[paper]}; @bottom-left {{ content: "{text}"; }} }}\n'
