@@ -21,7 +21,7 @@ WIDE, HIGH = 0.6, 1.25
 AWAY = (0.05, 0.13, 0.26)
 """Distances between a point and its label that are tried, inches."""
 SAMPLES = 24
-MARK = 0.1
+MARK = 0.16
 """Size of the mark of a support, inches."""
 CROWDED = 9.0
 """What a label that may be left out covers at most."""

@@ -51,7 +51,7 @@ def _assumed(run: RunResult) -> Iterator[str]:
     if run.verdict is not None:
         yield "Parts are straight and prismatic; strains are small; materials are linear up to their yield strength."
         yielding, buckling = model.safety.yielding, model.safety.buckling
-        yield f"Safety factors: {yielding:g} on yielding, {buckling:g} on buckling; moment factor C_m = 1."
+        yield f"Safety factors: {yielding:g} on yielding, {buckling:g} on buckling; the moment factor of beam-columns is 1."
         if model.active:
             yield "An active member buckles as its weaker part, base or tube, over its whole length of that instant."
     if run.good > 1:

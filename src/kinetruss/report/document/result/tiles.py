@@ -77,7 +77,7 @@ def _tiles(record: Record) -> Iterator[Markup]:
 def _when(one: Record, record: Record) -> str:
     if one.get("pose"):
         return f", pose {one['pose']}"
-    return "" if is_single(record) else f", t = {at(one['time'])}"
+    return "" if is_single(record) else f", t = {at(one['time'])}".replace(" = ", "\u00a0=\u00a0").replace(" s", "\u00a0s")
 
 
 def _tile(name: str, value: str, words: str, alarming: bool = False) -> Markup:
