@@ -19,7 +19,7 @@ from kinetruss.report.document._bars import bar, span_bar
 from kinetruss.report.document.parts.checks import closure, mobility_record
 from kinetruss.report.document.parts.inputs import worded
 from kinetruss.report.document.parts.pictures import FINE, thinned
-from kinetruss.report.document.parts.words import bars_of, margin_of, share_of
+from kinetruss.report.document.parts.words import bars_of, is_over, margin_of, share_of
 from kinetruss.report.pictures.specs import Histories, Panel
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod
@@ -372,6 +372,8 @@ def test_round_off_is_no_utilisation():
     assert (share_of(row["utilisation"]), margin_of(row)) == ("0 %", "-")
     assert (share_of("Infinity"), share_of(None), share_of(0.25)) == ("∞", "-", "25 %")
     assert margin_of({"utilisation": 0.25, "margin": 3.0}) == "3"
+    at_limit = {"utilisation": 1 + 8e-15, "margin": -8e-15}  # held there by an amplifier
+    assert (is_over(at_limit), margin_of(at_limit), is_over({"utilisation": 1 + 1e-6})) == (False, "0", True)
 
 
 def test_tables_hold_numbers_to_the_right():

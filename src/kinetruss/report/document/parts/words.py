@@ -14,6 +14,7 @@ __all__ = [
     "at",
     "bars_of",
     "counted",
+    "exceeds",
     "is_over",
     "is_single",
     "left_out",
@@ -27,7 +28,7 @@ MOST = 40
 """Largest number of rows of a table; the data in the page have all."""
 BEYOND = 1.5
 ROUND_OFF = 1e-9
-"""Utilisation below which it counts as zero."""
+"""Utilisation below which it counts as zero; excess over a limit, and margin, that count as none."""
 
 
 def named(case: str) -> str:
@@ -59,12 +60,20 @@ def share_of(value: Any) -> str:
 def margin_of(row: dict[str, Any]) -> str:
     """A margin as text, if there is a demand."""
     used = value_of(row["utilisation"])
-    return "-" if used < ROUND_OFF else number(value_of(row["margin"]), 3)
+    if used < ROUND_OFF:
+        return "-"
+    margin = value_of(row["margin"])
+    return number(0.0 if abs(margin) < ROUND_OFF else margin, 3)
 
 
 def is_over(row: dict[str, Any]) -> bool:
-    """True if a limit is exceeded."""
-    return value_of(row["utilisation"]) > 1
+    """True if a limit is exceeded by more than round-off."""
+    return exceeds(value_of(row["utilisation"]))
+
+
+def exceeds(utilisation: float) -> bool:
+    """True if a utilisation is above 1 by more than round-off: a drive held at its limit does not exceed it."""
+    return utilisation > 1 + ROUND_OFF
 
 
 def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:

@@ -17,7 +17,7 @@ NEVER = (
     "joints, pins, welds, bolts and their contact pressure",
     "local buckling of thin walls",
     "fatigue and wear",
-    "limits of deflection and vibration, unless the tables above list them",
+    "limits of deflection and vibration, unless this report lists them",
     "the supports and what carries them",
 )
 """Subjects that the checks do not contain."""

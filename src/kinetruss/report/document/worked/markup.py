@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from kinetruss.display import Markup, Table, element, instant, quantity
-from kinetruss.report.document.parts.words import named
+from kinetruss.report.document.parts.words import exceeds, named
 from kinetruss.report.document.worked.formulas import valued
 from kinetruss.report.document.worked.sheet import Sheet
 
@@ -129,7 +129,9 @@ def _outcome(sheet: Sheet) -> Markup:
     row = sheet.row
     value, limit = valued(sheet.demand, row.unit), valued(sheet.capacity, row.unit)
     used = quantity(sheet.values["u"], "%")
-    words = f"Result: {value} of {limit} allowed, utilisation {used}: {'exceeded' if sheet.values['u'] > 1 else 'satisfied'}. "
+    words = (
+        f"Result: {value} of {limit} allowed, utilisation {used}: {'exceeded' if exceeds(sheet.values['u']) else 'satisfied'}. "
+    )
     if sheet.agrees:
         return element("p", words, "The run has the same values.", class_="outcome")
     own = f"{valued(row.value, row.unit)} of {valued(row.limit, row.unit)}"
