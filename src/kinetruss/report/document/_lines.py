@@ -25,7 +25,7 @@ def lines(run: RunResult) -> tuple[str, str, str]:
     >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed={"A": "xy", "B": "y"}, bars={"bar": bar},
     ...                  loads={"P": kt.NodalForce(node="B", force=(1e3, 0))}, runs={"pull": kt.Run(analysis="statics.linear")})
     >>> print("\n".join(kt.report.lines(kt.run(model, "pull"))))
-    Governing: yield of bar, 5.42 % of what is allowed: 12.73 MPa of 235 MPa (t = 0 s, all loads).
+    Governing: yield of bar, 5.42 % of what is allowed: 12.73 MPa of 235 MPa (all loads).
     None of the 3 limits that were checked is exceeded.
     Strength verified by every rule: 1 part.
     """
