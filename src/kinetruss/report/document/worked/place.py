@@ -14,15 +14,20 @@ if TYPE_CHECKING:
     from kinetruss.report.document.worked.sheet import Sheet
     from kinetruss.results import Forces, Row
 
-__all__ = ["Cut", "constants", "cuts", "made_of", "only", "sample_of"]
+__all__ = ["Cut", "constants", "cuts", "largest_shear", "made_of", "only", "sample_of"]
 
 BESIDE = 1e-12
 """Fraction of a part's length to either side of a section, for section forces that jump there."""
 
+SCAN = 121
+"""Stations of a scan along a part."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cut:
-    """Section forces of a part at one section: T, V2, V3 N, M2, M3 N m (0 in the plane), and the member's length, m."""
+    """Section forces of a part at one section: T, V2, V3 N, M2, M3 N m (0 in the plane), torsion N m (0 without any), and the
+    member's length, m.
+    """
 
     part: str
     T: float
@@ -30,6 +35,7 @@ class Cut:
     V3: float
     M2: float
     M3: float
+    torsion: float
     length: float
 
 
@@ -73,8 +79,23 @@ def _cut(data: Any, part: str, length: float) -> Cut:
         V3=V.get("3", 0.0),
         M2=M.get("2", 0.0),
         M3=M.get("3", 0.0),
+        torsion=float(data["torsion"]) if "torsion" in data else 0.0,
         length=length,
     )
+
+
+def largest_shear(model: Model, forces: Forces, part: str) -> float:
+    """Largest shear force along a part, N, of one sample: a scan of its stations, then finer ones around the best."""
+    low, high, best = 0.0, 1.0, 0.0
+    for _ in range(4):
+        xi = np.linspace(low, high, SCAN)
+        data = strength.sections(model, forces, stations=xi).data
+        k = data["part"].values.tolist().index(part)
+        shear = np.linalg.norm(data["section_V"].values[0, k], axis=-1)
+        at = int(np.argmax(shear))
+        best = max(best, float(shear[at]))
+        low, high = float(xi[max(at - 1, 0)]), float(xi[min(at + 1, SCAN - 1)])
+    return best
 
 
 def record_of(model: Model, part: str) -> Any:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss import strength
-from kinetruss.report.document.worked.place import Cut, constants, cuts, made_of
+from kinetruss.report.document.worked.place import Cut, constants, cuts, largest_shear, made_of
 from kinetruss.report.document.worked.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -44,8 +44,25 @@ def yield_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     else:
         _nominal(sheet, cut, section.shear_factor, space=model.dim == 3)
         (_box if section.kind == "rectangle" else _bound)(sheet)
+    result = "sigma_v"
+    if cut.torsion:
+        _torsion(sheet, cut, section, largest_shear(model, forces, row.part))
+        result = "sigma_t"
     _allowed(sheet, model)
-    return sheet.close("sigma_v", "sigma_allow")
+    return sheet.close(result, "sigma_allow")
+
+
+def _torsion(sheet: Sheet, cut: Cut, section: Any, shear: float) -> None:
+    """Torsion of an arm or of an active member, added as a bound."""
+    where = "section force of the run"
+    sheet.give("T_t", "torque about the axis of the member", cut.torsion, "N m", where)
+    sheet.give("J", "torsion constant", float(section.torsion_constant or math.nan), "m^4", "shape of the section")
+    sheet.give("r_t", "arm of the largest shear stress of torsion", float(section.torsion_arm or math.nan), "m", "shape")
+    sheet.give("V_m", "largest shear force along the part", shear, "N", where)
+    sheet.step("tau_t", "shear stress of torsion", "abs(T_t)*r_t/J", "Pa", MECHANICS)
+    sheet.step("tau_m", "largest shear stress of V", "k*V_m/A", "Pa", MECHANICS)
+    bound = "bound: both shear stresses at the worst point"
+    sheet.step("sigma_t", "equivalent stress with torsion", "sqrt(sigma_v**2 + 3*tau_t*(2*tau_m + tau_t))", "Pa", bound)
 
 
 def _allowed(sheet: Sheet, model: Model) -> None:
