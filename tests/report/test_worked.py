@@ -84,10 +84,11 @@ MODELS = {
 @pytest.mark.parametrize("kind", MODELS)
 def test_every_entry_can_be_worked_and_agrees(kind):
     done = run(MODELS[kind]())
-    count = 0
+    count, symbols = 0, set()
     for row in done.verdict.table():
         if row.checked and row.utilisation > 1e-9:
             sheet, count = member_sheet(done, row), count + 1
+            symbols |= {step.symbol for step in sheet.steps}
             assert sheet.difference < ROUND_OFF, (row.part, row.rule)
     for case, demand in done.demand.items():
         for row in demand.table():
@@ -95,7 +96,7 @@ def test_every_entry_can_be_worked_and_agrees(kind):
                 sheet, count = demand_sheet(done, row, case), count + 1
                 assert sheet.difference < ROUND_OFF, (row.part, row.rule)
     assert count >= 2
-    assert any(step.symbol == "σ_t" for sheet in worked(done) for step in sheet.steps) == (kind == "torsion")
+    assert ("σ_t" in symbols) == (kind == "torsion")
 
 
 @pytest.mark.parametrize("kind", ["screws", "angle behind a gear", "rectangle in the plane"])
