@@ -32,7 +32,7 @@ _NAMES = {
         "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
         "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PointMass PositionLoop Pressure Quintic "
         "Circle Combined Coordinates Docking Gimbal Pointing Positioning Reflecting Way "
-        "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput Trapezoid Tube "
+        "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput TitleBlock Trapezoid Tube "
     ),
     "io": "read write",
     "kinematics": "check notes",

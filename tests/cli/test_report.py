@@ -1,6 +1,7 @@
 """``kinetruss report``."""
 
 import json
+import re
 import webbrowser
 from pathlib import Path
 
@@ -36,8 +37,14 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
     done = call("report", turn, "-o", tmp_path / "out", "--no-open", "--no-pdf")
     page = tmp_path / "out" / "report.html"
-    assert (done.exit_code, done.stdout, done.stderr) == (0, f"{page}\n", "")
+    assert (done.exit_code, done.stderr) == (0, "")
+    first, over, verified, *rest = done.stdout.splitlines()
+    assert first.startswith("Governing: yield of crank, ")
+    assert over.startswith("None of the ")
+    assert verified == "Strength verified by every rule: all 3 parts."
+    assert rest == [str(page)]
     text = page.read_text()
+    assert [re.sub("<.*?>", "", line) for line in re.findall('<p class="line">(.*?)</p>', text)] == [first, over, verified]
     assert "kinetruss-scene" in text
     assert "four-bar" in text
     assert opened == []
@@ -47,6 +54,7 @@ def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
     done = call("report", turn, "--no-pdf", "--no-view", "--json")
     record = json.loads(done.stdout)
     page = turn / REPORT / "report.html"
+    assert len(record.pop("result")) == 3
     assert record == {"schema": "kinetruss.report/1", "html": str(page), "pdf": None, "note": "", "whole": True, "opened": True}
     assert opened == [page.as_uri()]
     assert "kinetruss-scene" not in page.read_text()
@@ -56,7 +64,7 @@ def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypa
     monkeypatch.setattr(_print, "chromium", lambda: None)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-open")
     assert done.exit_code == 0
-    assert done.stdout == f"{tmp_path / 'report.html'}\n"
+    assert done.stdout.splitlines()[3:] == [f"{tmp_path / 'report.html'}"]
     assert "No PDF: no Chromium was found" in done.stderr
 
 

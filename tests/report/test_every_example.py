@@ -39,6 +39,13 @@ def test_report(name, run, tmp_path):
     page = (tmp_path / "report.html").read_text("utf-8")
     assert named(words_of(page)) == ""
     assert stored_method(name, run) in page
+    record = json.loads(re.search(r'id="kinetruss-report">(.*?)</script>', page, re.DOTALL)[1])
+    governing = {row["rule"] for row in record["strength"] if row["utilisation"]}
+    drives = [row for row in record["limits"] if row["utilisation"]]
+    assert {one["rule"] for one in record["worked"]} >= governing
+    assert len(record["worked"]) >= len(governing) + bool(drives)
+    for one in record["worked"]:  # what a reader can follow is what the run found
+        assert one["difference"] < 1e-11, one["title"]
 
 
 def stored_method(name: str, run: str) -> str:

@@ -44,8 +44,15 @@ def table(sizing: Sizing) -> str:
 
 
 def record(sizing: Sizing) -> dict[str, Any]:
-    """All values as plain data; NaN and infinity become None."""
+    """All values as plain data; NaN and infinity become None. With the sized model, as its file has it, and what it is sized
+    for: from this a report can be made (`report.sizing_page`).
+    """
     return {
+        "title": sizing.mission.title,
+        "runs": list(sizing.mission.runs or ()),
+        "drive_margin": sizing.mission.margin,
+        "model": sizing.model.model_dump_json(),
+        "provenance": dict(sizing.provenance),
         "mass_before": sizing.mass_before,
         "mass_after": sizing.mass_after,
         "mass_saved": sizing.mass_saved,

@@ -84,4 +84,4 @@ class Table:
 
 def _is_numeric(cells: list[str]) -> bool:
     filled = [cell for cell in cells if cell not in ("", "-")]
-    return bool(filled) and all(cell[0].isdigit() or cell[0] in "+-.∞>" for cell in filled)
+    return bool(filled) and all(cell[0].isdigit() or cell[0] in "+-−.∞>" for cell in filled)

@@ -5,7 +5,7 @@ from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._data import FORMAT
 from kinetruss.model._described import contents
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
-from kinetruss.model._model import Model, Safety
+from kinetruss.model._model import Model, Safety, TitleBlock
 from kinetruss.model._plausibility import plausibility
 from kinetruss.model._record import (
     Angle,
@@ -171,6 +171,7 @@ __all__ = [
     "StepResponse",
     "TableInput",
     "Tabulated",
+    "TitleBlock",
     "Trapezoid",
     "Tube",
     "Way",

@@ -27,7 +27,7 @@ from kinetruss.model.parts.members import Active, Bar, Node
 from kinetruss.model.parts.sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.units import shown
 
-__all__ = ["AXES", "FORMAT", "ModelData", "Safety"]
+__all__ = ["AXES", "FORMAT", "ModelData", "Safety", "TitleBlock"]
 
 AXES = "xyz"
 FORMAT = 1
@@ -64,6 +64,20 @@ class Safety(Record):
 
     yielding: Annotated[Number, Field(ge=1)] = 1.0
     buckling: Annotated[Number, Field(ge=1)] = 1.0
+
+
+class TitleBlock(Record):
+    """What the title block of a report says: project, client, number of the document, author, checker, revision, date; empty
+    entries become lines to fill in.
+    """
+
+    project: str = ""
+    client: str = ""
+    number: str = ""
+    author: str = ""
+    checker: str = ""
+    revision: str = ""
+    date: str = ""
 
 
 class ModelData(Record):
@@ -150,6 +164,8 @@ class ModelData(Record):
     """State in which the gauges read zero."""
     safety: Safety = Safety()
     """Safety factors against yielding and buckling."""
+    report: TitleBlock | None = None
+    """Title block of reports: project, client, number, author, checker, revision, date."""
 
     @property
     def dim(self) -> int:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ValidationError, model_validator
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.model._collect import Lost, collect, rests_on
-from kinetruss.model._data import AXES, ModelData, Safety
+from kinetruss.model._data import AXES, ModelData, Safety, TitleBlock
 from kinetruss.model._described import described
 from kinetruss.model._library_names import with_library_records
 from kinetruss.model._table import ReadOnly
@@ -21,7 +21,7 @@ from kinetruss.model.hubs.expand import with_arms
 from kinetruss.model.parts.bracing import braced
 from kinetruss.model.parts.members import Node
 
-__all__ = ["Model", "Safety"]
+__all__ = ["Model", "Safety", "TitleBlock"]
 
 
 class Model(ModelData):

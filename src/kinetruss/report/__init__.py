@@ -9,7 +9,9 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.report._page import Page
     from kinetruss.report.document._document import document_page
-    from kinetruss.report.document._write import write_document
+    from kinetruss.report.document._lines import lines
+    from kinetruss.report.document._sizing import read_sizing, sizing_page
+    from kinetruss.report.document._write import write_document, write_page
     from kinetruss.report.pictures.figures import figures
     from kinetruss.report.pictures.maps import map_picture
     from kinetruss.report.pictures.picture import picture
@@ -24,8 +26,8 @@ if TYPE_CHECKING:
     from kinetruss.report.text.variants import variants
 
 __all__ = [
-    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints",
-    "map_picture", "picture", "plot", "summary", "variants", "write_document",
+    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "lines",
+    "map_picture", "picture", "plot", "read_sizing", "sizing_page", "summary", "variants", "write_document", "write_page",
 ]  # fmt: skip
 
 __getattr__, __dir__ = late(
@@ -33,7 +35,9 @@ __getattr__, __dir__ = late(
     {
         "_page": "Page",
         "document._document": "document_page",
-        "document._write": "write_document",
+        "document._lines": "lines",
+        "document._sizing": "read_sizing sizing_page",
+        "document._write": "write_document write_page",
         "pictures.figures": "figures",
         "pictures.maps": "map_picture",
         "pictures.picture": "picture",

@@ -70,7 +70,9 @@ class Case:
         """The same where the question is the same."""
         whole = _known_then(self.model.model_dump(mode="json", exclude_defaults=True))
         parts = [json.dumps(whole, sort_keys=True, default=str).encode(), *(y.tobytes() for y in (self.x, self.v, self.a))]
-        return hashlib.sha256(b" ".join([*parts, repr((self.t, _told(self.tasks), _told(self.trajectory))).encode()])).hexdigest()[:16]
+        return hashlib.sha256(
+            b" ".join([*parts, repr((self.t, _told(self.tasks), _told(self.trajectory))).encode()])
+        ).hexdigest()[:16]
 
 
 def ways(dice: Dice) -> kt.Model:

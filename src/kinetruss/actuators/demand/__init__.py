@@ -8,8 +8,9 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.actuators.demand.evaluate import STANDSTILL, columns_of
+    from kinetruss.actuators.demand.rates import current_rate
     from kinetruss.actuators.demand.summarise import QUANTITIES
 
-__all__ = ["QUANTITIES", "STANDSTILL", "columns_of"]
+__all__ = ["QUANTITIES", "STANDSTILL", "columns_of", "current_rate"]
 
-__getattr__, __dir__ = late(__name__, {"evaluate": "STANDSTILL columns_of", "summarise": "QUANTITIES"})
+__getattr__, __dir__ = late(__name__, {"rates": "current_rate", "evaluate": "STANDSTILL columns_of", "summarise": "QUANTITIES"})

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.actuators.demand.current_rate import current_rate
+from kinetruss.actuators.demand.rates import current_rate
 from kinetruss.actuators.demand.summarise import summarised
 from kinetruss.actuators.trains.motor import at_motor, motor_demand
 from kinetruss.actuators.trains.screw import breakaway_torque, holding_torque, screw_torque

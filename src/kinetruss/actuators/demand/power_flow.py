@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.actuators.demand.current_rate import current_rate
 from kinetruss.actuators.demand.evaluate import STANDSTILL
+from kinetruss.actuators.demand.rates import current_rate
 from kinetruss.actuators.trains.motor import at_motor
 from kinetruss.actuators.trains.train_of import output_of, parts_of
 from kinetruss.model import Active, Model

@@ -10,12 +10,14 @@ THIN = 0.6
 """Smallest width of a mark; a bar has 100."""
 LIMIT = 1.0
 """Utilisation at the limit."""
+ROUND_OFF = 1e-9
+"""Excess over the limit that counts as none."""
 
 
 def bar(share: float, most: float = LIMIT) -> Markup:
     """A horizontal bar of a utilisation on an axis from 0 to `most`, with a mark at the limit; above it in another colour."""
     width = 100 * min(max(share, 0.0), most) / most
-    kind = "over" if share > LIMIT else "used"
+    kind = "over" if share > LIMIT + ROUND_OFF else "used"
     mark = f'<rect class="limit" x="{100 * LIMIT / most - 1:.2f}" y="0" width="1" height="10"/>'
     return _drawing(f'<rect class="{kind}" x="0" y="2" width="{width:.2f}" height="6"/>{mark}')
 

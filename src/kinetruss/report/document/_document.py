@@ -2,34 +2,40 @@
 
 from __future__ import annotations
 
-import json
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, element, html_page, joined
+from kinetruss.display import Markup, element
+from kinetruss.model import TitleBlock
 from kinetruss.report._page import Page
+from kinetruss.report.document._mission import mission_html
 from kinetruss.report.document._record import document_record
+from kinetruss.report.document.figure import loaded_figure
+from kinetruss.report.document.frame import Part, framed, known_paper
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
+from kinetruss.report.document.parts.constants import section_constants
 from kinetruss.report.document.parts.inputs import inputs
 from kinetruss.report.document.parts.pictures import picture
 from kinetruss.report.document.parts.recompute import recompute
-from kinetruss.report.document.parts.top import top
-from kinetruss.report.missions import mission_html, mission_record
+from kinetruss.report.document.result.assumptions import assumptions
+from kinetruss.report.document.result.lines import result_lines
+from kinetruss.report.document.result.tiles import not_whole, span_of, tiles, warned
+from kinetruss.report.document.worked import shown, worked, worked_record
+from kinetruss.report.missions import mission_record
 from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
+    from kinetruss.report.document.worked import Sheet
     from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
 
-__all__ = ["document_page"]
-
-STYLE = Path(__file__).with_name("style.css")
+__all__ = ["document_page", "filled", "run_parts"]
 
 
-def document_page(run: RunResult, view: str = "", date: str = "") -> Page:
+def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4") -> Page:
     """The report of a run as HTML, and the numbers of all its tables as plain data.
 
     Parameters
@@ -37,62 +43,93 @@ def document_page(run: RunResult, view: str = "", date: str = "") -> Page:
     view : a page that shows the run in three dimensions (`viewer.page`), included in the report; on paper a still picture
     replaces it.
     date : date of the report, as text; none by default, so that the same run gives the same text.
+    block : the title block; its empty entries are those of the model's `report`. paper : ``a4`` or ``letter``.
+
+    Raises
+    ------
+    InputError : unknown paper.
     """
+    known_paper(paper)
+    given = filled(block, run.model.report, date)
     if isinstance(run, MissionRun):
-        return Page(found=run, as_record=mission_record, as_html=partial(mission_html, view=view, date=date))
-    return Page(found=run, as_record=document_record, as_html=partial(_html, view=view, date=date))
+        return Page(found=run, as_record=mission_record, as_html=partial(mission_html, view=view, block=given, paper=paper))
+    return Page(found=run, as_record=_record, as_html=partial(_html, view=view, block=given, paper=paper))
 
 
-def _html(run: RunResult, view: str = "", date: str = "") -> str:
+def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> TitleBlock:
+    """A title block whose empty entries are those of a model, and its date that of the report."""
+    told = {} if own is None else {name: value for name, value in own.model_dump().items() if value}
+    told = (
+        {"date": date} | told | ({} if block is None else {name: value for name, value in block.model_dump().items() if value})
+    )
+    return TitleBlock(**told)
+
+
+def _record(run: RunResult) -> dict[str, Any]:
+    return document_record(run, worked_record(worked(run)))
+
+
+def _html(run: RunResult, view: str, block: TitleBlock, paper: str) -> str:
     """The report of a run as HTML text, with all data that a reviewer needs to repeat the computation.
 
     Notes
     -----
     The page also has the numbers of all tables as JSON, at full precision: element ``kinetruss-report``.
     """
-    record = document_record(run)
+    sheets = worked(run)
+    record = document_record(run, worked_record(sheets))
     title = run.model.title or f"Run {run.name}"
-    main = [top(run, record, title, date), _sectioned(run, record, view)]
-    kept = element("script", Markup(_data(record)), type="application/json", id="kinetruss-report")
     mark = "" if run.whole else " (not complete)"
-    style = f"{STYLE.read_text('utf-8')}{_footer(f'{title}, run {run.name}{mark.upper()}')}"
-    head = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
-    return html_page(f"{title}{mark}: report", head, f"<main>\n{joined(main)}\n</main>\n{kept}")
+    words = (f"Run {run.name}", span_of(record), f"kinetruss {run.provenance.get('kinetruss', '')}".strip(), block.date)
+    return framed(
+        title,
+        block,
+        result_lines(record),
+        run_parts(run, record, sheets, view),
+        kicker="Report of a structural analysis",
+        quiet=" · ".join(word for word in words if word),
+        above=not_whole(run),
+        record=record,
+        foot=f"{title}, run {run.name}{mark.upper()}",
+        paper=paper,
+        mark=mark,
+    )
 
 
-def _data(record: dict[str, Any]) -> str:
-    """JSON text that cannot close the element around it."""
-    return json.dumps(record, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-
-
-def _footer(words: str) -> str:
-    """The footer of printed pages; every character of the title is escaped."""
-    text = "".join(sign if sign.isascii() and sign.isalnum() else f"\\{ord(sign):x} " for sign in words[:90])
-    return f'@page {{ @bottom-left {{ content: "{text}"; }} }}\n'
-
-
-def _sectioned(run: RunResult, record: dict[str, Any], view: str) -> list[Markup]:
-    drawn = _Drawn(specifications(run))
-    found = [
-        ("structure", "Structure in motion", _shown(view, drawn.of("shape"))),
-        ("inputs", "What was analysed", inputs(run)),
-        ("mobility", "Mobility", parts.mobility(record)),
-        ("motion", "Motion", [*parts.motion(record), *(drawn.of("lengths") if _changes(run) else ())]),
-        ("simulation", "Simulation", [*parts.simulated(run, record), *drawn.of("energies")]),
-        ("statics", "Displacements and stability", parts.standing(run)),
-        ("forces", "Member forces", [*parts.forces(record), *drawn.of("forces")]),
-        ("strength", "Strength", [*demands.strength(record), *drawn.of("stresses")]),
-        ("drives", "Actuators", [*demands.drives(record), *drawn.of("motors")]),
-        ("checks", "Checks", parts.checked(run, record)),
-        ("method", "Method and sources", parts.method(run)),
-        ("again", "To compute it again", recompute(run, record)),
-    ]
-    shown = [(key, name, inside) for key, name, inside in found if inside]
-    links = [element("a", name, href=f"#{key}") for key, name, _ in shown]
+def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
+    """The sections of the report of a run, in their order."""
+    drawn = _Drawn(run)
+    changes = drawn.of("lengths") if _changes(run) else ()
+    calculations = "Each governing check, with the numbers of the run at that instant"
     return [
-        element("nav", links, aria_label="Contents"),
-        *(element("section", element("h2", name), inside, id=key) for key, name, inside in shown),
+        Part("result", "Result", "", [tiles(record), *warned(record)]),
+        Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumptions(run, record)),
+        Part(
+            "structure",
+            "Structure and loads",
+            "Supports, drives, loads and the governing part",
+            _shown(run, record, view, drawn),
+        ),
+        Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
+        Part("worked", "Worked calculations", calculations, shown(sheets)),
+        Part("strength", "Strength", "Every part by its governing rule", [*demands.strength(record), *drawn.of("stresses")]),
+        Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
+        Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
+        Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
+        Part(
+            "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]
+        ),
+        Part("statics", "Displacements and stability", "The static analysis", parts.standing(run)),
+        Part("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
+        Part("checks", "Checks", "Checks that need no other program", parts.checked(run, record)),
+        Part("method", "Method and sources", "", parts.method(run)),
+        Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, record)),
     ]
+
+
+def basis(run: RunResult) -> list[Markup]:
+    """The tables of inputs, with the constants of sections."""
+    return [*inputs(run), *section_constants(run.model)]
 
 
 def _changes(run: RunResult) -> bool:
@@ -100,20 +137,31 @@ def _changes(run: RunResult) -> bool:
     return bool(run.model.all_drives) or any(bar.kind != "rigid" for bar in run.model.bars.values())
 
 
-def _shown(view: str, still: list[Markup]) -> list[Markup]:
-    """The view on a screen, its still picture on paper; only the picture if there is no view."""
+def _shown(run: RunResult, record: dict[str, Any], view: str, drawn: _Drawn) -> list[Markup]:
+    """The view on a screen; the figure with loads, and the shape at several instants."""
+    moved = drawn.of("shape") if run.good > 1 and _moves(run) else []
+    figures = [*loaded_figure(run, record), *moved]
     if not view:
-        return still
+        return figures
     frame = element("iframe", title="the run in three dimensions", sandbox="allow-scripts", srcdoc=view, loading="lazy")
     words = "Click into the picture, then press ? for its keys: play, colours, picking members, diagrams along them."
-    return [element("div", frame, element("p", words, class_="note"), class_="screen"), element("div", still, class_="paper")]
+    return [element("div", frame, element("p", words, class_="note"), class_="screen"), *figures]
+
+
+def _moves(run: RunResult) -> bool:
+    """True if the structure moves by more than round-off."""
+    position = run.motion.data["position"].values
+    size = float((position[0].max(axis=0) - position[0].min(axis=0)).max())
+    return float(abs(position - position[0]).max()) > 1e-3 * size
 
 
 class _Drawn:
-    """Figures of a run by the beginning of their names, each numbered once."""
+    """Figures of a run by the beginning of their names, each numbered once; curves over time only of runs over time."""
 
-    def __init__(self, figures: list[Figure]) -> None:
-        self._figures = list(enumerate(figures))
+    def __init__(self, run: RunResult) -> None:
+        self._figures: list[tuple[int, Figure]] = list(enumerate(specifications(run)))
+        self._timed = run.good > 1 and "pose" not in run.motion.data.coords
 
     def of(self, name: str) -> list[Markup]:
-        return [picture(one, k, one.title) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]
+        named = [(k, one) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]
+        return [picture(one, k, one.title) for k, one in named if self._timed or not isinstance(one, Histories)]

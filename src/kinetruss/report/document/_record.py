@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.report.document.parts.checks import closure, mobility_record
 from kinetruss.report.document.parts.envelope import drive_spans, envelopes, reactions
-from kinetruss.report.document.parts.warnings import warnings
+from kinetruss.report.document.result.lines import result_lines
+from kinetruss.report.document.result.warnings import warnings
 from kinetruss.report.run_text.drives import drive_loads
 from kinetruss.report.run_text.summary import checks, largest_forces, motors, summary_record, worst_rows
 from kinetruss.report.run_text.trains import exceeded, trains
@@ -22,8 +23,10 @@ __all__ = ["document_record", "model_text", "plain"]
 SCHEMA = "kinetruss.report/1"
 
 
-def document_record(run: RunResult) -> dict[str, Any]:
+def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, Any]:
     """The contents of a report as plain data in SI units; numbers equal those of the results to the last bit.
+
+    worked : its worked calculations as data.
 
     NaN becomes None, infinity the text ``Infinity``. Only the name of the run folder is included, since reports are sent out.
     """
@@ -45,6 +48,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
         "limits": limits(run),
         "closure": closure(run),
         "warnings": warnings(run),
+        "worked": worked,
     }
     # in the summary infinite numbers are already None
     found |= {
@@ -57,6 +61,7 @@ def document_record(run: RunResult) -> dict[str, Any]:
         "checks": checks(run),
     }
     whole: dict[str, Any] = plain(found)
+    whole["result"] = list(result_lines(whole))
     return whole
 
 

@@ -3,21 +3,30 @@
 from __future__ import annotations
 
 import html
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from kinetruss.report.document._document import document_page
+from kinetruss.report.document._paper import read_paper
 from kinetruss.report.document._print import print_page
+from kinetruss.report.document.frame import with_pages
 from kinetruss.results.store import whole_file
 
 if TYPE_CHECKING:
+    from kinetruss.model import TitleBlock
+    from kinetruss.report._page import Page
     from kinetruss.runs import RunResult
 
-__all__ = ["Written", "write_document"]
+__all__ = ["Written", "write_document", "write_page"]
 
 PAGE, PAPER = "report.html", "report.pdf"
+EMPTY = 0.75
+"""Share of the last page that may stay below its text; above it the text is set a little smaller or larger."""
+FITS = (1.0, 0.975, 1.025, 0.95, 1.05)
+"""Factors of the size of letters that are tried, in this order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,22 +38,36 @@ class Written:
     note: str = ""
 
 
-def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: str = "", pdf: bool = True) -> Written:
-    """Write ``folder/report.html``, and if Chromium is installed ``folder/report.pdf`` (A4).
+def write_document(
+    run: RunResult,
+    folder: str | Path,
+    *,
+    view: str = "",
+    date: str = "",
+    pdf: bool = True,
+    block: TitleBlock | None = None,
+    paper: str = "a4",
+) -> Written:
+    """Write ``folder/report.html``, and if Chromium is installed ``folder/report.pdf``.
 
     Each file appears completely or not at all. An old report.pdf is removed if no new one replaces it.
 
     Parameters
     ----------
-    view, date : as of `document_page`. pdf : False writes no PDF.
+    view, date, block, paper : as of `document_page`. pdf : False writes no PDF.
 
     Raises
     ------
-    StoreError : the folder cannot be written.
+    StoreError : the folder cannot be written. InputError : unknown paper.
     """
+    return write_page(document_page(run, view, date, block, paper), folder, view=view, pdf=pdf)
+
+
+def write_page(found: Page, folder: str | Path, *, view: str = "", pdf: bool = True) -> Written:
+    """Write a report that is a page already; view : that which it includes."""
     place = Path(folder)
     page, paper = place / PAGE, place / PAPER
-    text = document_page(run, view, date).html
+    text = found.html
     with whole_file(page) as draft:
         paper.unlink(missing_ok=True)
         draft.write_text(text, encoding="utf-8")
@@ -58,11 +81,39 @@ def write_document(run: RunResult, folder: str | Path, *, view: str = "", date: 
 def _printed(text: str, paper: Path) -> str:
     """Print a page to PDF. Returns the reason of a failure, or an empty text."""
     with TemporaryDirectory(prefix="kinetruss-") as scratch:
-        source, drawn = Path(scratch) / PAGE, Path(scratch) / PAPER
-        source.write_text(text, encoding="utf-8")
-        note = print_page(source, drawn, Path(scratch) / "browser")
-        if note:
-            return note
+        last: bytes | str = ""
+        for last in _proofs(text, Path(scratch)):
+            if isinstance(last, str):
+                return last
         with whole_file(paper) as draft:
-            draft.write_bytes(drawn.read_bytes())
+            draft.write_bytes(last if isinstance(last, bytes) else b"")
     return ""
+
+
+def _proofs(text: str, scratch: Path) -> Iterator[bytes | str]:
+    """Printed files, better and better, or the reason why there is none: the first without numbers in its contents, then with
+    letters of a size that leaves no last page of a few lines, then with the numbers.
+    """
+    first = _print(text, scratch)
+    yield first
+    if isinstance(first, str):
+        return
+    fitted, told = text, read_paper(first)
+    for fit in FITS[1:]:
+        if told.left <= EMPTY:
+            break
+        resized = text.replace("<main>", f'<main style="--fit: {fit}">', 1)
+        again = _print(resized, scratch)
+        if isinstance(again, str):
+            break
+        if read_paper(again).left < told.left:
+            fitted, told = resized, read_paper(again)
+    if told.starts:
+        yield _print(with_pages(fitted, told.starts), scratch)
+
+
+def _print(text: str, scratch: Path) -> bytes | str:
+    source, drawn = scratch / PAGE, scratch / PAPER
+    source.write_text(text, encoding="utf-8")
+    drawn.unlink(missing_ok=True)
+    return print_page(source, drawn, scratch / "browser") or drawn.read_bytes()

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Markup, Table, element, html_page, instant, joined, quantity
+from kinetruss.display import Table, instant, quantity
 from kinetruss.errors import one_line
 
 if TYPE_CHECKING:
@@ -20,10 +18,9 @@ if TYPE_CHECKING:
     from kinetruss.results import Row
     from kinetruss.runs import MissionRun
 
-__all__ = ["mission_html", "mission_record", "mission_text"]
+__all__ = ["TRAIN_UNITS", "mission_head", "mission_record", "mission_tables", "mission_text"]
 
-SHOWN, MOST = 10, 2000
-STYLE = Path(__file__).parents[1] / "document" / "style.css"
+SHOWN = 10
 PAIRS = ("pair", "highest utilisation", "part", "rule", "time", "samples", "what to know")
 WORST = ("part", "rule", "utilisation", "value", "limit", "time", "at", "governing pair")
 EXTREMES = ("part", "what", "largest", "time", "at", "governing pair")
@@ -84,32 +81,15 @@ def _finite(value: Any) -> Any:
 
 def mission_text(run: MissionRun) -> str:
     """The page as text; the worst of everything."""
-    parts = [_head(run)]
-    for title, head, rows in _tables(run):
+    parts = [mission_head(run)]
+    for title, head, rows in mission_tables(run):
         more = f"\nand {len(rows) - SHOWN} more" if len(rows) > SHOWN else ""
         parts.append(f"{title}\n{Table(head, rows[:SHOWN]).text}{more}")
     return "\n\n".join(parts)
 
 
-def mission_html(run: MissionRun, view: str = "", date: str = "") -> str:
-    """The page as HTML with its record; view : a page in three dimensions of the governing pair."""
-    title = run.model.title or f"Mission {run.name}"
-    head = element("header", element("p", "Report of a mission", class_="kicker"), element("h1", title))
-    lines = [element("p", line) for line in (*_head(run).splitlines()[1:], date) if line]
-    parts: list[Markup] = [head, *lines]
-    if view:
-        frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
-        parts.append(element("section", element("h2", "The governing pair"), element("div", frame, class_="screen")))
-    for name, columns, rows in _tables(run):
-        more = f"and {len(rows) - MOST} more" if len(rows) > MOST else ""
-        parts.append(element("section", element("h2", name), Table(columns, rows[:MOST], name, more).html))
-    data = json.dumps(mission_record(run), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    kept = element("script", Markup(data), type="application/json", id="kinetruss-report")
-    style = f'<meta name="color-scheme" content="light dark">\n<style>{STYLE.read_text("utf-8")}</style>\n'
-    return html_page(f"{title}: mission", style, f"<main>\n{joined(parts)}\n</main>\n{kept}")
-
-
-def _head(run: MissionRun) -> str:
+def mission_head(run: MissionRun) -> str:
+    """Title, state, number of pairs and governing pair, a line each."""
     state = {
         "finished": "Completed.",
         "running": "Still running: these are the pairs so far.",
@@ -126,7 +106,7 @@ def _head(run: MissionRun) -> str:
     return "\n".join(lines)
 
 
-def _tables(run: MissionRun) -> Iterator[tuple[str, tuple[str, ...], list[tuple[str, ...]]]]:
+def mission_tables(run: MissionRun) -> Iterator[tuple[str, tuple[str, ...], list[tuple[str, ...]]]]:
     """Title, columns and rows of every table that has rows, worst first."""
     rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked]
     order = np.argsort(-np.nan_to_num(run.pairs["utilisation"].values, nan=-1.0, posinf=np.inf), kind="stable")

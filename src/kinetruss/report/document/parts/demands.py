@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, Table, number, quantity
-from kinetruss.report.document.parts.words import MOST, at, bars_of, left_out, margin_of, named, share_of, station_of, value_of
+from kinetruss.display import Markup, Table
+from kinetruss.report.document.frame import Columns
+from kinetruss.report.document.parts.words import MOST, bars_of, is_single, left_out, margin_of, named, share_of
 
 if TYPE_CHECKING:
     Record = dict[str, Any]
@@ -32,90 +33,77 @@ TORQUES = {
 
 
 def strength(record: Record) -> list[Markup]:
-    """The worst entry of each part, and the entries that were not checked."""
-    rows = record["strength"]
+    """The worst entry of each part, and the rules that were not checked."""
     first: dict[str, Record] = {}
-    for row in rows:
+    for row in record["strength"]:
         if row["utilisation"]:
             first.setdefault(row["part"], row)
     worst = list(first.values())
-    heads = ("part", "rule", "", "utilisation", "value", "limit", "margin", "at", "station", "load case")
+    if not worst:
+        return []
     shown = worst[:MOST]
-    lines = [
-        (*_held(row, drawn), at(row["time"]), station_of(row), named(row["load_case"]))
-        for row, drawn in zip(shown, bars_of(shown), strict=True)
-    ]
+    table = _held(Columns(), "part", shown)
+    _times(table, shown, record)
+    table.measured("station", [row["position"] for row in shown], "m")
+    table.words("load case", [named(row["load_case"]) for row in shown])
     note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
-    parts = [Table(heads, lines, "Governing rule of each part, worst first", note).html] if lines else []
-    if missing := record["not_checked"]:
-        told = [(reason, ", ".join(names[:MOST]) + (" .." if len(names) > MOST else "")) for reason, names in missing.items()]
-        parts.append(Table(("rule, and what is missing", "parts"), told, "Not checked").html)
-    return parts
+    return [table.html("Governing rule of each part, worst first", note)]
 
 
 def drives(record: Record) -> list[Markup]:
     """Demands on actuators and their limits; torques, energies; all exceeded limits."""
-    return [*_limits(record["limits"]), *_motors(record["motors"]), *_trains(record["trains"]), *_exceeded(record["exceeded"])]
+    return [*_limits(record), *_motors(record["motors"]), *_trains(record["trains"]), *_exceeded(record["exceeded"])]
 
 
-def _limits(rows: Sequence[Record]) -> list[Markup]:
+def _limits(record: Record) -> list[Markup]:
+    rows = record["limits"]
     held = [row for row in rows if row["utilisation"] is not None]
     if not held:
         return []
     unlimited = sorted({row["rule"] for row in rows if row["utilisation"] is None})
-    heads = ("member", "demand", "", "utilisation", "largest", "limit", "margin", "at", "load case")
     shown = held[:MOST]
-    lines = [
-        (*_held(row, drawn), at(row["time"]), named(row["load_case"])) for row, drawn in zip(shown, bars_of(shown), strict=True)
-    ]
+    table = _held(Columns(), "member", shown)
+    _times(table, shown, record)
+    table.words("load case", [named(row["load_case"]) for row in shown])
     note = left_out(held) + (f"No limit is given for: {', '.join(unlimited)}." if unlimited else "")
-    return [Table(heads, lines, "Demands on the actuators against their limits, worst first", note).html]
+    return [table.html("Demands on the actuators against their limits, worst first", note)]
 
 
 def _motors(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
-    heads = ("motor of", "load", *MOTOR, "load case")
-    lines = [
-        (
-            one["active"],
-            _load(one),
-            *(quantity(value_of(one[key]), unit) for key, unit in MOTOR.values()),
-            named(one["load_case"]),
-        )
-        for one in found[:MOST]
-    ]
-    return [Table(heads, lines, "Largest demands of the motion, with their signs", left_out(found)).html]
-
-
-def _load(one: Record) -> str:
-    """Thrust of a member, or torque on an angle."""
-    turning = one.get("drive_torque") is not None
-    return quantity(value_of(one["drive_torque"]), "N m") if turning else quantity(value_of(one["thrust"]), "N")
+    shown = found[:MOST]
+    table = Columns().words("motor of", [one["active"] for one in shown])
+    turning = [one.get("drive_torque") is not None for one in shown]
+    units = ["N m" if turns else "N" for turns in turning]
+    loads = [one["drive_torque" if turns else "thrust"] for one, turns in zip(shown, turning, strict=True)]
+    if len(set(units)) == 1:
+        table.measured("torque on the angle" if turning[0] else "thrust", loads, units[0])
+    else:
+        table.mixed(["load"], [loads], units)
+    for head, (key, unit) in MOTOR.items():
+        table.measured(head, [one[key] for one in shown], unit)
+    table.words("load case", [named(one["load_case"]) for one in shown])
+    return [table.html("Largest demands of the motion, with their signs", left_out(found))]
 
 
 def _trains(found: Sequence[Record]) -> list[Markup]:
     if not found:
         return []
-    heads = ("motor of", *TORQUES, "load case")
-    torques = [
-        (one["active"], *(quantity(value_of(one[key]), "N m") for key in TORQUES.values()), named(one["load_case"]))
-        for one in found[:MOST]
-    ]
-    more = ("motor of", "energy drawn", "fed back", "gear for top speed", "lead", "self-locking up to", "load case")
+    shown = found[:MOST]
+    names, cases = [one["active"] for one in shown], [named(one["load_case"]) for one in shown]
+    torques = Columns().words("motor of", names)
+    torques.together(list(TORQUES), [[one[key] for one in shown] for key in TORQUES.values()], "N m")
+    more = Columns().words("motor of", names)
+    energies = [[one[key] for one in shown] for key in ("drawn_energy", "returned_energy")]
+    more.together(["energy drawn", "returned"], energies, "J")
+    more.measured("gear ratio for top speed", [one["gear_ratio"] for one in shown], "")
+    leads = [[None if one[key] is None else 1e3 * one[key] for one in shown] for key in ("lead", "largest_self_locking_lead")]
+    more.together(["lead (mm/rad)", "self-locking up to (mm/rad)"], leads, "")
     return [
-        Table(heads, torques, "Torques at the motor, largest magnitudes", left_out(found)).html,
-        Table(more, [_energies(one) for one in found[:MOST]], "Energies, gear and lead", left_out(found)).html,
+        torques.words("load case", cases).html("Torques at the motor, largest magnitudes", left_out(found)),
+        more.words("load case", cases).html("Energies, gear and lead", left_out(found)),
     ]
-
-
-def _energies(one: Record) -> tuple[str, ...]:
-    energies = (quantity(value_of(one[key]), "J") for key in ("drawn_energy", "returned_energy"))
-    leads = (
-        "-" if one[key] is None else f"{number(1e3 * value_of(one[key]))} mm/rad"
-        for key in ("lead", "largest_self_locking_lead")
-    )
-    return one["active"], *energies, number(value_of(one["gear_ratio"])), *leads, named(one["load_case"])
 
 
 def _exceeded(found: Sequence[Record]) -> list[Markup]:
@@ -125,8 +113,18 @@ def _exceeded(found: Sequence[Record]) -> list[Markup]:
     return [Table(("limit exceeded", "load case"), lines, "Limits of drives exceeded, worst first", left_out(found)).html]
 
 
-def _held(row: Record, drawn: Markup) -> tuple[Any, ...]:
-    """Demand and limit as table cells."""
-    used, unit = row["utilisation"], row["unit"]
-    value, limit = (quantity(value_of(row[key]), unit) for key in ("value", "limit"))
-    return row["part"], row["rule"], drawn, share_of(used), value, limit, margin_of(row)
+def _held(table: Columns, what: str, rows: Sequence[Record]) -> Columns:
+    """Demands and limits: part, rule, bar of utilisation, value, limit, margin."""
+    table.words(what, [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
+    table.words("", bars_of(rows)).words("utilisation (%)", [share_of(row["utilisation"]).removesuffix(" %") for row in rows])
+    values = [[row[key] for row in rows] for key in ("value", "limit")]
+    table.mixed(["demand", "allowed"], values, [row["unit"] for row in rows])
+    return table.words("margin", [margin_of(row) for row in rows])
+
+
+def _times(table: Columns, rows: Sequence[Record], record: Record) -> None:
+    """The poses of the entries, or their times; nothing for a single position."""
+    if any(row.get("pose") for row in rows):
+        table.words("pose", [row["pose"] for row in rows])
+    elif not is_single(record):
+        table.measured("at (s)", [row["time"] for row in rows], "")

@@ -13,11 +13,13 @@ from kinetruss.units import EITHER, unit_of
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-__all__ = ["inputs", "sources", "worded"]
+__all__ = ["inputs", "listed", "sources", "worded"]
 
 MOST = 30
 """Largest number of rows of an input table; the page includes the whole model."""
 NAMES = 8
+DIGITS = 6
+"""Significant digits of the model's numbers."""
 ANALYSES = {
     "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
     "kinematics.follow": "kinematics: a given motion, without forces",
@@ -94,19 +96,19 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
     yield "nodes", f"{len(model.nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
     yield "bars", f"{len(model.bars)}" + (f" ({counts})" if kinds else "")
     if model.active:
-        yield "active members", f"{len(model.active)}: {_listed(model.active)}"
+        yield "active members", f"{len(model.active)}: {listed(model.active)}"
     if model.bodies:
-        yield "bodies", f"{len(model.bodies)}: {_listed(model.bodies)}"
-    yield "drives", _listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
-    yield "supports", _listed(f"{name} ({axes})" for name, axes in model.fixed.items()) or "none"
+        yield "bodies", f"{len(model.bodies)}: {listed(model.bodies)}"
+    yield "drives", listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
+    yield "supports", listed(f"{name} ({axes})" for name, axes in model.fixed.items()) or "none"
     masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
     if masses:
-        yield "lumped masses", _listed(masses)
+        yield "lumped masses", listed(masses)
     yield "gravity", _vector(model.gravity, "m/s²") if model.gravity else "none"
     if model.base_rotation is not None:
         yield "rotation of the base", worded(model.base_rotation)
     if model.support_motion:
-        yield "moving supports", _listed(model.support_motion)
+        yield "moving supports", listed(model.support_motion)
     yield "safety factors", f"{model.safety.yielding:g} on yielding, {model.safety.buckling:g} on buckling"
 
 
@@ -120,7 +122,7 @@ def _parts(model: Model) -> Iterator[tuple[str, str]]:
                 if record is not None:
                     users.setdefault(worded(record), []).append(label)
     for text, names in users.items():
-        yield _listed(names), text
+        yield listed(names), text
 
 
 def _trains(model: Model) -> Iterator[tuple[str, str]]:
@@ -139,7 +141,7 @@ def _trains(model: Model) -> Iterator[tuple[str, str]]:
             if record is not None:
                 users.setdefault(f"{kind}: {worded(record)}", []).append(name)
     for text, names in users.items():
-        yield _listed(names), text
+        yield listed(names), text
 
 
 def _named(records: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
@@ -182,7 +184,14 @@ def _valued(value: Any, unit: str) -> str:
         return f"[{', '.join(_valued(one, '') for one in value)}] {_marked(unit)}".rstrip()
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return quantity(value, unit, 9) if isinstance(value, float) else str(value)
+    return _numbered(value, unit) if isinstance(value, float) else str(value)
+
+
+def _numbered(value: float, unit: str) -> str:
+    """A number of the model; the model file at the end of the report has all digits."""
+    if unit == "m/rad":
+        return quantity(1e3 * value, "mm/rad", DIGITS)
+    return quantity(value, unit, DIGITS)
 
 
 def _marked(unit: str) -> str:
@@ -193,7 +202,8 @@ def _vector(values: Iterable[float], unit: str) -> str:
     return f"({', '.join(f'{value:g}' for value in values)}) {unit}"
 
 
-def _listed(names: Iterable[str]) -> str:
+def listed(names: Iterable[str]) -> str:
+    """Some names, and how many more."""
     shown = list(names)
     return ", ".join(shown[:NAMES]) + (f" and {len(shown) - NAMES} more" if len(shown) > NAMES else "")
 

@@ -32,6 +32,17 @@ FORWARD = (
     "Jorba and Zou, Experimental Mathematics 14 (2005) 99 (power series); Hairer, Nørsett and Wanner, Solving Ordinary "
     "Differential Equations I (DOP853)",
 )
+LINEAR = (
+    "Linear statics",
+    "f N − G u = 0 and Gᵀ N = F together, with f = l/(E A): equivalent to the stiffness method, but forces follow from "
+    "equilibrium and not from differences of displacements. Displacements are small; drives are locked.",
+    "",
+)
+EQUILIBRIUM = (
+    "Equilibrium",
+    "Positions at which all nodes are in balance, with large displacements; stability by the stiffness at the solution.",
+    "",
+)
 INVERSE = (
     "Forces",
     "Jᵀ N = f − M a at every sample. A uniform bar has the consistent mass matrix, so that the forces on its joints "
@@ -67,14 +78,19 @@ CHECKS = (
 )
 
 
+SOLVED = {"statics.linear": LINEAR, "statics.equilibrium": EQUILIBRIUM}
+
+
 def methods(run: RunResult) -> Iterator[tuple[str, str, str]]:
     """Name, what was done, and published sources (or none) of each method that the run used."""
     told = run.told
     if run.simulation is not None or told.analysis == "dynamics.simulate":
         yield FORWARD
+    elif told.analysis in SOLVED:
+        yield SOLVED[told.analysis]
     else:
         yield GIVEN if told.motion is None else MEASURED
-    if run.forces:
+    if run.forces and told.analysis not in SOLVED:
         yield INVERSE
     if run.verdict is not None:
         yield STRENGTH

@@ -17,7 +17,7 @@ from kinetruss.report.pictures.specs import Figure, Histories, Panel, Shape
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["picture"]
+__all__ = ["embedded", "lines_of", "picture"]
 
 FINE = 4000
 """Number of samples up to which a curve is drawn completely; else minima and maxima of `BUCKETS` intervals are drawn."""
@@ -37,16 +37,26 @@ COLOURS = {
 
 
 def picture(figure: Figure, number: int, caption: str) -> Markup:
-    """A figure with its caption; `number` makes its element names unique in the page."""
+    """A figure with its caption; `number` makes its element names unique in the page. Panels are drawn one by one, so that
+    they can stand on different sheets of paper.
+    """
     from kinetruss.report.pictures.draw import draw
 
     bare = replace(figure, title="")  # the title is in the caption
-    drawn = draw(thinned(bare) if isinstance(bare, Histories) else bare)
+    if isinstance(bare, Histories):
+        whole = thinned(bare)
+        panels = [draw(replace(whole, panels=(panel,))) for panel in whole.panels]
+        return embedded([lines_of(drawn, f"{number}-{k}", caption) for k, drawn in enumerate(panels)], caption)
+    drawn = draw(bare)
     heavy = isinstance(figure, Shape) and len(figure.ends) > MEMBERS
-    inside = _pixels(drawn, caption) if heavy else _lines(drawn, number, caption)
-    return element(
-        "figure", element("div", inside, class_="scroll", tabindex="0"), element("figcaption", caption), class_="picture"
-    )
+    return embedded([_pixels(drawn, caption) if heavy else lines_of(drawn, f"{number}", caption)], caption)
+
+
+def embedded(panels: list[Markup], caption: str) -> Markup:
+    """Drawings above each other as one figure with its caption."""
+    shown = [element("div", one, class_="scroll", tabindex="0") for one in panels]
+    kind = "picture panels" if len(panels) > 1 else "picture"
+    return element("figure", shown, element("figcaption", caption), class_=kind)
 
 
 def thinned(figure: Histories) -> Histories:
@@ -89,7 +99,7 @@ def _kept(curves: list[NDArray[np.float64]], count: int) -> NDArray[np.int64]:
     return np.unique(np.concatenate(found))
 
 
-def _lines(drawn: Any, number: int, words: str) -> Markup:
+def lines_of(drawn: Any, number: str, words: str) -> Markup:
     """SVG text for a page: unique names, no global style, the page's colours."""
     import matplotlib as mpl
 

@@ -17,6 +17,8 @@ __all__ = ["recompute"]
 
 PRINTED = 400
 """Number of lines up to which a model file is printed; a longer one is shown only in the page."""
+NARROW, FEW = 58, 20
+"""Characters of a line in half of a sheet; number of lines from twice which on two columns are worth while."""
 SHOWN = 300_000
 """Number of characters up to which a model file is shown; a larger one can only be saved."""
 
@@ -33,7 +35,13 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     steps = f"kinetruss check model.json\nkinetruss run model.json {run.name} -o again\nkinetruss info again"
     parts = [
         Table(("", ""), rows, "Provenance").html,
-        element("p", "The file report.html holds the model, byte by byte. ", saved, " Then, with the versions above:"),
+        element(
+            "p",
+            "The file report.html holds the model, byte by byte. ",
+            saved,
+            " Then, with the versions above:",
+            class_="where",
+        ),
         element("pre", element("code", steps), class_="short"),
     ]
     return [*parts, *_listing(run.model)]
@@ -59,19 +67,25 @@ def _listing(model: Model) -> list[Markup]:
         return [element("p", "The model is too long to be shown here; save it to read it.", class_="note")]
     long = text.count("\n") > PRINTED
     note = element("p", "The model file is printed in the page only: it is long.", class_="paper note") if long else None
-    words = element("h3", "The model, as a file (SI units; default values are omitted)")
+    words = element("h3", "The model file (SI units; default values are omitted)")
     return [
         words,
         *([note] if note else []),
         element(
             "pre",
             element("code", text),
-            class_="model screen" if long else "model",
+            class_=" ".join(["model", *(["screen"] if long else []), *(["wide"] if _is_narrow(text) else [])]),
             tabindex="0",
             role="region",
             aria_label="the model",
         ),
     ]
+
+
+def _is_narrow(text: str) -> bool:
+    """True if nearly all lines fit into half of the sheet: then it is printed in two columns."""
+    lines = text.splitlines()
+    return sum(len(line) <= NARROW for line in lines) >= 0.9 * len(lines) and len(lines) > 2 * FEW
 
 
 def _address(text: str) -> str:

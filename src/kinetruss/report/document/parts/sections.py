@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, element, number, quantity
 from kinetruss.report.document._bars import span_bar
+from kinetruss.report.document.frame import Columns
 from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
-from kinetruss.report.document.parts.words import MOST, at, counted, left_out, long, named
-from kinetruss.report.run_text.drives import drive_cells
+from kinetruss.report.document.parts.words import MOST, at, counted, is_single, left_out, named
 from kinetruss.report.run_text.statics import statics_lines, statics_title
 
 if TYPE_CHECKING:
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     Record = dict[str, Any]
 
 __all__ = ["checked", "forces", "method", "mobility", "motion", "simulated", "standing"]
+
+
+UNSURE = "† Not unique: depends on stiffness or convention."
 
 
 def mobility(record: Record) -> list[Markup]:
@@ -44,17 +47,24 @@ def mobility(record: Record) -> list[Markup]:
 
 
 def motion(record: Record) -> list[Markup]:
-    """Range, rate and acceleration of the drives."""
-    heads = ("drive", "kind", "least", "largest", "largest rate", "largest acceleration", "travel allowed")
-    rows = [_drive(one) for one in record["drives"][:MOST]]
-    return [Table(heads, rows, "Drives: range, rate, acceleration", left_out(record["drives"])).html] if rows else []
+    """Range, rate and acceleration of the drives, in one table for those of lengths and one for those of angles."""
+    return [table for unit in ("m", "rad") if (table := _spans([one for one in record["drives"] if one["unit"] == unit], unit))]
 
 
-def _drive(one: Record) -> tuple[str, ...]:
-    unit, travel = one["unit"], one["travel"]
-    allowed = "-" if travel is None else f"{quantity(travel[0], unit)} to {quantity(travel[1], unit)}"
-    rates = (quantity(one["rate"], f"{unit}/s"), quantity(one["acceleration"], f"{unit}/s²"))
-    return one["drive"], one["kind"], long(one["least"], unit), long(one["largest"], unit), *rates, allowed
+def _spans(drives: Sequence[Record], unit: str) -> Markup | None:
+    if not drives:
+        return None
+    shown = drives[:MOST]
+    table = Columns().words("drive", [one["drive"] for one in shown]).words("kind", [one["kind"] for one in shown])
+    ends = [[one["travel"] and one["travel"][k] for one in shown] for k in (0, 1)]
+    spans = [[one[key] for one in shown] for key in ("least", "largest")]
+    limited = any(one["travel"] for one in shown)
+    names = ["least", "largest", *(["allowed from", "allowed to"] if limited else [])]
+    table.together(names, [*spans, *(ends if limited else [])], unit)
+    table.measured("largest rate", [one["rate"] for one in shown], f"{unit}/s")
+    table.measured("largest acceleration", [one["acceleration"] for one in shown], f"{unit}/s²")
+    what = "lengths" if unit == "m" else "angles"
+    return table.html(f"Drives of {what}: range, rate, acceleration", left_out(drives))
 
 
 def simulated(run: RunResult, record: Record) -> list[Markup]:
@@ -97,61 +107,73 @@ def standing(run: RunResult) -> list[Markup]:
 
 def forces(record: Record) -> list[Markup]:
     """The envelope of every member, the supports, and drives that have no motor."""
-    parts = [_envelope(case, entries) for case, entries in record["envelopes"].items()]
-    found = record["reactions"]
-    if found:
-        axes = list(found[0]["force"])
-        rows = [
-            (
-                one["support"],
-                named(one["load_case"]),
-                quantity(one["magnitude"], "N"),
-                at(one["time"]),
-                *(quantity(one["force"][axis], "N") for axis in axes),
-            )
-            for one in found[:MOST]
-        ]
-        heads = ("support", "load case", "largest", "at", *axes)
-        parts.append(Table(heads, rows, "Largest force of each support on the structure", left_out(found)).html)
-    return parts + _driven(record["drive_loads"])
+    single = is_single(record)
+    parts = [(_single if single else _envelope)(case, entries) for case, entries in record["envelopes"].items()]
+    return [*parts, *_reactions(record["reactions"], single), *_driven(record["drive_loads"])]
+
+
+def _single(case: str, entries: list[Record]) -> Markup:
+    """The forces of one position."""
+    shown = entries[:MOST]
+    forces = [one["largest"] for one in shown]
+    ends = (min(*forces, 0.0), max(*forces, 0.0)) if forces else (0.0, 0.0)
+    table = Columns().words("member", [one["member"] + ("" if one["unique"] else " †") for one in shown])
+    table.words("", [span_bar(min(force, 0.0), max(force, 0.0), *ends) for force in forces]).measured("force", forces, "N")
+    note = left_out(entries) + ("" if all(one["unique"] for one in entries) else UNSURE)
+    return table.html(f"Member forces, {named(case)}: mean axial force, tension positive", note)
+
+
+def _reactions(found: Sequence[Record], single: bool) -> list[Markup]:
+    if not found:
+        return []
+    shown, axes = found[:MOST], list(found[0]["force"])
+    table = Columns().words("support", [one["support"] for one in shown])
+    table.words("load case", [named(one["load_case"]) for one in shown])
+    components = [[one["force"][axis] for one in shown] for axis in axes]
+    table.together(["largest", *axes], [[one["magnitude"] for one in shown], *components], "N")
+    if not single:
+        table.measured("at (s)", [one["time"] for one in shown], "")
+    return [table.html("Largest force of each support on the structure, with its components", left_out(found))]
 
 
 def _driven(found: Sequence[Record]) -> list[Markup]:
-    if not found:
+    shown = [one for one in found if one["load"]][:MOST]
+    if not shown:
         return []
-    heads = ("drive", "force or torque", "at", "rate", "power", "load case")
-    lines = [(*drive_cells(one)[:-1], named(one["load_case"])) for one in found[:MOST]]
-    return [Table(heads, lines, "Drives without a motor: largest values of the motion, with their signs", left_out(found)).html]
+    table = Columns().words("drive", [one["drive"] for one in shown])
+    units = [one["unit"] for one in shown]
+    table.mixed(["force or torque"], [[one["load"] for one in shown]], units)
+    table.words("at", [one["pose"] or at(one["time"]) for one in shown])
+    table.mixed(["rate"], [[one["rate"] for one in shown]], ["rad/s" if unit == "N m" else "m/s" for unit in units])
+    table.measured("power", [one["power"] for one in shown], "W")
+    table.words("load case", [named(one["load_case"]) for one in shown])
+    return [table.html("Drives without a motor: largest values of the motion, with their signs", left_out(found))]
 
 
 def _envelope(case: str, entries: list[Record]) -> Markup:
     least = min((one["least"] for one in entries), default=0.0)
     most = max((one["largest"] for one in entries), default=0.0)
     ends = (min(least, 0.0), max(most, 0.0))
-    rows = [
-        (
-            one["member"] + ("" if one["unique"] else " †"),
-            span_bar(one["least"], one["largest"], *ends),
-            quantity(one["least"], "N"),
-            at(one["least_time"]),
-            quantity(one["largest"], "N"),
-            at(one["largest_time"]),
-            "-" if one["at_rest"] is None else quantity(one["at_rest"], "N"),
-        )
-        for one in entries[:MOST]
-    ]
-    heads = ("member", "envelope", "least", "at", "largest", "at", "same pose at rest")
+    shown = entries[:MOST]
+    table = Columns().words("member", [one["member"] + ("" if one["unique"] else " †") for one in shown])
+    table.words("envelope", [span_bar(one["least"], one["largest"], *ends) for one in shown])
+    rest = any(one["at_rest"] is not None for one in shown)
+    keys = {"least": "least", "largest": "largest"} | ({"at rest": "at_rest"} if rest else {})
+    table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N")
+    table.together(
+        ["least at (s)", "largest at (s)"], [[one[key] for one in shown] for key in ("least_time", "largest_time")], ""
+    )
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
-        f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: at the larger of the two."
-    ) + ("" if all(one["unique"] for one in entries) else " † Not unique: depends on stiffness or convention.")
-    return Table(heads, rows, f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note).html
+        f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: in the pose of the larger one."
+    ) + ("" if all(one["unique"] for one in entries) else f" {UNSURE}")
+    return table.html(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note)
 
 
 def checked(run: RunResult, record: Record) -> list[Markup]:
     """Checks, each with its result and the exact value."""
     rows = [*_numeric(run, record), _model(record)]
-    return [Table(("check", "result", "what it says"), rows, "What was checked, and how it came out").html]
+    return [Table(("check", "result", "meaning"), rows, "What was checked, and the result").html]
 
 
 def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
@@ -181,7 +203,7 @@ def _model(record: Record) -> tuple[str, str, str]:
     """Check that the model in the page is the one of the run."""
     short = record["model_sha256"][:16]
     noted = str(record["provenance"].get("model", short))
-    words = f"SHA-256 {short}… of the model below"
+    words = f"SHA-256 {short}… of the model in this report"
     if noted == short:
         return "model", "unchanged", words
     return "model", "not the one that was run", f"{words}; the run has {noted}…"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sized
+from collections.abc import Iterable, Mapping, Sized
 from typing import Any
 
 from kinetruss.display import Markup, instant, margin, quantity
@@ -14,13 +14,13 @@ __all__ = [
     "at",
     "bars_of",
     "counted",
+    "exceeds",
     "is_over",
+    "is_single",
     "left_out",
-    "long",
     "margin_of",
     "named",
     "share_of",
-    "station_of",
     "value_of",
 ]
 
@@ -28,7 +28,7 @@ MOST = 40
 """Largest number of rows of a table; the data in the page have all."""
 BEYOND = 1.5
 ROUND_OFF = 1e-9
-"""Utilisation below which it counts as zero."""
+"""Utilisation below which it counts as zero; excess over a limit, and margin, that count as none."""
 
 
 def named(case: str) -> str:
@@ -36,15 +36,14 @@ def named(case: str) -> str:
     return "all loads" if case == "all" else case
 
 
+def is_single(record: Mapping[str, Any]) -> bool:
+    """True for results of one position: they have no times."""
+    return bool(record["samples"]["good"] == 1 and "what" not in record["samples"])
+
+
 def at(time: float | None) -> str:
     """An instant as text."""
     return instant(time)
-
-
-def station_of(row: dict[str, Any]) -> str:
-    """Station along the member as text."""
-    position = value_of(row["position"])
-    return quantity(position, "m")
 
 
 def value_of(value: Any) -> float:
@@ -61,12 +60,20 @@ def share_of(value: Any) -> str:
 def margin_of(row: dict[str, Any]) -> str:
     """A margin as text, if there is a demand."""
     used = value_of(row["utilisation"])
-    return "-" if used < ROUND_OFF else margin(value_of(row["margin"]))
+    if used < ROUND_OFF:
+        return "-"
+    left = value_of(row["margin"])
+    return margin(0.0 if abs(left) < ROUND_OFF else left)
 
 
 def is_over(row: dict[str, Any]) -> bool:
-    """True if a limit is exceeded."""
-    return value_of(row["utilisation"]) > 1
+    """True if a limit is exceeded by more than round-off."""
+    return exceeds(value_of(row["utilisation"]))
+
+
+def exceeds(utilisation: float) -> bool:
+    """True if a utilisation is above 1 by more than round-off: a drive held at its limit does not exceed it."""
+    return utilisation > 1 + ROUND_OFF
 
 
 def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
@@ -74,11 +81,6 @@ def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
     shares = [value_of(row["utilisation"]) for row in rows]
     most = BEYOND if any(share > 1 for share in shares) else 1.0
     return [bar(share, most) for share in shares]
-
-
-def long(value: float, unit: str) -> str:
-    """A value of a drive, with as many digits as a length needs."""
-    return quantity(value, unit, 6)
 
 
 def counted(count: int, noun: str) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kinetruss.display import instant, number, quantity
+from kinetruss.report.document.parts.words import exceeds
 from kinetruss.report.run_text.summary import checks
 from kinetruss.report.run_text.trains import exceeded
 
@@ -32,7 +33,7 @@ def _ending(run: RunResult) -> Iterator[str]:
 
 
 def _limits(run: RunResult) -> Iterator[str]:
-    rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked and row.utilisation > 1]
+    rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked and exceeds(row.utilisation)]
     for row in rows[:MOST]:
         share = (
             f"at {quantity(row.utilisation, '%')} of what is allowed"

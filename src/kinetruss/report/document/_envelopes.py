@@ -1,0 +1,112 @@
+"""Tables of a mission: members, extremes, drives, motors, pairs, each with the pair that governs; one unit for a quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from kinetruss.errors import one_line
+from kinetruss.report.document.frame import Columns, Part
+from kinetruss.report.document.parts.words import bars_of, left_out, share_of, value_of
+
+__all__ = ["envelopes"]
+
+MOST = 40
+LONGEST = 200
+"""Rows of a table, and characters of a finding."""
+
+Record = dict[str, Any]
+
+
+def envelopes(told: Record, record: Record) -> Iterator[Part]:
+    """The sections. told : entries of members and motors (`lined`); record : of `mission_record`."""
+    yield Part("members", "Members", "Every part by its governing rule and pair", _members(told["strength"]))
+    yield Part(
+        "extremes",
+        "Extremes of members",
+        "Largest tension, compression and bending",
+        _extremes(record["extremes"], told["units"]),
+    )
+    yield Part("drives", "Drives", "Largest loads, rates and powers", _drives(record["drives"], told["units"]))
+    yield Part("motors", "Motors", "Largest demands, against limits", _motors(told["limits"]))
+    yield Part("pairs", "Pairs", "Motions, conditions and load cases, worst first", _pairs(record["pairs"]))
+
+
+def _members(rows: Sequence[Record]) -> list[Any]:
+    first: dict[str, Record] = {}
+    for row in rows:
+        if row["utilisation"]:
+            first.setdefault(row["part"], row)
+    worst = list(first.values())
+    return [_held(worst, "part", "Governing rule of each part, worst first")] if worst else []
+
+
+def _held(every: Sequence[Record], what: str, caption: str) -> Any:
+    rows = every[:MOST]
+    table = Columns().words(what, [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
+    table.words("", bars_of(rows)).words("utilisation (%)", [share_of(row["utilisation"]).removesuffix(" %") for row in rows])
+    table.mixed(
+        ["demand", "allowed"], [[row[key] for row in rows] for key in ("value", "limit")], [row["unit"] for row in rows]
+    )
+    table.measured("at (s)", [row["time"] for row in rows], "")
+    return table.words("governing pair", [row["load_case"] for row in rows]).html(caption, left_out(every))
+
+
+def _motors(rows: Sequence[Record]) -> list[Any]:
+    held = sorted((row for row in rows if row["utilisation"] is not None), key=lambda row: -value_of(row["utilisation"]))
+    found = [_held(held, "motor of", "Demands on the motors against their limits, worst first")] if held else []
+    rest = [row for row in rows if row["utilisation"] is None and row["value"]]
+    if rest:
+        shown = rest[:MOST]
+        table = Columns().words("motor of", [row["part"] for row in shown]).words("demand", [row["rule"] for row in shown])
+        table.mixed(["largest"], [[row["value"] for row in shown]], [row["unit"] for row in shown])
+        table.words("governing pair", [row["load_case"] for row in shown])
+        found.append(table.html("Demands on the motors without a limit", left_out(rest)))
+    return found
+
+
+def _extremes(every: Sequence[Record], units: Mapping[str, str]) -> list[Any]:
+    known = [row for row in every if row["value"] is not None and value_of(row["value"]) > 0]
+    if not known:
+        return []
+    rows = sorted(known, key=lambda row: (row["quantity"], -value_of(row["value"])))[:MOST]
+    table = Columns().words("part", [row["part"] for row in rows]).words("extreme", [row["quantity"] for row in rows])
+    table.mixed(["largest"], [[row["value"] for row in rows]], [units[row["quantity"]] for row in rows])
+    table.measured("at (s)", [row["time_of"] for row in rows], "").measured(
+        "from end A", [row["position"] for row in rows], "m"
+    )
+    return [
+        table.words("governing pair", [row["label"] for row in rows]).html(
+            "Extremes of members, largest first", left_out(known)
+        )
+    ]
+
+
+def _drives(every: Sequence[Record], units: Mapping[str, str]) -> list[Any]:
+    known = [row for row in every if row["value"] is not None and value_of(row["value"]) > 0]
+    if not known:
+        return []
+    rows = known[:MOST]
+    table = Columns().words("drive", [row["drive"] for row in rows]).words("demand", [row["quantity"] for row in rows])
+    table.mixed(["largest"], [[row["value"] for row in rows]], [_unit(row, units) for row in rows])
+    table.measured("at (s)", [row["time_of"] for row in rows], "")
+    return [
+        table.words("governing pair", [row["label"] for row in rows]).html("Largest demands on the drives", left_out(known))
+    ]
+
+
+def _unit(row: Record, units: Mapping[str, str]) -> str:
+    force = units[row["drive"]]
+    rate = "rad/s" if force == "N m" else "m/s"
+    return {"rate": rate, "power": "W", "energy": "J"}.get(row["quantity"], force)
+
+
+def _pairs(every: Sequence[Record]) -> list[Any]:
+    rows = sorted(every, key=lambda row: -value_of(row["utilisation"]) if row["utilisation"] is not None else 1.0)[:MOST]
+    table = Columns().words("pair", [row["label"] for row in rows])
+    table.words("utilisation (%)", [share_of(row["utilisation"]).removesuffix(" %") for row in rows])
+    table.words("part", [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
+    table.measured("at (s)", [row["time"] for row in rows], "")
+    table.measured("samples", [row["samples"] for row in rows], "")
+    table.words("note", [one_line(row["finding"], LONGEST) for row in rows])
+    return [table.html("Pairs, by their highest utilisation of a member", left_out(every))]

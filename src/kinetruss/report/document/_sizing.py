@@ -1,0 +1,167 @@
+"""The report of a sizing: tubes and drives that were chosen, and the sized structure under its governing run."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ValidationError
+
+from kinetruss import runs
+from kinetruss.display import Markup, element, instant, quantity
+from kinetruss.errors import InputError
+from kinetruss.model import Model, TitleBlock
+from kinetruss.report._page import Page
+from kinetruss.report.document._document import filled, run_parts
+from kinetruss.report.document._record import document_record
+from kinetruss.report.document.frame import Columns, Part, framed, known_paper
+from kinetruss.report.document.parts.words import value_of
+from kinetruss.report.document.result.lines import governing_entry, result_lines
+from kinetruss.report.document.worked import worked, worked_record
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["read_sizing", "sizing_page"]
+
+SCHEMA = "kinetruss.size/1"
+Record = Mapping[str, Any]
+
+
+def read_sizing(file: str | Path) -> dict[str, Any]:
+    """The record of a sizing from a file that ``kinetruss size MODEL MISSION --json`` has written.
+
+    Raises
+    ------
+    InputError : the file cannot be read, or holds something else.
+    """
+    path = Path(file)
+    try:
+        found = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path} cannot be read as JSON ({error}). {_MEND}") from None
+    if not isinstance(found, dict) or found.get("schema") != SCHEMA or "model" not in found:
+        raise InputError(f"{path} holds no sizing. {_MEND}")
+    return found
+
+
+_MEND = "Write one: kinetruss size MODEL MISSION --json > sizing.json"
+
+
+def sizing_page(record: Record, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4") -> Page:
+    """The report of a sizing. Its governing run is computed again from the sized model.
+
+    Parameters
+    ----------
+    record : from `design.record` or `read_sizing`. view, date, block, paper : as of `document_page`.
+
+    Raises
+    ------
+    InputError : unknown paper; the model of the record cannot be read, or it has no runs.
+    """
+    known_paper(paper)
+    run = governing_run(record)
+    given = filled(block, run.model.report, date)
+    return Page(
+        found=run,
+        as_record=partial(_record, sizing=record),
+        as_html=partial(_html, sizing=record, view=view, block=given, paper=paper),
+    )
+
+
+def governing_run(record: Record) -> RunResult:
+    """The run of a sized model in which a member or a drive is used most; computed again."""
+    try:
+        model = Model.model_validate_json(record["model"])
+    except ValidationError as error:
+        raise InputError(f"The model of the sizing cannot be read ({error.error_count()} faults). {_MEND}") from None
+    found = [runs.run(model, name) for name in record["runs"] or model.runs]
+    if not found:
+        raise InputError("The sized model has no runs. Give it one, and size it again.")
+    return max(found, key=lambda run: _most(document_record(run, [])))
+
+
+def _most(record: Record) -> float:
+    worst = governing_entry(record)
+    return -1.0 if worst is None else value_of(worst["utilisation"])
+
+
+def _record(run: RunResult, sizing: Record) -> dict[str, Any]:
+    return document_record(run, worked_record(worked(run))) | {
+        "sizing": {key: one for key, one in sizing.items() if key != "model"}
+    }
+
+
+def _html(run: RunResult, sizing: Record, view: str, block: TitleBlock, paper: str) -> str:
+    sheets = worked(run)
+    record = _record(run, sizing)
+    title = run.model.title or sizing["title"] or "Sized structure"
+    first, *rest = run_parts(run, record, sheets, view)
+    parts = [
+        Part(first.key, first.name, first.words, [_masses(sizing), *first.content]),
+        Part("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", list(_groups(sizing["groups"]))),
+        Part("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", list(_drives(sizing))),
+        *rest,
+    ]
+    return framed(
+        title,
+        block,
+        result_lines(record),
+        parts,
+        kicker="Report of a sizing",
+        quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", block.date) if word),
+        record=record,
+        foot=f"{title}, sizing",
+        paper=paper,
+    )
+
+
+def _masses(sizing: Record) -> Markup:
+    before, after, saved = (quantity(sizing[key], "kg") for key in ("mass_before", "mass_after", "mass_saved"))
+    words = f"Mass of all members: {before} before, {after} after sizing; saved {saved}. {' '.join(sizing['notes'])}"
+    return element("p", words.strip())
+
+
+def _groups(rows: Sequence[Record]) -> Iterator[Markup]:
+    if not rows:
+        return
+    table = Columns().words("group", [row["name"] for row in rows]).words("members", [len(row["members"]) for row in rows])
+    table.words("tube before", [row["tube_before"] or "-" for row in rows]).words("tube", [row["tube"] for row in rows])
+    table.together(["mass before", "mass"], [[row[key] for row in rows] for key in ("mass_before", "mass")], "kg")
+    used = [[_percent(row[key]) for row in rows] for key in ("utilisation_before", "utilisation")]
+    table.together(["used before (%)", "used (%)"], used, "")
+    table.words("governed by", [f"{row['part']} {row['rule']} at {instant(row['time'])} ({row['load_case']})" for row in rows])
+    yield table.html("Groups of members: tubes before and after", "Used: highest utilisation of the group's members.")
+    smaller = [row for row in rows if row["smaller"]]
+    if smaller:
+        proof = Columns().words("group", [row["name"] for row in smaller]).words("tube", [row["tube"] for row in smaller])
+        proof.words("one size smaller", [row["smaller"] for row in smaller])
+        proof.measured("would be used (%)", [_percent(row["smaller_utilisation"]) for row in smaller], "")
+        proof.words("by", [f"{row['smaller_part']} {row['smaller_rule']}" for row in smaller])
+        note = "Groups that are not listed have the smallest tube of the catalogue."
+        yield proof.html("Why no smaller tube is sufficient", note)
+
+
+def _drives(sizing: Record) -> Iterator[Markup]:
+    rows = sizing["drives"]
+    if not rows:
+        return
+    table = Columns().words("drives", [row["name"] for row in rows]).words("members", [len(row["members"]) for row in rows])
+    for what in ("screw", "gear", "motor"):
+        table.words(what, [row[what] or "-" for row in rows])
+    table.words("self-locking", ["yes" if row["self_locking"] else "no" for row in rows])
+    table.measured("used (%)", [_percent(row["utilisation"]) for row in rows], "")
+    table.words("governed by", [f"{row['member']} {row['quantity']}" if row["quantity"] else "-" for row in rows])
+    allowed = quantity(1 / float(sizing["drive_margin"]), "%")
+    note = f"With the margin of {sizing['drive_margin']:g} that is required, {allowed} may be used, strokes excepted."
+    against = [f"{row['name']}: {row['against']}" for row in rows if row["against"]]
+    yield table.html("Groups of drives", note)
+    if against:
+        yield element("p", f"Why no smaller motor: {' '.join(against)}")
+
+
+def _percent(share: float | None) -> float | None:
+    return None if share is None else 100 * share

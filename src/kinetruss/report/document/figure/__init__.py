@@ -1,0 +1,14 @@
+"""The figure of a report: the structure with its supports, drives, loads and the governing member."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.report.document.figure.contents import Loaded, loaded, loaded_figure
+
+__all__ = ["Loaded", "loaded", "loaded_figure"]
+
+__getattr__, __dir__ = late(__name__, {"contents": "Loaded loaded loaded_figure"})

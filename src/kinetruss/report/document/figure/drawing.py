@@ -1,0 +1,200 @@
+"""Draws the structure of a report: members, supports, drives, loads with values, names, axes and scale."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.figure import Figure as Canvas
+
+from kinetruss.display import DRIVEN, quantity
+from kinetruss.mechanics.structure import skin_of
+from kinetruss.model import HingeDrive
+from kinetruss.report.document.figure.labels import CROWDED, Labels
+from kinetruss.report.pictures.style import ALARM, INK, PRINT, QUIET, RC
+from kinetruss.report.pictures.view import projected
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.report.document.figure.contents import Loaded
+
+    Array = NDArray[np.float64]
+
+__all__ = ["drawn"]
+
+LOAD, FACE = "#b2005e", "#dde3ea"
+WIDTH, TALLEST = 6.9, 4.9
+"""Width and largest height of the figure, inches: it takes at most half of a sheet."""
+NAMED = 40
+"""Number of nodes up to which their names are shown; above it those of supports and loads only."""
+FEW = 12
+"""Number of supports up to which all of them are named."""
+ARROW = 0.13
+"""Length of the largest arrow, of the size of the structure."""
+
+
+def drawn(figure: Loaded) -> Canvas:
+    """A matplotlib figure."""
+    points = projected(figure.position)
+    arrows = _arrows(figure)
+    shown = np.concatenate([points, *([np.array([end for _, end, _ in arrows])] if arrows else [])])
+    low, high = shown.min(axis=0), shown.max(axis=0)
+    reach = float(np.max(high - low)) or 1.0
+    low, high = low - 0.07 * reach, high + 0.07 * reach
+    size = np.maximum(high - low, 0.25 * reach)
+    # room at the left for axes, gravity and scale
+    aside = 1.0
+    width = WIDTH - aside
+    height = min(TALLEST, width * float(size[1] / size[0]))
+    with mpl.rc_context(RC | PRINT):
+        canvas = Canvas(figsize=(WIDTH, height))
+        FigureCanvasAgg(canvas)
+        ax = canvas.add_axes((aside / WIDTH, 0, width / WIDTH, 1))
+        middle = (low + high) / 2
+        scale = max(size[0] / width, size[1] / height)  # m an inch
+        ax.set_xlim(middle[0] - scale * width / 2, middle[0] + scale * width / 2)
+        ax.set_ylim(middle[1] - scale * height / 2, middle[1] + scale * height / 2)
+        ax.set_axis_off()
+        _members(ax, figure, points)
+        _supports(ax, figure, points)
+        held = [k for k, node in enumerate(figure.model.nodes) if node in figure.model.fixed]
+        labels = Labels(ax, scale, [points[list(pair)] for pair in _ends(figure)], points[held])
+        _governing(ax, figure, points, labels)
+        for start, end, words in arrows:
+            pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
+            ax.annotate("", tuple(end), tuple(start), arrowprops=pen)
+            labels.put(words, (start + end) / 2, LOAD)
+        _drives(figure, points, labels)
+        _names(figure, points, labels)
+        _aside(canvas, figure, scale, height)
+    return canvas
+
+
+def _ends(figure: Loaded) -> list[tuple[int, int]]:
+    index = {name: k for k, name in enumerate(figure.model.nodes)}
+    members = [one.ends for one in figure.model.members.values()] + [one.ends for one in figure.model.beams.values()]
+    return [(index[a], index[b]) for a, b in members]
+
+
+def _members(ax: Any, figure: Loaded, points: Array) -> None:
+    model = figure.model
+    skin = skin_of(model)
+    if len(skin.nodes):
+        faces = points[skin.nodes]
+        ax.add_collection(PolyCollection(list(faces), facecolors=FACE, edgecolors="#8a8a8a60", linewidths=0.3))
+    turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
+    lines = [points[list(pair)] for pair in _ends(figure)]
+    names = [*model.members, *model.beams]
+    driven = [line for name, line in zip(names, lines, strict=True) if name in model.active or name in turned]
+    ax.add_collection(LineCollection(lines, colors=INK, linewidths=1.0, capstyle="round"))
+    ax.add_collection(LineCollection(driven, colors=DRIVEN, linewidths=2.4, capstyle="round"))
+    used = sorted({k for pair in _ends(figure) for k in pair})
+    ax.plot(*points[used].T, "o", color=INK, markersize=2.4)
+    index = {name: k for k, name in enumerate(model.nodes)}
+    hinged = [drive.axis for drive in model.all_drives.values() if isinstance(drive, HingeDrive)]
+    for axis in hinged:
+        place = points[[index[node] for node in axis]].mean(axis=0)
+        ax.plot(*place, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
+
+
+def _supports(ax: Any, figure: Loaded, points: Array) -> None:
+    for k, node in enumerate(figure.model.nodes):
+        axes = figure.model.fixed.get(node, "")
+        if axes or node in figure.model.clamped:
+            held = len(axes) == figure.model.dim or node in figure.model.clamped
+            marker = "^" if held else "o"
+            ax.plot(*points[k], marker, color=INK, markersize=8, markerfacecolor="white", markeredgewidth=1.0)
+
+
+def _governing(ax: Any, figure: Loaded, points: Array, labels: Labels) -> None:
+    if figure.governing is None:
+        return
+    model, (name, words) = figure.model, figure.governing
+    names = [*model.members, *model.beams]
+    bar = getattr(model.all_drives.get(name), "bar", name)
+    if bar not in names:
+        return
+    line = points[list(_ends(figure)[names.index(bar)])]
+    ax.add_collection(LineCollection([line], colors=ALARM, linewidths=3.2, capstyle="round"))
+    labels.put(words, line.mean(axis=0), ALARM, bold=True)
+
+
+def _arrows(figure: Loaded) -> list[tuple[Array, Array, str]]:
+    """Start and end on paper of each force, and its value; it ends away from its node, so that it pulls."""
+    if not figure.loads:
+        return []
+    size = float(np.linalg.norm(np.ptp(figure.position, axis=0)))
+    largest = max(float(np.linalg.norm(force)) for _, force in figure.loads)
+    found = []
+    for node, force in figure.loads:
+        start = figure.position[node]
+        end = start + force * (ARROW * size / largest)
+        words = f"{list(figure.model.nodes)[node]}: {quantity(float(np.linalg.norm(force)), 'N')}"
+        found.append((projected(start[None])[0], projected(end[None])[0], words))
+    return found[:NAMED]
+
+
+def _drives(figure: Loaded, points: Array, labels: Labels) -> None:
+    """Names of driven members at their middle."""
+    model = figure.model
+    names, ends = [*model.members, *model.beams], _ends(figure)
+    told = figure.governing[0] if figure.governing else ""
+    shown = 0
+    for name, drive in model.all_drives.items():
+        bar = getattr(drive, "bar", "")
+        if bar in names and told not in (name, bar) and shown < NAMED // 2:
+            shown += 1
+            labels.put(name, points[list(ends[names.index(bar)])].mean(axis=0), DRIVEN, most=CROWDED)
+
+
+def _names(figure: Loaded, points: Array, labels: Labels) -> None:
+    model = figure.model
+    loaded = {node for node, _ in figure.loads}
+    used, held = {k for pair in _ends(figure) for k in pair}, model.fixed
+    for k, node in enumerate(model.nodes):
+        important = node in model.fixed and len(model.fixed) <= NAMED
+        if k not in loaded and k in used and (len(used) <= NAMED or important):
+            labels.put(node, points[k], QUIET, most=np.inf if important and len(held) < FEW else CROWDED)
+
+
+def _aside(canvas: Canvas, figure: Loaded, scale: float, height: float) -> None:
+    """Axes, direction of gravity and scale, at the left."""
+    ax = canvas.add_axes((0, 0, 1.0 / WIDTH, 1))
+    ax.set_xlim(0, 1.0)
+    ax.set_ylim(0, height)
+    ax.set_axis_off()
+    dim = figure.model.dim
+    axes = projected(np.eye(dim)) * 0.34
+    origin = np.array([0.42, 0.85])
+    for name, end in zip("xyz", axes, strict=False):
+        pen = {"arrowstyle": "-|>", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+        ax.annotate("", tuple(origin + end), tuple(origin), arrowprops=pen)
+        ax.text(
+            float((origin + 1.3 * end)[0]),
+            float((origin + 1.3 * end)[1]),
+            name,
+            fontsize=7,
+            ha="center",
+            va="center",
+            color=INK,
+        )
+    if figure.model.gravity and any(figure.model.gravity) and height > 1.8:
+        down = np.asarray(figure.model.gravity, float)
+        arrow = projected(down[None] / np.linalg.norm(down))[0] * 0.36
+        start = np.array([0.42, 1.72])
+        pen = {"arrowstyle": "-|>", "color": QUIET, "linewidth": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9}
+        ax.annotate("", tuple(start + arrow), tuple(start), arrowprops=pen)
+        ax.text(0.56, 1.62, "g", fontsize=8, color=QUIET, va="center")
+    length = _round_length(0.85 * scale)
+    ax.plot([0.05, 0.05 + length / scale], [0.16, 0.16], color=QUIET, linewidth=2, solid_capstyle="butt")
+    ax.text(0.05, 0.22, quantity(length, "m"), fontsize=7, color=QUIET, va="bottom")
+
+
+def _round_length(most: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is at most `most`."""
+    power = 10 ** np.floor(np.log10(most))
+    return float(power * max(step for step in (1, 2, 5) if step * power <= most * (1 + 1e-9)))

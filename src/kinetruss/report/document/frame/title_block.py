@@ -1,0 +1,37 @@
+"""The title block of a report: what is known of the document, and lines for what is not."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.display import Markup, element
+
+if TYPE_CHECKING:
+    from kinetruss.model import TitleBlock
+
+__all__ = ["title_block"]
+
+ROWS = (("project", "client"), ("number", "revision"), ("author", "date"), ("checker", ""))
+WORDS = {"number": "document"}
+SIGNED = ("author", "checker")
+
+
+def title_block(block: TitleBlock) -> Markup:
+    """A table of two columns of entries; empty ones are lines to fill in, and author and checker sign."""
+    rows = [element("tr", *(_cells(block, name) for name in pair)) for pair in ROWS]
+    signed = [_line(f"signature of the {name}") for name in SIGNED]
+    return element("table", element("tbody", rows, element("tr", signed, class_="signed")), class_="block")
+
+
+def _cells(block: TitleBlock, name: str) -> Markup:
+    if not name:
+        return Markup(f"{element('th')}{element('td')}")
+    said = getattr(block, name)
+    if not said:
+        return _line(WORDS.get(name, name))
+    return Markup(f"{element('th', WORDS.get(name, name), scope='row')}{element('td', said)}")
+
+
+def _line(name: str) -> Markup:
+    blank = element("td", element("span", class_="fill", role="img", aria_label="to fill in"))
+    return Markup(f"{element('th', name, scope='row')}{blank}")

@@ -1,0 +1,67 @@
+"""Assumptions of an analysis and what it did not check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.display import Markup, Table, element
+from kinetruss.report.document.result.lines import few, unverified
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+__all__ = ["assumptions"]
+
+NEVER = (
+    "joints, pins, welds, bolts and their contact pressure",
+    "local buckling of thin walls",
+    "fatigue and wear",
+    "limits of deflection and vibration, unless this report lists them",
+    "the supports and what carries them",
+)
+"""Subjects that the checks do not contain."""
+
+
+def assumptions(run: RunResult, record: dict[str, Any]) -> list[Markup]:
+    """What was assumed, and what was not checked, headed by the strength that was not verified."""
+    found = [element("ul", [element("li", words) for words in _assumed(run)])]
+    left, count = unverified(record)
+    if left:
+        head = f"Strength not verified: {len(left)} of {count} parts."
+        found.append(element("p", element("strong", head), class_="headline"))
+        rows = [(what, len(parts), few(parts)) for what, parts in record["not_checked"].items()]
+        found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
+    elif not count:
+        found.append(
+            element("p", element("strong", "Strength not verified: the run has no strength check."), class_="headline")
+        )
+    unlimited = sorted({row["rule"] for row in record["limits"] if row["utilisation"] is None})
+    never = [*([f"drives: no limit is given for {', '.join(unlimited)}"] if unlimited else []), *NEVER]
+    found.append(element("p", f"Not checked: {'; '.join(never)}."))
+    return found
+
+
+def _assumed(run: RunResult) -> Iterator[str]:
+    model = run.model
+    if run.forces:
+        yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
+    if model.beams:
+        yield "Beams are elastic and share the rotation of the nodes where they meet."
+    if run.verdict is not None:
+        yield "Parts are straight and prismatic; strains are small; materials are linear up to their yield strength."
+        yielding, buckling = model.safety.yielding, model.safety.buckling
+        yield f"Safety factors: {yielding:g} on yielding, {buckling:g} on buckling; the moment factor of beam-columns is 1."
+        if model.active:
+            yield "An active member buckles as its weaker part, base or tube, over its whole length of that instant."
+    if run.good > 1:
+        yield f"In time, the {run.good} samples were evaluated; between them nothing was checked."
+    if run.demand:
+        yield "Drives: friction is that of the records, at constant coefficients; the heating of motors was not computed."
+    names = [name for one in run.forces.values() for name in one.data.attrs.get("not_unique", [])]
+    if names:
+        yield f"The forces of {few(list(dict.fromkeys(names)))} are not unique: they depend on stiffness or convention."
+    if run.verdict is not None:
+        yield from run.verdict.data.attrs.get("not_held", [])
+    if run.told.condition is not None:
+        yield f"Operating condition: {run.told.condition}."

@@ -1,0 +1,93 @@
+"""The result in three lines: what governs, whether a limit is exceeded, and what strength was not verified."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from kinetruss.display import instant, quantity
+from kinetruss.report.document.parts.words import counted, is_over, is_single, named, share_of, value_of
+
+__all__ = ["governing_entry", "result_lines", "unverified"]
+
+SHOWN = 6
+"""Number of names in a line."""
+
+
+def result_lines(record: Mapping[str, Any]) -> tuple[str, str, str]:
+    """Three lines of a report, from its record: the governing member or drive first."""
+    return _governing(record), _limits(record), _verified(record)
+
+
+def governing_entry(record: Mapping[str, Any]) -> dict[str, Any] | None:
+    """The entry of highest utilisation of members and drives; None if no limit was checked."""
+    held = [row for row in (*record["strength"], *record["limits"]) if row["utilisation"] is not None]
+    return max(held, key=lambda row: value_of(row["utilisation"]), default=None)
+
+
+def _governing(record: Mapping[str, Any]) -> str:
+    count = record["samples"]
+    part = f"{count['good']} of {count['asked']} {count.get('what', 'samples')}"
+    begin = "" if record["whole"] else f"Not complete ({part}). "
+    worst = governing_entry(record)
+    if worst is None:
+        return f"{begin}No limit was checked. {_largest(record)}".strip()
+    drive = worst in record["limits"]
+    what = f"{worst['rule']} of {'the drive of ' if drive else ''}{worst['part']}"
+    when = ""
+    if worst.get("pose"):
+        when = f"pose {worst['pose']}"
+    elif worst["time"] is not None and not is_single(record):
+        when = f"t = {instant(worst['time'])}"
+    case = named(worst["load_case"]) if worst["load_case"] else ""
+    place = ", ".join(words for words in (when, case) if words)
+    amounts = ""
+    if worst["unit"]:
+        value, limit = (quantity(value_of(worst[key]), worst["unit"]) for key in ("value", "limit"))
+        amounts = f": {value} of {limit}"
+    used = f"{share_of(worst['utilisation'])} of what is allowed"
+    return f"{begin}Governing: {what}, {used}{amounts}{f' ({place})' if place else ''}."
+
+
+def _largest(record: Mapping[str, Any]) -> str:
+    """The largest force of a member or drive, where nothing was checked."""
+    for one in record["largest_forces"][:1]:
+        kind = "tension" if one["force"] > 0 else "compression"
+        return f"Largest member force: {quantity(abs(one['force']), 'N')} ({kind}, {one['member']})."
+    loads = [one for one in record["drive_loads"] if one["load"]]
+    if loads:
+        most = max(loads, key=lambda one: abs(one["load"]))
+        return f"Largest load of a drive: {quantity(abs(most['load']), most['unit'])} ({most['drive']})."
+    return ""
+
+
+def _limits(record: Mapping[str, Any]) -> str:
+    held = [row for row in (*record["strength"], *record["limits"]) if row["utilisation"] is not None]
+    over = sum(map(is_over, held))
+    scope = "" if record["whole"] else " in the part that was computed"
+    if not held:
+        return "No limit was checked: strengths of members and limits of drives are not known here."
+    if over:
+        return f"{over} of {counted(len(held), 'limit')} that were checked {'is' if over == 1 else 'are'} exceeded{scope}."
+    return f"None of the {counted(len(held), 'limit')} that were checked is exceeded{scope}."
+
+
+def unverified(record: Mapping[str, Any]) -> tuple[list[str], int]:
+    """Parts with a rule that was not checked, and the number of all parts."""
+    parts = list(dict.fromkeys(row["part"] for row in record["strength"]))
+    left = dict.fromkeys(part for names in record["not_checked"].values() for part in names)
+    return list(left), len(parts)
+
+
+def _verified(record: Mapping[str, Any]) -> str:
+    left, count = unverified(record)
+    if not count:
+        return "Strength not verified: the run has no strength check."
+    if left:
+        return f"Strength not verified: {len(left)} of {count} parts ({few(left)})."
+    return f"Strength verified by every rule: {'all ' if count > 1 else ''}{counted(count, 'part')}."
+
+
+def few(names: Sequence[str]) -> str:
+    """Some names, and how many more."""
+    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")

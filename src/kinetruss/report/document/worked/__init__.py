@@ -1,0 +1,16 @@
+"""Worked calculations: each governing check with its formulas, its numbers with units, its result and its source."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.report.document.worked.chosen import worked
+    from kinetruss.report.document.worked.markup import shown, worked_record
+    from kinetruss.report.document.worked.sheet import Sheet
+
+__all__ = ["Sheet", "shown", "worked", "worked_record"]
+
+__getattr__, __dir__ = late(__name__, {"chosen": "worked", "sheet": "Sheet", "markup": "shown worked_record"})
