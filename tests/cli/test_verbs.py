@@ -204,7 +204,7 @@ def test_info_of_a_model_counts(folder):
     record = json.loads(call("info", folder / "fourbar.json", "--json").stdout)
     counts = {key: record[key] for key in ("nodes", "bars", "coordinates", "fixed", "rank", "degrees_of_freedom", "drives")}
     assert counts == {"nodes": 4, "bars": 3, "coordinates": 8, "fixed": 4, "rank": 3, "degrees_of_freedom": 1, "drives": 1}
-    assert "1 degrees of freedom" in call("info", folder / "fourbar.json").stdout
+    assert "1 degree of freedom" in call("info", folder / "fourbar.json").stdout
 
 
 def test_info_of_a_run_is_its_page(folder):

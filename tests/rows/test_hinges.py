@@ -232,6 +232,6 @@ def test_drives_that_fight_are_named():
         **SPACE | {"fixed": ["A", "B", "D", "E"], "bars": {"a": ("A", "C"), "b": ("B", "C")}},
         drives={"one": kt.HingeDrive(axis=("A", "B"), start="D", end="C"), "two": kt.AngleDrive("a", axis="z")},
     )
-    assert "1 states of self-stress" in str(kt.kinematics.mobility(model))
+    assert "1 state of self-stress" in str(kt.kinematics.mobility(model))
     with pytest.raises(kt.InputError, match="contradict each other"):
         kt.kinematics.follow(model, kt.ConstantRate(rates={"one": 1.0}, duration=1.0), samples=5)

@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from decimal import ROUND_HALF_UP, Context, Decimal
 
 __all__ = [
-    "FLOORS", "UNITS", "Quantity", "aligned", "instant", "margin", "number", "quantity", "round_up", "scale", "ticks",
+    "FLOORS", "UNITS", "Quantity", "aligned", "counted", "instant", "margin", "number", "quantity", "round_up", "scale",
+    "ticks",
 ]  # fmt: skip
 
 PREFIXES = {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
@@ -244,3 +245,12 @@ def instant(time: float | None) -> str:
     ('0.025 s', '-')
     """
     return "-" if time is None or not math.isfinite(time) else f"{number(time)} s"
+
+
+def counted(count: int, noun: str, several: str = "") -> str:
+    """A number of things with their noun. several : the plural, if it is not the noun with an s.
+
+    >>> counted(1, "bar"), counted(1200, "bar"), counted(2, "body", "bodies")
+    ('1 bar', '1,200 bars', '2 bodies')
+    """
+    return f"{count:,} {noun if count == 1 else several or noun + 's'}"

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from kinetruss.display import counted
+
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
 __all__ = ["contents", "described"]
 
 COUNTED = (
-    ("active", "active member"), ("beams", "beam"), ("bodies", "body"), ("hubs", "hub"), ("membranes", "membrane"),
-    ("solids", "solid"), ("springs", "spring"), ("loads", "load"), ("load_cases", "load case"),
+    ("active", "active member", ""), ("beams", "beam", ""), ("bodies", "body", "bodies"), ("hubs", "hub", ""),
+    ("membranes", "membrane", ""), ("solids", "solid", ""), ("springs", "spring", ""), ("loads", "load", ""),
+    ("load_cases", "load case", ""),
 )  # fmt: skip
-"""Tables of a model that are counted -> the word for one entry."""
+"""Tables of a model that are counted -> the words for one and for several."""
 NAMED = 6
 """Largest number of drives that are named."""
 
@@ -41,13 +44,7 @@ def contents(model: ModelData) -> str:
     """
     nodes = [name for name, node in model.nodes.items() if not node.director]
     bars = sum(not bar.brace for bar in model.bars.values())
-    parts = [f"{_count(len(nodes), 'node')} ({sum(name in model.fixed for name in nodes)} fixed)"]
-    parts += [_count(bars, "bar")] if bars else []
-    parts += [_count(len(table), word) for field, word in COUNTED if (table := getattr(model, field))]
+    parts = [f"{counted(len(nodes), 'node')} ({sum(name in model.fixed for name in nodes)} fixed)"]
+    parts += [counted(bars, "bar")] if bars else []
+    parts += [counted(len(table), word, several) for field, word, several in COUNTED if (table := getattr(model, field))]
     return ", ".join(parts)
-
-
-def _count(number: int, word: str) -> str:
-    if number != 1:
-        word = f"{word[:-1]}ies" if word.endswith("body") else f"{word}s"
-    return f"{number:,} {word}"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.display import counted
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_directions, row_ends
@@ -89,11 +90,12 @@ class Mobility:
         return found
 
     def __str__(self) -> str:
-        coupled = f"{self.couplings} couplings, " if self.couplings else ""
+        coupled = f"{counted(self.couplings, 'coupling')}, " if self.couplings else ""
         lines = [
-            f"{self.bars} rigid bars, {coupled}{self.coordinates} coordinates, {self.fixed} fixed, rank {self.rank}: "
-            f"{self.degrees_of_freedom} degrees of freedom, {self.drives} drives",
-            f"with the drives held: {self.undriven} mechanisms, {self.self_stress} states of self-stress "
+            f"{counted(self.bars, 'rigid bar')}, {coupled}{self.coordinates} coordinates, {self.fixed} fixed, "
+            f"rank {self.rank}: "
+            f"{counted(self.degrees_of_freedom, 'degree')} of freedom, {counted(self.drives, 'drive')}",
+            f"with the drives held: {counted(self.undriven, 'mechanism')}, {counted(self.self_stress, 'state')} of self-stress "
             f"(count {self.maxwell} = {self.undriven} - {self.self_stress})",
         ]
         lines += [f"  mechanism {i + 1}: {text}" for i, text in enumerate(self.mechanism_texts(LINES))]
@@ -133,8 +135,8 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
     >>> square = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (1, 1), "D": (0, 1)}, fixed=["A", "B"],
     ...                   bars={"b": ("B", "C"), "c": ("C", "D"), "d": ("D", "A")})
     >>> print(kt.kinematics.mobility(square))
-    3 rigid bars, 8 coordinates, 4 fixed, rank 3: 1 degrees of freedom, 0 drives
-    with the drives held: 1 mechanisms, 0 states of self-stress (count 1 = 1 - 0)
+    3 rigid bars, 8 coordinates, 4 fixed, rank 3: 1 degree of freedom, 0 drives
+    with the drives held: 1 mechanism, 0 states of self-stress (count 1 = 1 - 0)
       mechanism 1: C moves along x (+1.000), D moves along x (+1.000)
     """
     system = compile(model)

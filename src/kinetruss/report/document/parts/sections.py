@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, Table, element, number, quantity
+from kinetruss.display import Markup, Table, counted, element, number, quantity
 from kinetruss.report.document._bars import span_bar
 from kinetruss.report.document.frame import Columns
 from kinetruss.report.document.parts.inputs import sources
 from kinetruss.report.document.parts.methods import methods
-from kinetruss.report.document.parts.words import MOST, at, counted, is_single, left_out, named
+from kinetruss.report.document.parts.words import MOST, at, is_single, left_out, named
 from kinetruss.report.run_text.statics import statics_lines, statics_title
 
 if TYPE_CHECKING:

@@ -13,7 +13,6 @@ __all__ = [
     "MOST",
     "at",
     "bars_of",
-    "counted",
     "exceeds",
     "is_over",
     "is_single",
@@ -81,11 +80,6 @@ def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:
     shares = [value_of(row["utilisation"]) for row in rows]
     most = BEYOND if any(share > 1 for share in shares) else 1.0
     return [bar(share, most) for share in shares]
-
-
-def counted(count: int, noun: str) -> str:
-    """A count with its noun."""
-    return f"{count or 'no'} {noun}{'' if count == 1 else 's'}"
 
 
 def left_out(entries: Sized) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from kinetruss.display import instant, quantity
-from kinetruss.report.document.parts.words import counted, is_over, is_single, named, share_of, value_of
+from kinetruss.display import counted, instant, quantity
+from kinetruss.report.document.parts.words import is_over, is_single, named, share_of, value_of
 
 __all__ = ["governing_entry", "result_lines", "unverified"]
 
