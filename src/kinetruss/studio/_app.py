@@ -15,6 +15,7 @@ from starlette.responses import HTMLResponse, PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kinetruss.errors import KinetrussError
+from kinetruss.studio._commands import MOST
 from kinetruss.studio._session import Session
 from kinetruss.studio.editor import Desk
 from kinetruss.viewer import live_page
@@ -145,7 +146,11 @@ async def _talk(socket: WebSocket, new: Callable[[], Session]) -> None:
         if message["type"] == "websocket.disconnect":
             return
         text = message.get("text")
-        found = await run_in_threadpool(_answer, session, text if text is not None else message.get("bytes") or b"")
+        given = text if text is not None else message.get("bytes") or b""
+        if len(given) > MOST:
+            await socket.close(1009, "too long")
+            return
+        found = await run_in_threadpool(_answer, session, given)
         if isinstance(found, bytes):
             await socket.send_bytes(found)
         else:

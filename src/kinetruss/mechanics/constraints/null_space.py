@@ -172,10 +172,10 @@ def _surely_full(A: NDArray[np.float64]) -> bool:
         return False
     square = A @ A.T if A.shape[0] <= A.shape[1] else A.T @ A
     try:
-        inverse = np.linalg.inv(square)
+        with np.errstate(over="ignore", invalid="ignore"):
+            return bool(np.linalg.norm(np.linalg.inv(square)) * np.linalg.norm(square) < SURE)
     except np.linalg.LinAlgError:
         return False
-    return bool(np.linalg.norm(inverse) * np.linalg.norm(square) < SURE)
 
 
 class _Iteration:

@@ -109,10 +109,7 @@ class Desk:
             case say.Save():
                 return self.save(command)
             case say.Versions():
-                return {
-                    "kind": "versions",
-                    "rows": [{k: row[k] for k in ("number", "when", "words")} for row in self._versions()],
-                }
+                return self._versions()
             case say.Keep():
                 return self.keep_version(command.words)
             case say.Restore():

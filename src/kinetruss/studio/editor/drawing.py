@@ -7,7 +7,7 @@ from pathlib import Path
 
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.io.models import data_of, text_of
-from kinetruss.studio.editor.edits import MEMBERS, Data, moved
+from kinetruss.studio.editor.edits import MEMBERS, Data, moved, place_of
 from kinetruss.studio.editor.judge import Judged, judged
 from kinetruss.studio.editor.shape import faulty_shape
 
@@ -55,10 +55,8 @@ class Drawing:
     @property
     def dim(self) -> int:
         """2 or 3; of an empty drawing the chosen one."""
-        counts = [
-            len(entry["at"] if isinstance(entry, dict) else entry) for entry in (self.state.data.get("nodes") or {}).values()
-        ]
-        return counts[0] if counts else self.own_dim
+        names = self.state.data.get("nodes") or {}
+        return len(place_of(self.state.data, next(iter(names)))) if names else self.own_dim
 
     def edit(self, data: Data, words: str, drag: int | None = None) -> None:
         """Take new data as the next state.

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from kinetruss.errors import InputError
 from kinetruss.io.formats.plain import plain_model
 from kinetruss.library import cells
-from kinetruss.studio.editor.edits import MEMBERS, Data, ends_of, new_name, place_of
+from kinetruss.studio.editor.edits import MEMBERS, Data, ends_of, moved, new_name, place_of
 from kinetruss.units import parse
 
 __all__ = ["CELLS", "copied", "mirrored", "stacked"]
@@ -28,9 +29,14 @@ def copied(data: Data, nodes: Sequence[str], by: Sequence[Any], count: int) -> D
     """`count` copies, each shifted by a vector (m or text with units) from the last; nodes that meet are shared."""
     step = [parse(value, "length") for value in by]
     for k in range(1, count + 1):
-        shift = [k * value for value in step]
-        data = _imaged(data, nodes, lambda place, shift=shift: [a + b for a, b in zip(place, shift, strict=True)])
+        data = _imaged(data, nodes, partial(_shifted, [k * value for value in step]))
     return data
+
+
+def _shifted(by: list[float], place: list[float]) -> list[float]:
+    if len(by) != len(place):
+        raise InputError(f"Give {len(place)} components of the shift, not {len(by)}.")
+    return [a + b for a, b in zip(place, by, strict=True)]
 
 
 def mirrored(data: Data, nodes: Sequence[str], axis: str, at: Any) -> Data:
@@ -48,8 +54,6 @@ def _imaged(data: Data, nodes: Sequence[str], image: Callable[[list[float]], lis
         raise InputError(f"No node called {missing[0]!r}." if missing else "Pick the nodes to copy first.")
     places = {name: [parse(value, "length") for value in place_of(data, name)] for name in data["nodes"]}
     size = max((max(abs(value) for value in place) for place in places.values()), default=1.0) or 1.0
-    if any(len(image(places[name])) != len(places[name]) for name in nodes):
-        raise InputError("Give as many components as the nodes have.")
     found = {**data, "nodes": dict(data["nodes"])}
     twin: dict[str, str] = {}
     for name in nodes:
@@ -87,22 +91,51 @@ def _with_members(data: Data, twin: Mapping[str, str]) -> Data:
 
 
 def stacked(data: Data, cell: str, count: int, arguments: Mapping[str, Any]) -> Data:
-    """The drawing with a stack of cells of the library; it keeps its own supports, if it has any."""
-    prefix = "B"
+    """The drawing with a stack of cells of the library beside it; it keeps its own supports, if it has any."""
     used = [*(data.get("nodes") or {}), *(name for table in MEMBERS for name in data.get(table) or {})]
-    while any(name.startswith(prefix) and name[len(prefix) : len(prefix) + 1].isdecimal() for name in used):
+    prefix = "B"
+    while any(name.startswith(f"{prefix}1.") for name in used):
         prefix = chr(ord(prefix) + 1) if prefix < "Y" else f"{prefix}Z"
     more = plain_model(cells.stack([{"kind": cell, **arguments, "count": count}], names=prefix))
-    if data.get("nodes") and len(place_of(data, next(iter(data["nodes"])))) != len(place_of(more, next(iter(more["nodes"])))):
-        raise InputError("A planar drawing takes planar cells (triangle, panel), a spatial one the others.")
+    places = {name: [parse(value, "length") for value in place_of(more, name)] for name in more["nodes"]}
+    if used:
+        drawn = [[parse(value, "length") for value in place_of(data, name)] for name in data["nodes"]]
+        if len(drawn[0]) != len(next(iter(places.values()))):
+            raise InputError("A planar drawing takes planar cells (triangle, panel), a spatial one the others.")
+        right, left = max(place[0] for place in drawn), min(place[0] for place in places.values())
+        width = max(place[0] for place in places.values()) - left
+        places = {name: [place[0] + right - left + 0.5 * width, *place[1:]] for name, place in places.items()}
+    if count == 1:  # the library gives a single cell no prefix
+        more = _prefixed(more, f"{prefix}1.")
+        places = {f"{prefix}1.{name}": place for name, place in places.items()}
     found = dict(data)
-    for table in ("nodes", *MEMBERS, *TABLES):
+    for table in TABLES:
         if more.get(table):
-            found[table] = {**more[table], **(found.get(table) or {})} if table in TABLES else {
-                **(found.get(table) or {}), **more[table]}  # fmt: skip
+            found[table] = {**more[table], **(found.get(table) or {})}
+    for table in ("nodes", *MEMBERS):
+        if more.get(table):
+            found[table] = {**(found.get(table) or {}), **more[table]}
     for key in ("fixed", "gravity", "section", "material"):
         if key in more and not found.get(key):
             found[key] = more[key]
+    return moved(found, places) if used else found
+
+
+def _prefixed(more: Data, prefix: str) -> Data:
+    """The data with a prefix before the names of nodes and members."""
+    found = {**more, "nodes": {prefix + name: entry for name, entry in more["nodes"].items()}}
+    for table in MEMBERS:
+        found[table] = {}
+        for name, entry in (more.get(table) or {}).items():
+            record = dict(entry) if isinstance(entry, dict) else {"ends": entry}
+            record["ends"] = [prefix + end for end in record["ends"]]
+            if isinstance(record.get("orientation"), str):
+                record["orientation"] = prefix + record["orientation"]
+            found[table][prefix + name] = record if len(record) > 1 else record["ends"]
+    if "fixed" in more:
+        fixed = more["fixed"]
+        found["fixed"] = {prefix + name: axes for name, axes in fixed.items()} if isinstance(fixed, dict) else [
+            prefix + name for name in fixed]  # fmt: skip
     return found
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import time
 from contextlib import suppress
 from dataclasses import dataclass
@@ -99,6 +98,5 @@ class Keep:
     def _write(self, what: str, text: str) -> None:
         path = self.path(what)
         with whole_file(path) as draft:
-            file = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-            with open(file, "w", encoding="utf-8", newline="\n") as opened:
-                opened.write(text)
+            draft.touch(mode=0o600)
+            draft.write_text(text, encoding="utf-8", newline="\n")

@@ -19,7 +19,7 @@ def faulty_shape(data: Data) -> list[Fault]:
         return [Fault(("nodes",), "is not a table of names.", "Write for example nodes: {A: [0, 0]}.")]
     for name, entry in nodes.items():
         at = entry.get("at") if isinstance(entry, dict) else entry
-        if not _is_place(at):
+        if not isinstance(at, list) or not _is_place(at):
             found.append(Fault(("nodes", name), "has no place.", "Write two or three lengths, e.g. [0.1, 50 mm]."))
         else:
             counts.add(len(at))
@@ -41,8 +41,8 @@ def faulty_shape(data: Data) -> list[Fault]:
     return found
 
 
-def _is_place(at: Any) -> bool:
-    if not isinstance(at, list) or len(at) not in (2, 3):
+def _is_place(at: list[Any]) -> bool:
+    if len(at) not in (2, 3):
         return False
     try:
         [parse(value, "length") for value in at]
