@@ -162,14 +162,14 @@ export class Canvas {
     this.layers.rubber.replaceChildren(...parts);
   }
 
-  /** The node or member at a place of the screen. */
-  hit([x, y], touch = false) {
+  /** The node or member at a place of the screen; `allowed` chooses among the nodes. */
+  hit([x, y], touch = false, allowed = () => true) {
     const { state } = this.draw;
     const near = touch ? 22 : 12;
     let best = null;
     this.seen.forEach((p, k) => {
       const apart = Math.hypot(p[0] - x, p[1] - y);
-      if (apart <= near && (!best || apart < best.apart - 1e-6 || (apart < best.apart + 1e-6 && p[2] > best.depth))) best = { type: "node", name: state.nodes[k], apart, depth: p[2] };
+      if (apart <= near && allowed(state.nodes[k]) && (!best || apart < best.apart - 1e-6 || (apart < best.apart + 1e-6 && p[2] > best.depth))) best = { type: "node", name: state.nodes[k], apart, depth: p[2] };
     });
     if (best) return best;
     state.members.forEach(({ name, ends }) => {

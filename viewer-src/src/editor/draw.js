@@ -158,6 +158,12 @@ export class Draw {
     return [place[0], place[1], place[2] || 0];
   }
 
+  /** Whether a node lies in the work plane. */
+  inPlane(name) {
+    const { axis, at } = this.camera.plane;
+    return Math.abs(this.at(name)[axis] - at) * this.camera.scale < 1;
+  }
+
   /** As many coordinates as the drawing has. */
   cut(point) {
     return point.slice(0, this.camera.dim);

@@ -1,5 +1,7 @@
 // What pointer and keys do in the drawing: pick and move, nodes, bars; pan, turn and approach.
 
+import { clean } from "./camera.js";
+
 const SLACK = 4; // pixels that a click may move
 const FEW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -27,11 +29,11 @@ export class Tools {
     return [event.clientX - box.left, event.clientY - box.top];
   }
 
-  /** Node or free point at a place: {node} or {point}; null where the plane is seen edge-on. */
-  target(place, touch, except = null) {
+  /** Node or free point at a place: {node} or {point}; null where the plane is seen edge-on. New nodes see those of their plane. */
+  target(place, touch) {
     const { draw } = this;
-    const hit = draw.canvas.hit(place, touch);
-    if (hit?.type === "node" && hit.name !== except) return { node: hit.name, point: draw.at(hit.name) };
+    const hit = draw.canvas.hit(place, touch, (name) => draw.tool !== "node" || draw.inPlane(name));
+    if (hit?.type === "node") return { node: hit.name, point: draw.at(hit.name) };
     const point = draw.camera.unproject(place);
     if (!point) {
       draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
@@ -111,7 +113,7 @@ export class Tools {
     act.moved = true;
     const there = draw.snap ? draw.camera.snapped(to) : to;
     const places = {};
-    for (const [name, from] of Object.entries(act.from)) places[name] = from.map((value, k) => Number((value + there[k] - (own[k] || 0)).toPrecision(15))).slice(0, draw.camera.dim);
+    for (const [name, from] of Object.entries(act.from)) places[name] = from.map((value, k) => (k === draw.camera.plane.axis || there[k] === own[k] ? value : clean(value + there[k] - own[k]))).slice(0, draw.camera.dim);
     draw.drag(places, act.number);
   }
 
