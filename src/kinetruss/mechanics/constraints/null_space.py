@@ -144,6 +144,8 @@ class Spaces:
         count = size - self.rank
         if size * count > LISTED:
             raise InputError(f"{count} vectors of {size} numbers are too many to list. Look at a part of the model.")
+        if not count:
+            return np.zeros((size, 0))
         if self._svd is not None:
             U, _, Vt = self._svd
             return tidy((Vt.T if side else U)[:, self.rank :])

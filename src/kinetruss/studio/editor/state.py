@@ -127,7 +127,7 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
         "reaction": reactions,
-        "unsure": list(forces.data.attrs.get("not_unique", ())),
+        "unsure": list(forces.attrs.get("not_unique", ())),
     }
 
 
