@@ -13,13 +13,13 @@ import os
 
 os.environ |= dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"), "1")  # before NumPy is loaded
 
-import argparse  # noqa: E402
-import json  # noqa: E402
-import statistics  # noqa: E402
-import time  # noqa: E402
+import argparse
+import json
+import statistics
+import time
 
-import kinetruss as kt  # noqa: E402
-from kinetruss.studio.editor import Desk  # noqa: E402
+import kinetruss as kt
+from kinetruss.studio.editor import Desk
 
 BAYS = 50
 

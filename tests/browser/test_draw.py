@@ -348,11 +348,19 @@ def test_a_drag_shows_closed_poses_only_and_is_one_step(show, served):
     hand.page.locator("h1").click()
     hand.press("v", "g")
     steps = hand.js("draw.undone = state.undo")
-    hand.page.evaluate("""() => { const draw = kinetruss.draw; window.worst = 0; window.seen = 0;
-      const place = draw.place.bind(draw);
-      draw.place = (answer) => { place(answer); window.seen++;
-        const p = draw.state.places, far = (a, b) => Math.hypot(p[a][0] - p[b][0], p[a][1] - p[b][1]);
-        window.worst = Math.max(window.worst, Math.abs(far(0, 1) - 0.2), Math.abs(far(1, 2) - 0.63), Math.abs(far(2, 3) - 0.45)); }; }""")
+    hand.page.evaluate("""() => {
+      const draw = kinetruss.draw, place = draw.place.bind(draw), lengths = [0.2, 0.63, 0.45];
+      Object.assign(window, { worst: 0, seen: 0 });
+      draw.place = (answer) => {
+        place(answer);
+        window.seen++;
+        const { places } = draw.state;
+        lengths.forEach((length, k) => {
+          const [a, b] = [places[k], places[k + 1]];
+          window.worst = Math.max(window.worst, Math.abs(Math.hypot(a[0] - b[0], a[1] - b[1]) - length));
+        });
+      };
+    }""")
     x, y = hand.spot("B")
     hand.page.mouse.move(x, y)
     hand.page.mouse.down()

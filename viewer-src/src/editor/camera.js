@@ -5,6 +5,7 @@ import { niceStep } from "../format.js";
 const AXES = "xyz";
 const FLAT = { azimuth: -Math.PI / 2, elevation: Math.PI / 2 };
 const LOOKS = { corner: [-0.95, 0.5], top: [-Math.PI / 2, Math.PI / 2], front: [-Math.PI / 2, 0], side: [0, 0] };
+const ALIGN = 8; // pixels within which a point is in line with a node
 const PIXELS = 44; // least distance of grid lines
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -94,9 +95,14 @@ export class Camera {
     return this.step || niceStep(PIXELS / this.scale) * (niceStep(PIXELS / this.scale) * this.scale < PIXELS * 0.6 ? 2 : 1);
   }
 
-  /** The nearest point of the grid in the work plane. */
-  snapped(point) {
-    return point.map((value, k) => (k === this.plane.axis ? value : clean(Math.round(value / this.grid) * this.grid)));
+  /** The nearest point of the grid in the work plane, or in line with a node that is nearer. */
+  snapped(point, places = []) {
+    return point.map((value, k) => {
+      if (k === this.plane.axis) return value;
+      const own = clean(Math.round(value / this.grid) * this.grid);
+      const near = places.reduce((best, place) => (Math.abs((place[k] || 0) - value) < Math.abs(best - value) ? place[k] || 0 : best), Infinity);
+      return Math.abs(near - value) * this.scale < ALIGN && Math.abs(near - value) < Math.abs(own - value) ? near : own;
+    });
   }
 
   /** The two axes of the work plane. */

@@ -1,13 +1,14 @@
 // The picture of the drawing: an SVG whose parts are made once for each structure and moved with every answer.
 
-import { colourOf } from "../colour.js";
+import { colourOf, gradient } from "../colour.js";
 import { KINDS } from "../display.js";
-import { svg } from "../dom.js";
+import { el, fill, svg } from "../dom.js";
 import { quantity } from "../format.js";
 
 const LINES = 60; // most grid lines to either side
 const ARROW = 46; // pixels of the largest load
 const MANY = 80; // nodes above which names are hidden
+const FEW = 24; // members up to which all have their names, else those that are picked
 
 const path = (points, close = false) => (points.length ? `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}${close ? "Z" : ""}` : "");
 
@@ -17,6 +18,7 @@ export class Canvas {
     const layer = (name) => svg("g", { class: name });
     this.layers = Object.fromEntries(["picture", "grid", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
+    this.legend = el("div", { class: "legend", hidden: true });
     new ResizeObserver(() => this.resize()).observe(this.node);
   }
 
@@ -75,6 +77,8 @@ export class Canvas {
   paint(state, picked, shown) {
     const sizes = (state.force || []).filter((value) => value !== null).map(Math.abs);
     const largest = Math.max(...sizes, 0) || 1;
+    this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
+    fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")));
     this.bars.forEach((bar, k) => {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
@@ -85,6 +89,7 @@ export class Canvas {
       bar.classList.toggle("picked", picked.members.has(name));
       bar.classList.toggle("apart", name in state.apart);
       bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+      this.tags[k].setAttribute("display", state.members.length <= FEW || picked.members.has(name) ? "inline" : "none");
       this.tags[k].setAttribute("x", ((a[0] + b[0]) / 2 + 5).toFixed(1));
       this.tags[k].setAttribute("y", ((a[1] + b[1]) / 2 - 5).toFixed(1));
       this.tags[k].textContent = shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;

@@ -40,7 +40,7 @@ export class Draw {
     this.tools = new Tools(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, this.banner, this.files.offer, this.status.node, this.properties.node,
       this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.spoken), panel));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -156,6 +156,12 @@ export class Draw {
   at(name) {
     const place = this.state.places[this.state.nodes.indexOf(name)];
     return [place[0], place[1], place[2] || 0];
+  }
+
+  /** A point on the grid or in line with other nodes, where that is chosen. */
+  snapped(point, except = new Set()) {
+    if (!this.snap) return point;
+    return this.camera.snapped(point, this.state.places.filter((_, k) => !except.has(this.state.nodes[k])));
   }
 
   /** Whether a node lies in the work plane. */

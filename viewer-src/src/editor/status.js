@@ -30,7 +30,7 @@ export class Status {
       this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `Stands and moves as driven: ${state.drives.length} drive${state.drives.length === 1 ? "" : "s"}.${state.why ? ` ${state.why}` : ""}` : state.why),
         el("ul", {}, rows.slice(0, 14).map(([head, text]) => el("li", { class: `of-${head.split(" ")[0]}` }, el("b", {}, head), " ", text))));
     }
-    this.mobility.textContent = state.mobility?.text || "";
+    this.mobility.textContent = state.mobility ? state.mobility.text || "It follows when the pointer rests." : "";
     this.numbers(state);
   }
 

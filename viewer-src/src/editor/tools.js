@@ -39,7 +39,7 @@ export class Tools {
       draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
       return null;
     }
-    return { point: draw.snap ? draw.camera.snapped(point) : point };
+    return { point: draw.snapped(point) };
   }
 
   down(event) {
@@ -99,7 +99,7 @@ export class Tools {
     if (draw.tool === "pick" || draw.closed) return;
     const hit = draw.canvas.hit(place);
     const point = hit?.type === "node" ? draw.at(hit.name) : draw.camera.unproject(place);
-    const to = point && (hit?.type === "node" || !draw.snap ? point : draw.camera.snapped(point));
+    const to = point && (hit?.type === "node" ? point : draw.snapped(point));
     draw.rubber = to ? { from: this.pending?.point, to } : null;
     draw.canvas.rubber();
   }
@@ -111,7 +111,7 @@ export class Tools {
     const to = draw.camera.unproject(place, own[draw.camera.plane.axis] || 0);
     if (!to) return draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
     act.moved = true;
-    const there = draw.snap ? draw.camera.snapped(to) : to;
+    const there = draw.snapped(to, new Set(Object.keys(act.from)));
     const places = {};
     for (const [name, from] of Object.entries(act.from)) places[name] = from.map((value, k) => (k === draw.camera.plane.axis || there[k] === own[k] ? value : clean(value + there[k] - own[k]))).slice(0, draw.camera.dim);
     draw.drag(places, act.number);

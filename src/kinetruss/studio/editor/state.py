@@ -24,7 +24,7 @@ __all__ = ["fault_rows", "state_of"]
 
 
 def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
-    """Everything that the page shows. light : without text and records, which a drag does not change."""
+    """Everything that the page shows. light : without text and records, and without the whole text of the mobility."""
     data, found = drawing.state.data, drawing.found
     places = _places(drawing)
     members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
@@ -38,7 +38,7 @@ def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
         "warnings": [{"kind": kind, "text": text} for kind, text in found.warnings],
         "missing": _missing(drawing),
         "alarms": found.alarms,
-        "mobility": _mobility(found),
+        "mobility": _mobility(found, light),
         "drives": _drives(found),
         **_forces(found.forces, list(known), list(places)),
     }
@@ -131,11 +131,12 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
     }
 
 
-def _mobility(found: Judged) -> dict[str, Any] | None:
+def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
     one = found.mobility
     if one is None:
         return None
-    return {"freedoms": one.degrees_of_freedom, "undriven": one.undriven, "self_stress": one.self_stress, "text": str(one)}
+    counts = {"freedoms": one.degrees_of_freedom, "undriven": one.undriven, "self_stress": one.self_stress}
+    return counts if light else counts | {"text": str(one)}
 
 
 def _missing(drawing: Drawing) -> list[str]:
