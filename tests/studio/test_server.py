@@ -196,6 +196,13 @@ def test_drawing_pages_share_one_drawing_and_the_live_page_operates_it(tmp_path)
         served.process.communicate()
     last = start(tmp_path)
     assert last.address == served.address  # a drawing that was kept keeps its address
+    other = start(tmp_path)  # at the same time: another drawing
+    with drawing(other) as page:
+        assert heard(page)["offer"] is None
+        ask(page, do="add", at=[0, 0])
+    other.process.kill()
+    other.process.communicate()
+    assert (tmp_path / ".kinetruss" / "untitled-2.autosave.yaml").is_file()
     assert (tmp_path / ".kinetruss" / "untitled.address.json").stat().st_mode & 0o077 == 0
     last.process.kill()
     last.process.communicate()

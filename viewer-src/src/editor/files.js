@@ -18,6 +18,7 @@ export class Files {
   rebuild() {
     const { state } = this.draw;
     this.body.hidden = !state.writable;
+    if (!state.offered) this.offer.hidden = true;
     if (!this.name.value) this.name.value = state.file || "model.yaml";
     if (state.saved) this.list({ do: "versions" });
   }

@@ -44,7 +44,7 @@ export class Status {
     const reactions = Object.entries(state.reaction).slice(0, 60);
     if (reactions.length) {
       tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "reaction"), axes.map((axis) => el("th", {}, `${axis} (N)`))),
-        reactions.map(([name, values]) => el("tr", {}, el("th", {}, name), values.map((value) => el("td", {}, number(Math.abs(value) < 1e-12 * Math.max(...values.map(Math.abs)) ? 0 : value, 4)))))));
+        reactions.map(([name, values]) => el("tr", {}, el("th", {}, name), values.map((value) => el("td", {}, value === null ? "-" : number(Math.abs(value) < 1e-12 * Math.max(...values.map(Math.abs)) ? 0 : value, 4)))))));
     }
     refill(this.tables, ...tables);
   }

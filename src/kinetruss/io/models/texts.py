@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError
@@ -20,10 +20,10 @@ __all__ = ["data_of", "located", "text_of"]
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
-def data_of(text: str, folder: Path, max_size: int = MAX_SIZE) -> tuple[dict[str, Any], list[Fault]]:
+def data_of(text: str, folder: Path, max_size: int = MAX_SIZE, *, within: bool = False) -> tuple[dict[str, Any], list[Fault]]:
     """The plain data of a text, and faults that do not stop parsing; library models and tables in files are written out.
 
-    Numbers without units are floats, unless the text is also the name of an entry.
+    Numbers without units are floats, unless the text is also the name of an entry. within : only files of the folder are read.
 
     Raises
     ------
@@ -36,6 +36,11 @@ def data_of(text: str, folder: Path, max_size: int = MAX_SIZE) -> tuple[dict[str
         raise refuse("is not a table of names.", "Start with kinetruss: 1, then nodes, bars, ...", tree.place)
     data: dict[str, Any] = plain(tree)
     if "library" in data or _uses_files(data):
+        if within and (outside := _outside(data)):
+            raise refuse(
+                f"names {outside!r}, which is not in the folder.",
+                "Put the file beside the model, and name it without its path.",
+            )
         try:
             data = plain_model(model_of(data, faults, folder, max_size))
         except ModelError as error:
@@ -60,6 +65,15 @@ def _uses_files(data: dict[str, Any]) -> bool:
     entries = [entry for table in data.values() if isinstance(table, dict) for entry in table.values()]
     inner = [entry.get("trajectory") for entry in entries if isinstance(entry, dict)]
     return any(isinstance(entry, dict) and "file" in entry for entry in [*entries, *inner])
+
+
+def _outside(value: Any) -> str:
+    """A text in the data that is a path out of the folder, or nothing."""
+    if isinstance(value, str):
+        path = PureWindowsPath(value)  # knows both slashes
+        return value if path.anchor or ".." in path.parts else ""
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return next((found for one in inner if (found := _outside(one))), "")
 
 
 def _numbers(value: Any, names: set[str]) -> Any:

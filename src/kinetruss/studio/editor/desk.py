@@ -38,7 +38,7 @@ class Desk:
         self.file = file
         self.folder = folder
         self.seen = seen_now(file) if seen is None else dict(seen)
-        self.keep = None if folder is None else Keep(folder, file.stem if file is not None else "untitled")
+        self.keep = None if folder is None else Keep.unused(folder, file.stem if file is not None else "untitled")
         self.given = model
         self.drawing = self._opened(model, dim)
         self.offered = self.keep.found() if self.keep is not None else None
@@ -47,6 +47,7 @@ class Desk:
         self.saved = self.drawing.state
         self.lock = threading.Lock()
         self.address: tuple[str, int] | None = None
+        self.kept = False
 
     def _opened(self, model: Model | None, dim: int) -> Drawing:
         if model is None:
@@ -55,7 +56,7 @@ class Desk:
         text = text_of(model)
         if self.file is not None and self.file.suffix.lower() in (".yaml", ".yml"):
             text = self.file.read_text(encoding="utf-8-sig")
-        if drawing.write(text, self.folder or Path()) or drawing.found.model is None:
+        if drawing.write(text, self.folder or Path(), within=False) or drawing.found.model is None:
             drawing.write(text_of(model), Path())
         drawing.past.clear()
         return drawing
@@ -218,10 +219,21 @@ class Desk:
         return self.keep
 
     def _autosave(self) -> None:
-        if self.keep is not None and self.offered is None:
+        """Keep the drawing beside its file; one of an earlier studio that nobody has taken up becomes a version."""
+        if self.keep is None or (self.drawing.state is self.saved and self.offered is not None):
+            return
+        if not self.kept:
+            token = self.address[0] if self.address is not None else None
+            self.keep, self.kept = Keep.unused(self.keep.folder, self.keep.name, token), True
+        if self.offered is not None:
+            self.keep.add(self.offered[0], "left by an earlier studio")
+            self.offered = None
+        if self.drawing.state is self.saved:
+            self.keep.remove()
+        else:
             self.keep.autosave(self.drawing.state.text)
-            if self.address is not None:
-                self.keep.keep_address(*self.address)
+        if self.address is not None:
+            self.keep.keep_address(*self.address)
 
     def _state(self) -> Record:
         record = state_of(self.drawing)
@@ -229,6 +241,7 @@ class Desk:
             "file": "" if self.file is None else self.file.name,
             "dirty": self.drawing.state is not self.saved,
             "writable": self.folder is not None,
+            "offered": self.offered is not None,
         }
 
     def _offer(self) -> Record | None:

@@ -66,19 +66,21 @@ class Drawing:
         ModelError : the data have faults that the present ones do not have; nothing is changed.
         """
         merged = drag is not None and self.state.drag == drag
-        only_moved = drag is not None and self.found.model is not None and not self.found.model.beams
-        found = judged(data, fine=drag is None, last=self.found if only_moved else None)
+        found = judged(data, fine=drag is None, last=self.found if drag is not None and self._plain() else None)
         known = {(fault.path, fault.message) for fault in self.found.faults}
         if new := [fault for fault in found.faults if (fault.path, fault.message) not in known]:
             raise ModelError(new)
-        if found.moved:
-            data = moved(data, found.moved)
+        if shifted := {name: place for name, place in found.moved.items() if name in data["nodes"]}:
+            data = moved(data, shifted)
         self._next(State(data, None, words, drag), found, merged)
 
-    def write(self, text: str, folder: Path) -> list[Fault]:
-        """Take the drawing of a text, even if the model has faults; returns the faults for which it is not taken."""
+    def write(self, text: str, folder: Path, within: bool = True) -> list[Fault]:
+        """Take the drawing of a text, even if the model has faults; returns the faults for which it is not taken.
+
+        within : only files of the folder may be read for it.
+        """
         try:
-            data, faults = data_of(text, folder)
+            data, faults = data_of(text, folder, within=within)
         except ModelError as error:
             return error.faults
         if wrong := faults or faulty_shape(data):
@@ -89,6 +91,13 @@ class Drawing:
             self.state = replace(self.state, typed=text)
             self.revision += 1
         return []
+
+    def _plain(self) -> bool:
+        """True if places of nodes alone differ between the model and a model with moved nodes: nothing is derived from them."""
+        model = self.found.model
+        if model is None or model.beams or model.bodies or model.hubs:
+            return False
+        return all(node.director is None for node in model.nodes.values()) and not any(b.brace for b in model.bars.values())
 
     def _next(self, state: State, found: Judged, merged: bool) -> None:
         if not merged:

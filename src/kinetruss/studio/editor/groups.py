@@ -9,6 +9,7 @@ from typing import Any
 from kinetruss.errors import InputError
 from kinetruss.io.formats.plain import plain_model
 from kinetruss.library import cells
+from kinetruss.model import nearest
 from kinetruss.studio.editor.edits import MEMBERS, Data, ends_of, moved, new_name, place_of
 from kinetruss.units import parse
 
@@ -92,6 +93,8 @@ def _with_members(data: Data, twin: Mapping[str, str]) -> Data:
 
 def stacked(data: Data, cell: str, count: int, arguments: Mapping[str, Any]) -> Data:
     """The drawing with a stack of cells of the library beside it; it keeps its own supports, if it has any."""
+    if cell not in CELLS:
+        raise InputError(f"No cell called {cell!r}. {nearest(cell, CELLS)}")
     used = [*(data.get("nodes") or {}), *(name for table in MEMBERS for name in data.get(table) or {})]
     prefix = "B"
     while any(name.startswith(f"{prefix}1.") for name in used):

@@ -118,7 +118,7 @@ def _closed(system: System) -> tuple[NDArray[np.float64], dict[str, tuple[float,
     size = float(np.ptp(x, axis=0).max()) or 1.0
     if np.abs(row_errors(system, x, wanted)).max() <= EXACT * size:
         return x, {}
-    found, worst = projected(system, x, wanted, size)
+    found, worst = projected(system, x, wanted, size) if len(system.free) else (x, np.inf)
     if worst <= CLOSED * size and np.isfinite(found).all():
         return found, {}
     drawn = row_values(system, x)

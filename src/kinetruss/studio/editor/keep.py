@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import http.client
 import json
 import time
 from contextlib import suppress
 from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from kinetruss.errors import InputError, StoreError
 from kinetruss.results.store import whole_file
@@ -25,6 +28,30 @@ class Keep:
 
     folder: Path
     name: str
+
+    @classmethod
+    def unused(cls, folder: Path, name: str, token: str | None = None) -> Keep:
+        """The side files of a name, or of name-2, name-3, ..., that no other running studio has. token : of this studio."""
+        keep = cls(folder, name)
+        for number in count(2):
+            if not keep.in_use(token):
+                break
+            keep = cls(folder, f"{name}-{number}")
+        return keep
+
+    def in_use(self, token: str | None) -> bool:
+        """True if another studio of this drawing answers at its address."""
+        found = self.address()
+        if found is None or found[0] == token:
+            return False
+        line = http.client.HTTPConnection("127.0.0.1", found[1], timeout=2.0)
+        try:
+            line.request("GET", f"/{quote(found[0])}/draw/")
+            return line.getresponse().status == 200
+        except (OSError, http.client.HTTPException):
+            return False
+        finally:
+            line.close()
 
     def path(self, what: str) -> Path:
         """The side file for a purpose."""

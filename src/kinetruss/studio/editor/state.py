@@ -120,10 +120,10 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
     arrays = forces.arrays
     names = [str(name) for name in arrays["member"].values]
     values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
-    reactions: dict[str, list[float]] = {}
+    reactions: dict[str, list[float | None]] = {}
     if "reaction" in arrays:
-        rows = zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True)
-        reactions = {name: row for name, row in rows if name in nodes}
+        rows = zip(map(str, arrays["support"].values), arrays["reaction"].values[0], strict=True)
+        reactions = {name: [number(one) for one in row] for name, row in rows if name in nodes}
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
         "reaction": reactions,
