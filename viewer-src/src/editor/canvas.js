@@ -90,8 +90,9 @@ export class Canvas {
       bar.classList.toggle("apart", name in state.apart);
       bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
       this.tags[k].setAttribute("display", state.members.length <= FEW || picked.members.has(name) ? "inline" : "none");
-      this.tags[k].setAttribute("x", ((a[0] + b[0]) / 2 + 5).toFixed(1));
-      this.tags[k].setAttribute("y", ((a[1] + b[1]) / 2 - 5).toFixed(1));
+      const part = k % 2 ? 0.6 : 0.4; // two bars that cross in their middles have their names apart
+      this.tags[k].setAttribute("x", (a[0] + part * (b[0] - a[0]) + 5).toFixed(1));
+      this.tags[k].setAttribute("y", (a[1] + part * (b[1] - a[1]) - 5).toFixed(1));
       this.tags[k].textContent = shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
     });
   }

@@ -38,7 +38,7 @@ export class Draw {
     this.files = new Files(this);
     this.rail = new ToolRail(this);
     this.tools = new Tools(this);
-    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, this.banner, this.files.offer, this.status.node, this.properties.node,
+    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, this.banner, this.files.offer, this.status.node, this.status.details, this.properties.node,
       this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
     root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));

@@ -35,7 +35,7 @@ export class Groups {
     const stack = () => draw.edit({ do: "stack", cell: this.value("cell", cells[0]), count: this.value("cells", 1) }).then((answer) => answer.kind === "drawing" && draw.fit());
     const planar = ["triangle", "panel"];
     const cells = draw.choices.cells.filter((name) => planar.includes(name) === (state.dim === 2));
-    refill(this.body, el("p", { class: "faint" }, `${count} nodes are picked${count ? "" : ": Shift-click, Shift-drag a box, or Ctrl+A"}.`),
+    refill(this.body, el("p", { class: "faint" }, count ? `${count} node${count === 1 ? " is" : "s are"} picked.` : "No node is picked: Shift-click, Shift-drag a box, or Ctrl+A."),
       el("fieldset", {}, el("legend", {}, "Copy, shifted by"), el("div", { class: "row" }, axes.map((axis) => this.field(axis, `d${axis}`, 0, `shift of copies along ${axis}`)), this.field("times", "count", 1, "number of copies"), button("Copy", copy))),
       el("fieldset", {}, el("legend", {}, "Mirror in the plane"), el("div", { class: "row" }, choice("", axes, this.value("axis", "x"), (value) => (this.values.axis = value), "mirror axis"), this.field("=", "at", 0, "place of the mirror"), button("Mirror", mirror))),
       el("fieldset", {}, el("legend", {}, "Cells of the library"), el("div", { class: "row" }, choice("", cells, this.value("cell", cells[0]), (value) => (this.values.cell = value), "cell"), this.field("times", "cells", 1, "number of cells"), button("Stack", stack))));

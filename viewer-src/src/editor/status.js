@@ -12,8 +12,8 @@ export class Status {
     this.words = el("div", { class: "words", role: "status", "aria-live": "polite" });
     this.tables = el("div", {});
     this.mobility = el("pre", {});
-    this.node = el("section", { class: "verdicts", "aria-label": "state of the drawing" }, this.words, this.tables,
-      el("details", {}, el("summary", {}, "Mobility"), this.mobility));
+    this.node = el("section", { class: "verdicts", "aria-label": "state of the drawing" }, this.words);
+    this.details = el("div", { class: "state" }, this.tables, el("details", {}, el("summary", {}, "Mobility"), this.mobility));
   }
 
   rebuild() {
@@ -27,7 +27,7 @@ export class Status {
     if (key !== this.last) {
       this.last = key;
       const good = !rows.length && state.force;
-      this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `Stands and moves as driven: ${state.drives.length} drive${state.drives.length === 1 ? "" : "s"}.${state.why ? ` ${state.why}` : ""}` : state.why),
+      this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `${state.drives.length ? `It stands, and ${state.drives.length === 1 ? "one drive moves" : `${state.drives.length} drives move`} it.` : "It stands; no drive moves it."} ${state.why}` : state.why),
         el("ul", {}, rows.slice(0, 14).map(([head, text]) => el("li", { class: `of-${head.split(" ")[0]}` }, el("b", {}, head), " ", text))));
     }
     this.mobility.textContent = state.mobility ? state.mobility.text || "It follows when the pointer rests." : "";
