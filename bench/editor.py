@@ -24,13 +24,13 @@ from kinetruss.studio.editor import Desk
 BAYS = 50
 
 
-def truss(*, braced: bool = False, lengths: bool = False, driven: bool = False) -> kt.Model:
-    """A planar truss of 50 bays and 200 bars or more, 250 if both diagonals are there; with given lengths or driven bars."""
+def truss(*, braced: int = 0, lengths: bool = False, driven: bool = False) -> kt.Model:
+    """A planar truss of 50 bays and 200 bars, one more for each bay with both diagonals; with given lengths or driven bars."""
     nodes = {f"{row}{k}": (float(k), float(height)) for k in range(BAYS + 1) for row, height in (("b", 0), ("t", 1))}
     pairs = [(f"b{k}", f"t{k}") for k in range(1, BAYS + 1)]
     for k in range(BAYS):
         pairs += [(f"b{k}", f"b{k + 1}"), (f"t{k}", f"t{k + 1}"), (f"b{k}", f"t{k + 1}")]
-        pairs += [(f"t{k}", f"b{k + 1}")] * braced
+        pairs += [(f"t{k}", f"b{k + 1}")] * (k < braced)
     bars = {f"m{k}": kt.Bar(ends=ends) for k, ends in enumerate(pairs)}
     if lengths:
         size = {True: 1.0, False: 2**0.5}
@@ -73,7 +73,8 @@ def main() -> None:
         "determinate": truss(),
         "four driven bars": truss(driven=True),
         "given lengths": truss(lengths=True),
-        "redundant": truss(braced=True),
+        "2 redundant bars": truss(braced=2),
+        "50 redundant bars": truss(braced=50),
     }
     rows = [measure(name, model, options.edits) for name, model in cases.items()]
     if options.json:
