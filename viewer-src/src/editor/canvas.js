@@ -78,7 +78,8 @@ export class Canvas {
     const sizes = (state.force || []).filter((value) => value !== null).map(Math.abs);
     const largest = Math.max(...sizes, 0) || 1;
     this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
-    fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")));
+    fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
+      state.unsure.length ? el("div", {}, "?: not unique, in the colour of its kind") : null);
     this.bars.forEach((bar, k) => {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
