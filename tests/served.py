@@ -40,9 +40,15 @@ class Served:
 
 
 def serve(model, folder: Path) -> Served:
-    """Start a studio of a model whose file is in a folder."""
-    path = io.write(model, folder / "model.yaml")
-    command = [sys.executable, "-c", "from kinetruss.cli import main; main()", "studio", str(path), "--no-open"]
+    """Start a studio of a model whose file is in a folder; of an empty drawing if there is no model."""
+    given = [] if model is None else [str(io.write(model, folder / "model.yaml"))]
+    return start(folder, *given)
+
+
+def start(folder: Path, *arguments: str) -> Served:
+    """Start a studio with arguments of the command line; it may write into a folder."""
+    code = "from kinetruss.cli import main; main()"
+    command = [sys.executable, "-c", code, "studio", *arguments, "--no-open", "--folder", str(folder)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
     return Served(process, re.search(r"http://\S+", process.stdout.readline())[0], folder)

@@ -14,7 +14,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from kinetruss import dynamics, kinematics
 from samples import tripod
-from served import WAIT, Served, serve
+from served import WAIT, Served, serve, start
 
 
 def live(served: Served, **changes) -> ClientConnection:
@@ -164,3 +164,55 @@ def test_a_port_that_is_taken_is_named(studio, tmp_path):
     found = subprocess.run([*command, studio.host.split(":")[1]], capture_output=True, text=True, timeout=WAIT)
     assert found.returncode == 2
     assert re.search(r"Port \d+ of 127.0.0.1 cannot be used", found.stderr)
+
+
+def drawing(served: Served) -> ClientConnection:
+    base = served.live.removesuffix("live").removesuffix("draw/")
+    return live(served, uri=f"{base}draw/live")
+
+
+def test_drawing_pages_share_one_drawing_and_the_live_page_operates_it(tmp_path):
+    served = start(tmp_path, "--new", "--space")
+    assert served.address.endswith("/draw/")
+    try:
+        assert status(served)[0] == 200
+        with drawing(served) as one, drawing(served) as two:
+            assert heard(one)["dim"] == heard(two)["dim"] == 3
+            with live(served, uri=served.live.replace("draw/", "")) as page:
+                failed = heard(page)
+                assert (failed["kind"], "no model yet" in failed["message"]) == ("failed", True)
+            assert ask(one, do="stack", cell="tetrahedron")["nodes"] == heard(two)["nodes"]
+            assert ask(two, do="delete", members=["B1.batten1"])["undo"] == heard(one)["undo"] == "deleting B1.batten1"
+            one.send("[" * 100_000)
+            assert heard(one)["kind"] == "error"
+            ask(one, do="undo")
+            assert heard(two)["redo"]
+            with live(served, uri=served.live.replace("draw/", "")) as page:
+                assert len(heard(page)["setup"]["members"]) == 6
+        with pytest.raises(InvalidStatus, match="403"), live(served, uri=served.live, origin="http://evil.example"):
+            pass
+    finally:
+        served.process.kill()
+        served.process.communicate()
+    last = start(tmp_path)
+    assert last.address == served.address  # a drawing that was kept keeps its address
+    other = start(tmp_path)  # at the same time: another drawing
+    with drawing(other) as page:
+        assert heard(page)["offer"] is None
+        ask(page, do="add", at=[0, 0])
+    other.process.kill()
+    other.process.communicate()
+    assert (tmp_path / ".kinetruss" / "untitled-2.autosave.yaml").is_file()
+    assert (tmp_path / ".kinetruss" / "untitled.address.json").stat().st_mode & 0o077 == 0
+    last.process.kill()
+    last.process.communicate()
+
+
+def test_an_empty_drawing_is_not_asked_for_with_a_model(tmp_path):
+    import subprocess
+    import sys
+
+    command = [sys.executable, "-c", "from kinetruss.cli import main; main()", "studio", "--new", "a.yaml", "--no-open"]
+    found = subprocess.run(command, capture_output=True, text=True, timeout=WAIT, cwd=tmp_path)
+    assert found.returncode == 2
+    assert "--new opens an empty drawing" in found.stderr

@@ -40,7 +40,8 @@ export class Controls {
     const save = () => this.save({ do: "save", name: this.file.value.trim(), pose: this.pose.checked, frames: this.frames.told() });
     this.saveSection = section("Save", el("div", { class: "row" }, this.file, el("button", { type: "button", onclick: save }, "Save")),
       el("label", {}, this.pose, " in this pose"),
-      el("div", { class: "row" }, el("button", { type: "button", onclick: () => this.live.ask({ do: "reset" }) }, "Back to the file's model")));
+      el("div", { class: "row" }, el("button", { type: "button", onclick: () => this.live.ask({ do: "reset" }) }, "Back to the file's model"),
+        this.live.root.dataset.live === "socket" ? el("a", { href: "draw/" }, "Draw: change the structure") : null));
     return this.saveSection;
   }
 

@@ -15,7 +15,9 @@ from starlette.responses import HTMLResponse, PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kinetruss.errors import KinetrussError
+from kinetruss.studio._commands import MOST
 from kinetruss.studio._session import Session
+from kinetruss.studio.editor import Desk
 from kinetruss.viewer import live_page
 
 __all__ = ["PAGES", "application"]
@@ -32,7 +34,7 @@ HEADERS = {
 
 STALE = (
     "No studio has this address. Each start of the studio has a new one, which it prints: open that.\n"
-    "Unsaved changes of an earlier studio are lost."
+    "Only a drawing that was autosaved keeps its address. Other unsaved changes of an earlier studio are lost."
 )
 """The answer to the link of an earlier start."""
 
@@ -70,26 +72,34 @@ class Guard:
         return len(origins) == 1 and origins[0] in self.origins
 
 
-def application(new: Callable[[], Session], token: str, hosts: Iterable[str], title: str) -> FastAPI:
+def application(new: Callable[[], Session], desk: Desk, token: str, hosts: Iterable[str], title: str) -> FastAPI:
     """The application.
 
     Parameters
     ----------
-    new : makes the session of a page. token : part of every address. hosts : ``127.0.0.1:PORT`` and the like.
+    new : makes the session of a live page. desk : the drawing that all drawing pages share. token : part of every address.
+    hosts : ``127.0.0.1:PORT`` and the like.
     """
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, redirect_slashes=False)
     app.add_middleware(Guard, hosts=tuple(hosts))
-    served = live_page(title, sorted(hosts)).encode()
+    served = {"live": live_page(title, sorted(hosts)).encode(), "draw": live_page(title, sorted(hosts), draw=True).encode()}
     open_pages: set[WebSocket] = set()
+    drawing_pages: set[WebSocket] = set()
+
+    def answered(given: str, kind: str) -> Response:
+        if not _same(given, token):
+            return PlainTextResponse(STALE, status_code=404)
+        return HTMLResponse(served[kind], headers=HEADERS)
 
     @app.get("/{given}/")
     async def page(given: str) -> Response:
-        if not _same(given, token):
-            return PlainTextResponse(STALE, status_code=404)
-        return HTMLResponse(served, headers=HEADERS)
+        return answered(given, "live")
 
-    @app.websocket("/{given}/live")
-    async def live(socket: WebSocket, given: str) -> None:
+    @app.get("/{given}/draw/")
+    async def drawing_page(given: str) -> Response:
+        return answered(given, "draw")
+
+    async def connected(socket: WebSocket, given: str, talk: Callable[[], Awaitable[None]]) -> None:
         if not _same(given, token):
             await socket.close(1008, "wrong token")
             return
@@ -99,11 +109,20 @@ def application(new: Callable[[], Session], token: str, hosts: Iterable[str], ti
             return
         open_pages.add(socket)
         try:
-            await _talk(socket, new)
+            await talk()
         except (WebSocketDisconnect, RuntimeError):
             log.debug("a page was closed")
         finally:
             open_pages.discard(socket)
+            drawing_pages.discard(socket)
+
+    @app.websocket("/{given}/live")
+    async def live(socket: WebSocket, given: str) -> None:
+        await connected(socket, given, lambda: _talk(socket, new))
+
+    @app.websocket("/{given}/draw/live")
+    async def draw(socket: WebSocket, given: str) -> None:
+        await connected(socket, given, lambda: _draw(socket, desk, drawing_pages))
 
     return app
 
@@ -127,14 +146,36 @@ async def _talk(socket: WebSocket, new: Callable[[], Session]) -> None:
         if message["type"] == "websocket.disconnect":
             return
         text = message.get("text")
-        found = await run_in_threadpool(_answer, session, text if text is not None else message.get("bytes") or b"")
+        given = text if text is not None else message.get("bytes") or b""
+        if len(given) > MOST:
+            await socket.close(1009, "too long")
+            return
+        found = await run_in_threadpool(_answer, session, given)
         if isinstance(found, bytes):
             await socket.send_bytes(found)
         else:
             await _send(socket.send_text, found)
 
 
-def _answer(session: Session, text: str | bytes) -> bytes | dict[str, Any]:
+async def _draw(socket: WebSocket, desk: Desk, pages: set[WebSocket]) -> None:
+    """Answer every message of a drawing page; the other drawing pages get what was changed."""
+    await _send(socket.send_text, await run_in_threadpool(desk.first))
+    pages.add(socket)
+    while True:
+        message = await socket.receive()
+        if message["type"] == "websocket.disconnect":
+            return
+        text = message.get("text")
+        before = desk.drawing.revision
+        found = await run_in_threadpool(_answer, desk, text if text is not None else message.get("bytes") or b"")
+        await _send(socket.send_text, found)
+        if desk.drawing.revision == before or found["kind"] not in ("drawing", "moved"):
+            continue
+        for other in pages - {socket}:
+            await _send(other.send_text, {**found, "made": {}, "other": True})
+
+
+def _answer(session: Session | Desk, text: str | bytes) -> Any:
     """The answer of the session; an unexpected error is reported too, and the page stays connected."""
     try:
         return session.answer(text)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from kinetruss.results import Forces
 
-__all__ = ["MANY", "Instant", "framed", "instant"]
+__all__ = ["MANY", "Instant", "alarms_of", "framed", "instant"]
 
 MANY = 40
 """Number of members above which motors and mobility are computed only when the slider stops."""
@@ -61,6 +61,12 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
     alarms = [*_strength(model, arrays), *_motors(demand or [])]
     verdict = headline(check(model, forces), drives=_holding(demand or []), timed=False).record
     return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=alarms, verdict=verdict)
+
+
+def alarms_of(model: Model, forces: Forces) -> list[str]:
+    """Members and motors beyond a limit under the forces of one pose, in sentences."""
+    _, arrays = moving(model, forces.motion, [forces], None, 600)
+    return [*_strength(model, arrays), *_motors(_demand(model, forces) if model.actuators else [])]
 
 
 def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:

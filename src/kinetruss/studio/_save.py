@@ -8,6 +8,7 @@ from pathlib import Path
 from kinetruss.errors import InputError
 from kinetruss.io import write
 from kinetruss.model import Model
+from kinetruss.results.store import whole_file
 
 __all__ = ["FileThereError", "Seen", "save", "seen_now"]
 
@@ -28,10 +29,10 @@ def seen_now(*paths: Path | None) -> Seen:
     return {path.resolve(): _stamp(path) for path in paths if path is not None and path.is_file()}
 
 
-def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: bool = False) -> Path:
+def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: bool = False, text: str | None = None) -> Path:
     """Write a model to a file in a folder, completely or not at all, and store its stamp in `seen`.
 
-    replace : also replace a file that is not in `seen` or was changed since.
+    replace : also replace a file that is not in `seen` or was changed since. text : the model as YAML, written as it is.
 
     Raises
     ------
@@ -52,9 +53,13 @@ def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: b
         raise InputError(f"{name} is a link or a folder. Choose another name.")
     if path.exists() and not replace:
         _check(path, seen)
-    written = write(model, path)
+    if text is None or path.suffix.lower() == ".json":
+        write(model, path)
+    else:
+        with whole_file(path) as draft:
+            draft.write_text(text, encoding="utf-8", newline="\n")
     seen[path] = _stamp(path)
-    return written
+    return path
 
 
 def _check(path: Path, seen: Seen) -> None:

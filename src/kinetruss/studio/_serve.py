@@ -17,41 +17,49 @@ HOST = "127.0.0.1"
 
 
 def serve(
-    path: str | Path,
+    path: str | Path | None = None,
     *,
+    dim: int = 2,
+    draw: bool = False,
     folder: str | Path | None = None,
     port: int = 0,
     token: str | None = None,
     max_size: int = MAX_SIZE,
     ready: Callable[[str], Any] | None = None,
 ) -> None:
-    """Serve the live page of a model file to browsers of this machine, until interrupted.
+    """Serve the live page and the drawing page of a model to browsers of this machine, until interrupted.
 
     Parameters
     ----------
-    path : the model file; it is read once, and every new page starts from it.
-    folder : the only folder in which pages can save; by default the folder of the model file.
-    port : on 127.0.0.1; 0 selects a free one. token : part of the address; by default 32 random characters.
+    path : the model file; it is read once. None: an empty drawing.
+    dim : of the empty drawing, 2 or 3. draw : open the drawing page first; so it is without a file.
+    folder : the only folder in which pages can save; by default that of the model file, or the working folder.
+    port : on 127.0.0.1; 0 selects a free one. token : part of the address; by default 32 random characters, or those of the
+        last studio of this file if it has autosaved a drawing.
     ready : called with the address once the server listens.
 
     Raises
     ------
     InputError : missing packages of the studio, a faulty model, no such folder, a port in use.
     """
-    file = Path(path).resolve()
-    target = file.parent if folder is None else Path(folder).resolve()
+    file = None if path is None else Path(path).resolve()
+    target = Path(folder).resolve() if folder is not None else Path.cwd() if file is None else file.parent
     if not target.is_dir():
         raise InputError(f"There is no folder {target}. Make it, or name another one.")
     from kinetruss.studio._save import seen_now
 
     seen = seen_now(file)  # before the file is read: a later change is by another program
-    model = read(file, max_size=max_size)
-    uvicorn, application, session = _packages()
-    token = token or secrets.token_urlsafe(24)
-    with _listening(port) as listener:
+    model = None if file is None else read(file, max_size=max_size)
+    uvicorn, application, session, desk_of = _packages()
+    desk = desk_of(model, file, target, dim=dim, seen=seen)
+    last = desk.keep.address()
+    with _listening(port, last[1] if last is not None and token is None else 0) as listener:
         here = listener.getsockname()[1]
+        token = token or (last[0] if last is not None and last[1] == here else secrets.token_urlsafe(24))
+        desk.address = token, here
         hosts = [f"{HOST}:{here}", f"localhost:{here}"]
-        app = application(lambda: session(model, file, target, seen), token, hosts, model.title or file.stem)
+        title = "kinetruss" if model is None or file is None else model.title or file.stem
+        app = application(lambda: session(desk.model(), file, target, seen), desk, token, hosts, title)
         config = uvicorn.Config(
             app,
             log_level="error",
@@ -66,11 +74,11 @@ def serve(
             proxy_headers=False,
         )
         if ready is not None:
-            ready(f"http://{HOST}:{here}/{token}/")
+            ready(f"http://{HOST}:{here}/{token}/{'draw/' if draw or model is None else ''}")
         uvicorn.Server(config).run(sockets=[listener])
 
 
-def _packages() -> tuple[Any, Any, Any]:
+def _packages() -> tuple[Any, Any, Any, Any]:
     try:
         import uvicorn
         import websockets as _  # noqa: F401 - uvicorn looks for it only when a page connects
@@ -81,18 +89,24 @@ def _packages() -> tuple[Any, Any, Any]:
             f"The studio needs the package {error.name}. Install what it needs: pip install 'kinetruss[studio]'"
         ) from None
     from kinetruss.studio._session import Session
+    from kinetruss.studio.editor import Desk
 
-    return uvicorn, application, Session
+    return uvicorn, application, Session, Desk
 
 
 def _longest() -> int:
-    from kinetruss.studio._commands import MOST
+    from kinetruss.studio.editor.commands import MOST
 
     return MOST
 
 
-def _listening(port: int) -> socket.socket:
-    """A socket that listens on this machine only."""
+def _listening(port: int, wished: int) -> socket.socket:
+    """A socket that listens on this machine only: at a port, or at a wished one if it is free, or at any."""
+    if not port and wished:
+        try:
+            return _listening(wished, 0)
+        except InputError:  # another program has it
+            return _listening(0, 0)
     found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:

@@ -15,7 +15,7 @@ from kinetruss.io.models.files import Reading, with_files
 from kinetruss.io.models.library import on_library_model, with_parameters
 from kinetruss.model import FORMAT, Lost, Model, rests_on
 
-__all__ = ["placed", "read"]
+__all__ = ["model_of", "placed", "read"]
 
 
 def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, Any] | None = None) -> Model:
@@ -46,7 +46,7 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
         tree, faults = _parsed(path, max_size)
         try:
             data = plain(tree) if not library else with_parameters(plain(tree), library)
-            return _model(data, faults, path.parent, max_size)
+            return model_of(data, faults, path.parent, max_size)
         except ModelError as error:
             raise ModelError(_sorted([_located(fault, tree) for fault in error.faults])) from None
     except ModelError as error:
@@ -71,7 +71,7 @@ def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:
     return tree, faults
 
 
-def _model(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: int) -> Model:
+def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: int) -> Model:
     """The model of the data, or all its faults after those found already."""
     if data.get("kinetruss", FORMAT) not in (FORMAT, str(FORMAT)):
         # another format: nothing else in the file can be checked

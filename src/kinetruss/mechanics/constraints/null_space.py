@@ -31,6 +31,9 @@ DENSE = 300
 SHIFT = 1e-15
 """The shift s as a fraction of the largest eigenvalue of J^T J: well above round-off."""
 
+SURE = 1e10
+"""Condition number of A A^T below which A has full rank beyond doubt."""
+
 FAR = 3e-7
 """Singular values above this fraction of the largest do not matter for the rank: their squares are well above SHIFT."""
 
@@ -66,12 +69,19 @@ class Spaces:
         self._rows, self._columns = (np.unique(places) for places in J.nonzero())
         small = max(J.shape) <= DENSE
         self._J = J if small else csr_array(J[self._rows][:, self._columns])
-        self._svd = np.linalg.svd(J.toarray()) if small else None
+        self._small = small
+
+    @cached_property
+    def _svd(self) -> Any:
+        """Singular values and vectors of a small matrix, or None."""
+        return np.linalg.svd(self._J.toarray()) if self._small else None
 
     @cached_property
     def rank(self) -> int:
         """Number of singular values above RANK_TOLERANCE of the largest; for large structures see `near`."""
-        if self._svd is not None:
+        if self._small:
+            if _surely_full(self._J.toarray()):
+                return int(min(self.shape))
             values = self._svd[1]
             return int(np.sum(values > RANK_TOLERANCE * values.max(initial=0.0)))
         return int(min(self._J.shape) - self._narrow.shape[1])
@@ -134,6 +144,8 @@ class Spaces:
         count = size - self.rank
         if size * count > LISTED:
             raise InputError(f"{count} vectors of {size} numbers are too many to list. Look at a part of the model.")
+        if not count:
+            return np.zeros((size, 0))
         if self._svd is not None:
             U, _, Vt = self._svd
             return tidy((Vt.T if side else U)[:, self.rank :])
@@ -152,6 +164,20 @@ class Spaces:
         found[lone, places[: len(lone)]] = 1.0
         found[np.ix_(kept, places[len(lone) :])] = vectors
         return found
+
+
+def _surely_full(A: NDArray[np.float64]) -> bool:
+    """True only if A has full rank beyond doubt: the inverse of A A^T (or A^T A) is small, so that the least singular value is
+    at least 1e-5 of the largest, which the rounding of the product cannot hide.
+    """
+    if not A.size:
+        return False
+    square = A @ A.T if A.shape[0] <= A.shape[1] else A.T @ A
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):
+            return bool(np.linalg.norm(np.linalg.inv(square)) * np.linalg.norm(square) < SURE)
+    except np.linalg.LinAlgError:
+        return False
 
 
 class _Iteration:

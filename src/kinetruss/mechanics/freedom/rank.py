@@ -74,7 +74,7 @@ class Mobility:
 
     def _soft(self, most: int) -> tuple[bool, ...]:
         """`second_order` of the first mechanisms."""
-        if not self.self_stress:
+        if not self.self_stress or not self.undriven:
             return (False,) * min(most, self.undriven)
         return _stiffened(self.system, self.position, self._flat[:most])
 

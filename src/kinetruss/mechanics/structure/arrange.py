@@ -7,6 +7,7 @@ rows in them, rigid bars first, and the rest as `redundant`.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -117,9 +118,39 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
 
 def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
     """Blocks of the given rows, or None if they do not match the free coordinates one to one."""
-    free = system.free
-    if len(rows) != len(free):
+    if len(rows) != len(system.free):
         return None
+    if len(system.sums) or system.model.support_motion:
+        return _planned(system, rows)
+    plan = _planned_once(Topology(system, rows))
+    return plan and plan.with_(value=system.row_value[plan.row])
+
+
+class Topology:
+    """Rows and their nodes as a key of caches: a plan without sums depends on them alone, not on places and lengths."""
+
+    def __init__(self, system: System, rows: NDArray[np.int64]) -> None:
+        self.system, self.rows = system, rows
+        arrays = (
+            rows, system.p, system.q, system.row_member, system.row_kind, system.row_drive, system.prescribed,
+            system.coordinate_drive,
+        )  # fmt: skip
+        self.key = tuple((array.shape, array.tobytes()) for array in arrays)
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Topology) and self.key == other.key
+
+
+@lru_cache(maxsize=32)
+def _planned_once(one: Topology) -> Plan | None:
+    return _planned(one.system, one.rows)
+
+
+def _planned(system: System, rows: NDArray[np.int64]) -> Plan | None:
+    free = system.free
     local = np.full(system.x0.size, -1)
     local[free] = np.arange(len(free))
     # incidence of rows and free coordinates, then its block triangular form

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.statics.large.search import row_errors
+    from kinetruss.statics.large.search import projected, row_errors
 
-__all__ = ["row_errors"]
+__all__ = ["projected", "row_errors"]
 
-__getattr__, __dir__ = late(__name__, {"search": "row_errors"})
+__getattr__, __dir__ = late(__name__, {"search": "projected row_errors"})

@@ -60,15 +60,16 @@ def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str
     return _document(words, data, POLICY, "")
 
 
-def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None) -> str:
+def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None, *, draw: bool = False) -> str:
     """The same page without a scene: it gets its scene from a websocket of its server, or from the frame around it.
 
     hosts : e.g. ``127.0.0.1:8000``, the only hosts to which the page may connect. still : shown while nobody answers, as in a
-    notebook that was exported as a page.
+    notebook that was exported as a page. draw : the page that draws a model.
     """
     policy = f"{POLICY}; connect-src {' '.join(f'ws://{host}' for host in hosts)}" if hosts else POLICY
     data = "" if still is None else _data(still, "")
-    return _document(title or "kinetruss", data, policy, ' data-live="socket"' if hosts else ' data-live="frame"')
+    live = "draw" if draw else "socket" if hosts else "frame"
+    return _document(title or "kinetruss", data, policy, f' data-live="{live}"')
 
 
 def _data(one: Scene, name: str) -> str:

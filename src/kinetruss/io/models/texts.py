@@ -1,0 +1,88 @@
+"""The text of a model file and its plain data, for programs that change one and show the other."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path, PureWindowsPath
+from typing import Any
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io.formats.emit import to_yaml
+from kinetruss.io.formats.plain import plain_model
+from kinetruss.io.formats.text import MAX_SIZE
+from kinetruss.io.formats.tree import locate, plain, refuse
+from kinetruss.io.formats.yaml import parse_yaml
+from kinetruss.io.models.read import model_of
+from kinetruss.model import Model
+
+__all__ = ["data_of", "located", "text_of"]
+
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+
+
+def data_of(text: str, folder: Path, max_size: int = MAX_SIZE, *, within: bool = False) -> tuple[dict[str, Any], list[Fault]]:
+    """The plain data of a text, and faults that do not stop parsing; library models and tables in files are written out.
+
+    Numbers without units are floats, unless the text is also the name of an entry. within : only files of the folder are read.
+
+    Raises
+    ------
+    ModelError : the text is not YAML, or is no table; a library model or a file that cannot be used. Each with its line.
+    """
+    tree, faults = parse_yaml(text)
+    if tree is None:
+        return {}, faults
+    if tree.table is None:
+        raise refuse("is not a table of names.", "Start with kinetruss: 1, then nodes, bars, ...", tree.place)
+    data: dict[str, Any] = plain(tree)
+    if "library" in data or _uses_files(data):
+        if within and (outside := _outside(data)):
+            raise refuse(
+                f"names {outside!r}, which is not in the folder.",
+                "Put the file beside the model, and name it without its path.",
+            )
+        try:
+            data = plain_model(model_of(data, faults, folder, max_size))
+        except ModelError as error:
+            raise ModelError([locate(fault, tree) for fault in error.faults]) from None
+    names = {name for table in data.values() if isinstance(table, dict) for name in table}
+    return {key: _numbers(value, names) for key, value in data.items()}, faults
+
+
+def text_of(data: dict[str, Any] | Model) -> str:
+    """YAML text of plain data or of a model."""
+    return to_yaml(plain_model(data) if isinstance(data, Model) else data)
+
+
+def located(text: str, faults: list[Fault]) -> list[Fault]:
+    """Faults of the data of a text, with line and column, in the order of the text."""
+    tree = parse_yaml(text)[0] if faults else None
+    found = faults if tree is None else [locate(fault, tree) for fault in faults]
+    return sorted(found, key=lambda fault: (fault.line or 0, fault.column or 0))
+
+
+def _uses_files(data: dict[str, Any]) -> bool:
+    entries = [entry for table in data.values() if isinstance(table, dict) for entry in table.values()]
+    inner = [entry.get("trajectory") for entry in entries if isinstance(entry, dict)]
+    return any(isinstance(entry, dict) and "file" in entry for entry in [*entries, *inner])
+
+
+def _outside(value: Any) -> str:
+    """A text in the data that is a path out of the folder, or nothing."""
+    if isinstance(value, str):
+        path = PureWindowsPath(value)  # knows both slashes
+        return value if path.anchor or ".." in path.parts else ""
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return next((found for one in inner if (found := _outside(one))), "")
+
+
+def _numbers(value: Any, names: set[str]) -> Any:
+    """The value with numbers in place of texts that are numbers, except names."""
+    if isinstance(value, dict):
+        return {key: _numbers(item, names) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_numbers(item, names) for item in value]
+    if isinstance(value, str) and value not in names and NUMBER.fullmatch(value):
+        number = float(value)
+        return int(value) if number.is_integer() and value.isdecimal() and abs(number) < 1e15 else number
+    return value

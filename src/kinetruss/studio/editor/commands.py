@@ -1,0 +1,209 @@
+"""The commands of the drawing page: small records that are checked before anything is done."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+
+from kinetruss.errors import InputError
+
+__all__ = [
+    "MOST", "Add", "Bar", "Copy", "Curve", "Delete", "Draft", "Fresh", "Keep", "Mirror", "Move", "Redo", "Rename",
+    "Restore", "Save", "Set", "Show", "Stack", "Text", "Undo", "Versions", "command_of",
+]  # fmt: skip
+
+MOST = 4_000_000
+"""Largest size of a message of the drawing page, bytes; the text of a model of 20,000 bars has about a million."""
+
+Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e9, le=1e9)]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Typed = Finite | Annotated[str, Field(max_length=100)]
+Place = Annotated[list[Typed], Field(min_length=2, max_length=3)]
+Names = Annotated[list[Name], Field(max_length=100_000)]
+
+
+class _Command(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Fresh(_Command):
+    """An empty drawing of 2 or 3 dimensions."""
+
+    do: Literal["fresh"]
+    dim: Literal[2, 3]
+
+
+class Add(_Command):
+    """A node at a place, m or text with units. `bar_from`: also a bar from that node."""
+
+    do: Literal["add"]
+    at: Place
+    name: Name | None = None
+    bar_from: Name | None = None
+
+
+class Bar(_Command):
+    """A bar between two nodes."""
+
+    do: Literal["bar"]
+    ends: Annotated[list[Name], Field(min_length=2, max_length=2)]
+    name: Name | None = None
+
+
+class Move(_Command):
+    """Nodes to new places. `drag`: moves with the same number are one step of undo."""
+
+    do: Literal["move"]
+    places: Annotated[dict[Name, Place], Field(max_length=100_000)]
+    drag: int | None = None
+
+
+class Set(_Command):
+    """Set the value at a path of the data, e.g. bars, b1, length; null removes it."""
+
+    do: Literal["set"]
+    path: Annotated[list[Name], Field(min_length=1, max_length=8)]
+    value: Any = None
+
+
+class Rename(_Command):
+    """Another name for an entry of a table; what refers to it follows."""
+
+    do: Literal["rename"]
+    table: Name
+    old: Name
+    new: Name
+
+
+class Delete(_Command):
+    """Remove nodes and members, and what depends on them."""
+
+    do: Literal["delete"]
+    nodes: Names = []
+    members: Names = []
+
+
+class Copy(_Command):
+    """Copies of nodes and of the members among them, each shifted by a vector from the last, m."""
+
+    do: Literal["copy"]
+    nodes: Names
+    by: Place
+    count: Annotated[int, Field(ge=1, le=200)] = 1
+
+
+class Mirror(_Command):
+    """Mirrored copies of nodes and of the members among them; nodes in the plane are shared."""
+
+    do: Literal["mirror"]
+    nodes: Names
+    axis: Literal["x", "y", "z"]
+    at: Typed = 0.0
+
+
+class Stack(_Command):
+    """A stack of cells of the library, e.g. three octahedra, added to the drawing."""
+
+    do: Literal["stack"]
+    cell: Name
+    count: Annotated[int, Field(ge=1, le=200)] = 1
+    arguments: dict[Name, Any] = {}
+
+
+class Text(_Command):
+    """The drawing of a model text."""
+
+    do: Literal["text"]
+    text: Annotated[str, Field(max_length=MOST)]
+
+
+class Undo(_Command):
+    """Back by one step."""
+
+    do: Literal["undo"]
+
+
+class Redo(_Command):
+    """Forward again by one step."""
+
+    do: Literal["redo"]
+
+
+class Show(_Command):
+    """The drawing as it is, everything computed."""
+
+    do: Literal["show"]
+
+
+class Curve(_Command):
+    """The path of a node and the force of a drive along the range of that drive, m or rad."""
+
+    do: Literal["curve"]
+    node: Name
+    drive: Name
+    low: Finite | None = None
+    high: Finite | None = None
+
+
+class Draft(_Command):
+    """Take up the autosaved drawing of an earlier studio, or remove it."""
+
+    do: Literal["draft"]
+    keep: bool
+
+
+class Versions(_Command):
+    """The list of saved states."""
+
+    do: Literal["versions"]
+
+
+class Restore(_Command):
+    """Back to a saved state of the list; it can be undone."""
+
+    do: Literal["restore"]
+    number: Annotated[int, Field(ge=1)]
+
+
+class Save(_Command):
+    """Write the file. `replace`: also over another file."""
+
+    do: Literal["save"]
+    name: Name
+    replace: bool = False
+
+
+class Keep(_Command):
+    """Put the present state into the list of versions."""
+
+    do: Literal["keep"]
+    words: Annotated[str, Field(max_length=200)] = ""
+
+
+Command = Annotated[
+    Fresh | Add | Bar | Move | Set | Rename | Delete | Copy | Mirror | Stack | Text | Undo | Redo | Show | Curve | Draft
+    | Versions | Restore | Save | Keep,
+    Field(discriminator="do"),
+]  # fmt: skip
+_ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)
+
+
+def command_of(text: str | bytes) -> Any:
+    """The command in a message.
+
+    Raises
+    ------
+    InputError : too long, not JSON, or not a known command.
+    """
+    if len(text) > MOST:
+        raise InputError(f"A message of {len(text)} bytes is refused. Send at most {MOST}.")
+    try:
+        return _ADAPTER.validate_python(json.loads(text))
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        where = ".".join(str(part) for part in first["loc"])
+        raise InputError(f"This message is not understood. {where or 'message'}: {first['msg']}.") from None
+    except (ValueError, RecursionError):
+        raise InputError("This message is not JSON.") from None

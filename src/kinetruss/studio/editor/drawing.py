@@ -1,0 +1,135 @@
+"""The drawing: the plain data of a model with its history. Every edit makes new data; undo takes the earlier ones again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.io.models import data_of, text_of
+from kinetruss.studio.editor.edits import MEMBERS, Data, moved, place_of
+from kinetruss.studio.editor.judge import Judged, judged
+from kinetruss.studio.editor.shape import faulty_shape
+
+__all__ = ["Drawing", "State", "fresh"]
+
+STEPS = 500
+"""Largest number of steps that can be undone."""
+
+HEADER = {"kinetruss": 1}
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """One state of a drawing: its data, the text if someone typed it, and what the step that led to it did."""
+
+    data: Data
+    typed: str | None = None
+    words: str = "the beginning"
+    drag: int | None = None
+
+    @property
+    def text(self) -> str:
+        """The file: the typed text, or the one of the data."""
+        return text_of(self.data) if self.typed is None else self.typed
+
+
+def fresh(dim: int) -> Data:
+    """The data of an empty drawing; it weighs along -y, or -z in space."""
+    gravity = [0.0] * dim
+    gravity[-1] = -9.81
+    return {**HEADER, "nodes": {}, "gravity": gravity}
+
+
+class Drawing:
+    """The present state, those before and after it, and what the present one is worth."""
+
+    def __init__(self, state: State, dim: int) -> None:
+        self.past: list[State] = []
+        self.future: list[State] = []
+        self.state = state
+        self.own_dim = dim
+        self.found = judged(state.data)
+        self.revision = 0
+
+    @property
+    def dim(self) -> int:
+        """2 or 3; of an empty drawing the chosen one."""
+        names = self.state.data.get("nodes") or {}
+        return len(place_of(self.state.data, next(iter(names)))) if names else self.own_dim
+
+    def edit(self, data: Data, words: str, drag: int | None = None) -> None:
+        """Take new data as the next state.
+
+        Raises
+        ------
+        ModelError : the data have faults that the present ones do not have; nothing is changed.
+        """
+        merged = drag is not None and self.state.drag == drag
+        found = judged(data, fine=drag is None, last=self.found if drag is not None and self._plain() else None)
+        known = {(fault.path, fault.message) for fault in self.found.faults}
+        if new := [fault for fault in found.faults if (fault.path, fault.message) not in known]:
+            raise ModelError(new)
+        if shifted := {name: place for name, place in found.moved.items() if name in data["nodes"]}:
+            data = moved(data, shifted)
+        self._next(State(data, None, words, drag), found, merged)
+
+    def write(self, text: str, folder: Path, within: bool = True) -> list[Fault]:
+        """Take the drawing of a text, even if the model has faults; returns the faults for which it is not taken.
+
+        within : only files of the folder may be read for it.
+        """
+        try:
+            data, faults = data_of(text, folder, within=within)
+        except ModelError as error:
+            return error.faults
+        if wrong := faults or faulty_shape(data):
+            return wrong
+        if data != self.state.data:
+            self._next(State(data, text, "the text"), judged(data), False)
+        else:
+            self.state = replace(self.state, typed=text)
+            self.revision += 1
+        return []
+
+    def _plain(self) -> bool:
+        """True if places of nodes alone differ between the model and a model with moved nodes: nothing is derived from them."""
+        model = self.found.model
+        if model is None or model.beams or model.bodies or model.hubs:
+            return False
+        return all(node.director is None for node in model.nodes.values()) and not any(b.brace for b in model.bars.values())
+
+    def _next(self, state: State, found: Judged, merged: bool) -> None:
+        if not merged:
+            self.past = [*self.past, self.state][-STEPS:]
+        self.future = []
+        self.state, self.found = state, found
+        self.revision += 1
+
+    def rest(self) -> None:
+        """Compute what waited for the end of a drag."""
+        self.found = judged(self.state.data)
+
+    def undo(self) -> None:
+        """The state before the last step."""
+        if not self.past:
+            raise InputError("There is nothing to undo.")
+        self.future = [self.state, *self.future]
+        self.state = self.past.pop()
+        self._again()
+
+    def redo(self) -> None:
+        """The state after the step that was undone."""
+        if not self.future:
+            raise InputError("There is nothing to redo.")
+        self.past = [*self.past, self.state]
+        self.state, *self.future = self.future
+        self._again()
+
+    def _again(self) -> None:
+        self.found = judged(self.state.data)
+        self.revision += 1
+
+    def names(self) -> list[str]:
+        """Names of all members."""
+        return [name for table in MEMBERS for name in self.state.data.get(table) or {}]

@@ -1,0 +1,160 @@
+"""A drawing as the record that the page shows."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import Fault, UnitError
+from kinetruss.io.models import located
+from kinetruss.model import NodalForce, turns
+from kinetruss.studio._edits import role_of
+from kinetruss.studio._instant import number
+from kinetruss.studio.editor.edits import MEMBERS, ends_of, place_of
+from kinetruss.units import parse
+
+if TYPE_CHECKING:
+    from kinetruss.results import Forces
+    from kinetruss.studio.editor.drawing import Drawing
+    from kinetruss.studio.editor.judge import Judged
+
+__all__ = ["fault_rows", "state_of"]
+
+
+def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
+    """Everything that the page shows. light : without text and records, and without the whole text of the mobility."""
+    data, found = drawing.state.data, drawing.found
+    places = _places(drawing)
+    members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
+    known = {name: ends for name, ends in members.items() if all(end in places for end in ends)}
+    record = {
+        "kind": "moved" if light else "drawing",
+        "revision": drawing.revision,
+        "places": list(places.values()),
+        "apart": found.apart,
+        "why": found.why,
+        "warnings": [{"kind": kind, "text": text} for kind, text in found.warnings],
+        "missing": _missing(drawing),
+        "alarms": found.alarms,
+        "mobility": _mobility(found, light),
+        "drives": _drives(found),
+        **_forces(found.forces, list(known), list(places)),
+    }
+    if light:
+        return record
+    text = drawing.state.text
+    return record | {
+        "dim": drawing.dim,
+        "nodes": list(places),
+        "members": [{"name": name, "ends": ends, "kind": _kind(drawing, name)} for name, ends in known.items()],
+        "fixed": _fixed(data, len(next(iter(places.values()), [0, 0]))),
+        "loads": _loads(found),
+        "data": data,
+        "text": text,
+        "faults": fault_rows(located(text, found.faults)),
+        "undo": drawing.state.words if drawing.past else "",
+        "redo": drawing.future[0].words if drawing.future else "",
+        "valid": found.model is not None,
+    }
+
+
+def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
+    """Faults with their line in the text."""
+    return [{"where": one.where, "text": str(one), "line": one.line, "column": one.column} for one in faults]
+
+
+def _places(drawing: Drawing) -> dict[str, list[float]]:
+    """Node -> place, m: the closed pose, or what is drawn if there is none."""
+    found = drawing.found
+    if found.model is not None and found.position is not None:
+        return dict(zip(found.model.nodes, found.position.tolist(), strict=True))
+    places = {}
+    for name in drawing.state.data.get("nodes") or {}:
+        with suppress(UnitError):
+            places[name] = [float(parse(value, "length")) for value in place_of(drawing.state.data, name)]
+    return places
+
+
+def _kind(drawing: Drawing, name: str) -> str:
+    model = drawing.found.model
+    if model is not None:
+        return role_of(model, name)
+    return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
+
+
+def _fixed(data: dict[str, Any], dim: int) -> dict[str, str]:
+    given = data.get("fixed") or {}
+    return dict(given) if isinstance(given, dict) else dict.fromkeys(given, "xyz"[:dim])
+
+
+def _loads(found: Judged) -> list[dict[str, Any]]:
+    model = found.model
+    return [] if model is None else [
+        {"name": name, "node": load.node, "force": list(load.force)}
+        for name, load in model.loads.items() if isinstance(load, NodalForce) and load.force is not None
+    ]  # fmt: skip
+
+
+def _drives(found: Judged) -> list[dict[str, Any]]:
+    if found.model is None:
+        return []
+    held = {}
+    if found.forces is not None and found.drives:
+        arrays = found.forces.arrays
+        names = [str(name) for name in arrays["drive"].values]
+        held = dict(zip(names, map(number, arrays["drive_force"].values[0]), strict=True))
+    records = found.model.all_drives
+    return [
+        {"name": name, "unit": "rad" if turns(records[name]) else "m", "value": value, "force": held.get(name),
+         "bar": getattr(records[name], "bar", None)}
+        for name, value in found.drives.items()
+    ]  # fmt: skip
+
+
+def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict[str, Any]:
+    """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) by node."""
+    if forces is None:
+        return {"force": None, "reaction": {}, "unsure": []}
+    arrays = forces.arrays
+    names = [str(name) for name in arrays["member"].values]
+    values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
+    reactions: dict[str, list[float | None]] = {}
+    if "reaction" in arrays:
+        rows = zip(map(str, arrays["support"].values), arrays["reaction"].values[0], strict=True)
+        reactions = {name: [number(one) for one in row] for name, row in rows if name in nodes}
+    return {
+        "force": [number(values.get(name, np.nan)) for name in members],
+        "reaction": reactions,
+        "unsure": list(forces.attrs.get("not_unique", ())),
+    }
+
+
+def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
+    one = found.mobility
+    if one is None:
+        return None
+    counts = {"freedoms": one.degrees_of_freedom, "undriven": one.undriven, "self_stress": one.self_stress}
+    return counts if light else counts | {"text": str(one)}
+
+
+def _missing(drawing: Drawing) -> list[str]:
+    """What the drawing still needs before it can carry anything."""
+    data, found = drawing.state.data, drawing.found
+    words = []
+    if not data.get("nodes"):
+        return ["Nothing is drawn yet. Choose Bar and drag in the drawing, or click for nodes."]
+    if not any(data.get(table) for table in (*MEMBERS, "beams", "membranes", "solids")):
+        words.append("No bar yet: drag from node to node.")
+    if not data.get("fixed"):
+        words.append("No support yet: pick a node and choose what holds it.")
+    model = found.model
+    if model is not None and model.members and not model.loads:
+        heavy = any(node.mass for node in model.nodes.values()) or bool(model.bodies) or any(
+            getattr(bar, "mass", None) or (model.section_of(bar) is not None and model.material_of(bar) is not None)
+            for bar in model.bars.values()
+        ) or bool(model.active)  # fmt: skip
+        if not heavy or not any(model.gravity or ()):
+            words.append("No load yet: all forces are zero. Add a load, or gravity with masses or a section and a material.")
+    return words

@@ -1,0 +1,207 @@
+// The picture of the drawing: an SVG whose parts are made once for each structure and moved with every answer.
+
+import { colourOf, gradient } from "../colour.js";
+import { KINDS } from "../display.js";
+import { el, fill, svg } from "../dom.js";
+import { quantity } from "../format.js";
+
+const LINES = 60; // most grid lines to either side
+const ARROW = 46; // pixels of the largest load
+const MANY = 80; // nodes above which names are hidden
+const FEW = 24; // members up to which all have their names, else those that are picked
+
+const path = (points, close = false) => (points.length ? `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}${close ? "Z" : ""}` : "");
+
+export class Canvas {
+  constructor(draw) {
+    this.draw = draw;
+    const layer = (name) => svg("g", { class: name });
+    this.layers = Object.fromEntries(["picture", "grid", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
+    this.legend = el("div", { class: "legend", hidden: true });
+    new ResizeObserver(() => this.resize()).observe(this.node);
+  }
+
+  resize() {
+    const { width, height } = this.node.getBoundingClientRect();
+    if (!width || !height) return;
+    Object.assign(this.draw.camera, { width, height });
+    this.node.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    if (!this.sized && this.draw.state) this.draw.fit();
+    this.sized = true;
+    this.update();
+  }
+
+  /** Another structure: its parts are made anew. */
+  rebuild() {
+    const { state } = this.draw;
+    this.places = new Map();
+    this.bars = state.members.map(({ name }) => svg("path", { class: "bar", "data-member": name }));
+    this.circles = state.nodes.map((name) => svg("circle", { class: "node", "data-node": name, r: 6 }));
+    this.labels = state.nodes.map((name) => svg("text", { class: "name" }, name));
+    this.tags = state.members.map(({ name }) => svg("text", { class: "tag" }, name));
+    this.layers.bars.replaceChildren(...this.bars);
+    this.layers.nodes.replaceChildren(...this.circles);
+    this.layers.names.replaceChildren(...this.tags, ...this.labels);
+    this.index = new Map(state.nodes.map((name, k) => [name, k]));
+    this.update();
+  }
+
+  /** Place of a node on the screen. */
+  at(name) {
+    return this.seen[this.index.get(name)];
+  }
+
+  update() {
+    const { state, camera, picked, shown } = this.draw;
+    if (!state || !this.bars) return;
+    this.seen = state.places.map((place) => camera.project(place));
+    this.grid();
+    this.paint(state, picked, shown);
+    const few = state.nodes.length <= MANY;
+    this.layers.names.setAttribute("display", shown.names && few ? "inline" : "none");
+    this.circles.forEach((circle, k) => {
+      const [x, y] = this.seen[k];
+      circle.setAttribute("cx", x.toFixed(2));
+      circle.setAttribute("cy", y.toFixed(2));
+      circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
+      this.labels[k].setAttribute("x", (x + 9).toFixed(1));
+      this.labels[k].setAttribute("y", (y - 9).toFixed(1));
+    });
+    this.marks(state);
+    this.draw.picture.place(this.layers.picture);
+    this.draw.curves.place(this.layers.curve);
+    this.rubber();
+  }
+
+  paint(state, picked, shown) {
+    const sizes = (state.force || []).filter((value) => value !== null).map(Math.abs);
+    const largest = Math.max(...sizes, 0) || 1;
+    this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
+    fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
+      state.unsure.length ? el("div", {}, "?: not unique, in the colour of its kind") : null);
+    this.bars.forEach((bar, k) => {
+      const { name, ends, kind } = state.members[k];
+      const [a, b] = ends.map((end) => this.at(end));
+      bar.setAttribute("d", path([a, b]));
+      const force = state.force?.[k] ?? null;
+      const sure = force !== null && !state.unsure.includes(name);
+      bar.style.stroke = shown.force && sure ? `rgb(${colourOf("diverging", force, [-largest, largest]).map(Math.round).join(" ")})` : KINDS[kind] || KINDS.rigid;
+      bar.classList.toggle("picked", picked.members.has(name));
+      bar.classList.toggle("apart", name in state.apart);
+      bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+      this.tags[k].setAttribute("display", state.members.length <= FEW || picked.members.has(name) ? "inline" : "none");
+      const part = k % 2 ? 0.6 : 0.4; // two bars that cross in their middles have their names apart
+      this.tags[k].setAttribute("x", (a[0] + part * (b[0] - a[0]) + 5).toFixed(1));
+      this.tags[k].setAttribute("y", (a[1] + part * (b[1] - a[1]) - 5).toFixed(1));
+      this.tags[k].textContent = shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
+    });
+  }
+
+  grid() {
+    const { camera } = this.draw;
+    const [u, v] = camera.across, { grid } = camera;
+    const middle = camera.unproject([camera.width / 2, camera.height / 2]);
+    if (!middle) {
+      this.layers.grid.replaceChildren();
+      return;
+    }
+    const reach = Math.min(LINES, Math.ceil((0.75 * Math.hypot(camera.width, camera.height)) / camera.scale / grid));
+    const from = (axis) => Math.round(middle[axis] / grid) - reach;
+    const point = (x, y) => {
+      const p = [0, 0, 0];
+      [p[u], p[v], p[camera.plane.axis]] = [x * grid, y * grid, camera.plane.at];
+      return camera.project(p);
+    };
+    const [u0, v0] = [from(u), from(v)], [u1, v1] = [u0 + 2 * reach, v0 + 2 * reach];
+    const lines = { thin: "", axis: "" };
+    for (let k = u0; k <= u1; k++) lines[k === 0 ? "axis" : "thin"] += path([point(k, v0), point(k, v1)]);
+    for (let k = v0; k <= v1; k++) lines[k === 0 ? "axis" : "thin"] += path([point(u0, k), point(u1, k)]);
+    const origin = camera.project([0, 0, 0]);
+    const names = [..."xyz"].slice(0, camera.dim).map((name, k) => {
+      const tip = camera.project([0, 1, 2].map((i) => (i === k ? 34 / camera.scale : 0)));
+      return svg("text", { class: "axis-name", x: tip[0], y: tip[1] }, name);
+    });
+    const cross = [0, 1, 2].slice(0, camera.dim).map((k) => path([origin, camera.project([0, 1, 2].map((i) => (i === k ? 28 / camera.scale : 0)))])).join("");
+    this.layers.grid.replaceChildren(svg("path", { class: "thin", d: lines.thin }), svg("path", { class: "zero", d: lines.axis }), svg("path", { class: "cross", d: cross }), ...names);
+  }
+
+  /** Supports, drives, loads and masses. */
+  marks(state) {
+    const marks = [];
+    for (const [name, axes] of Object.entries(state.fixed)) {
+      const place = this.at(name);
+      if (place) marks.push(...support(place, axes, state.dim));
+    }
+    for (const { unit, bar } of state.drives) {
+      const member = state.members.find((one) => one.name === bar);
+      if (!member) continue;
+      const [a, b] = member.ends.map((end) => this.at(end));
+      const turned = Math.atan2(b[1] - a[1], b[0] - a[0]);
+      if (unit === "rad") marks.push(svg("path", { class: "drive", d: `M${a[0] + 15 * Math.cos(turned)} ${a[1] + 15 * Math.sin(turned)}A15 15 0 1 1 ${a[0] + 15 * Math.cos(turned + 1.2)} ${a[1] + 15 * Math.sin(turned + 1.2)}` }));
+      else marks.push(svg("rect", { class: "drive", x: -11, y: -5, width: 22, height: 10, rx: 3, transform: `translate(${(a[0] + b[0]) / 2} ${(a[1] + b[1]) / 2}) rotate(${(turned * 180) / Math.PI})` }));
+    }
+    const largest = Math.max(...state.loads.map(({ force }) => Math.hypot(...force)), 0) || 1;
+    for (const { node, force } of state.loads) {
+      const place = state.places[this.index.get(node)];
+      if (!place) continue;
+      const end = this.at(node), { camera } = this.draw;
+      const tip = camera.project(place.map((value, k) => value + ((force[k] || 0) / largest) * (ARROW / camera.scale)));
+      marks.push(arrow(tip, end));
+    }
+    this.layers.marks.replaceChildren(...marks);
+  }
+
+  /** What is being drawn, and the cursor of the keys. */
+  rubber() {
+    const { camera, rubber, cursor } = this.draw;
+    const parts = [];
+    if (rubber?.from && rubber.to) parts.push(svg("path", { class: "rubber", d: path([camera.project(rubber.from), camera.project(rubber.to)]) }));
+    if (rubber?.box) parts.push(svg("path", { class: "box", d: path([[rubber.box[0], rubber.box[1]], [rubber.box[2], rubber.box[1]], [rubber.box[2], rubber.box[3]], [rubber.box[0], rubber.box[3]]], true) }));
+    if (rubber?.to) {
+      const [x, y] = camera.project(rubber.to);
+      parts.push(svg("circle", { class: "hint", cx: x, cy: y, r: 9 }));
+    }
+    if (cursor) {
+      const [x, y] = camera.project(cursor);
+      parts.push(svg("path", { class: "cursor", d: `M${x - 12} ${y}H${x + 12}M${x} ${y - 12}V${y + 12}` }));
+    }
+    this.layers.rubber.replaceChildren(...parts);
+  }
+
+  /** The node or member at a place of the screen; `allowed` chooses among the nodes. */
+  hit([x, y], touch = false, allowed = () => true) {
+    const { state } = this.draw;
+    const near = touch ? 22 : 12;
+    let best = null;
+    this.seen.forEach((p, k) => {
+      const apart = Math.hypot(p[0] - x, p[1] - y);
+      if (apart <= near && allowed(state.nodes[k]) && (!best || apart < best.apart - 1e-6 || (apart < best.apart + 1e-6 && p[2] > best.depth))) best = { type: "node", name: state.nodes[k], apart, depth: p[2] };
+    });
+    if (best) return best;
+    state.members.forEach(({ name, ends }) => {
+      const [p, q] = ends.map((end) => this.at(end));
+      const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
+      const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
+      const apart = Math.hypot(p[0] + f * dx - x, p[1] + f * dy - y);
+      if (apart <= (touch ? 16 : 8) && (!best || apart < best.apart)) best = { type: "member", name, apart };
+    });
+    return best;
+  }
+}
+
+function support([x, y], axes, dim) {
+  const all = axes.length >= dim;
+  const turned = dim === 2 && axes === "x" ? 90 : 0;
+  const move = `translate(${x} ${y}) rotate(${turned})`;
+  const parts = [svg("path", { class: "support", d: "M0 5L-10 21H10Z", transform: move })];
+  parts.push(svg("path", { class: "support ground", d: all ? "M-14 21H14" : "M-14 26H14M-6 21.5a2 2 0 1 0 0.1 0M6 21.5a2 2 0 1 0 0.1 0", transform: move }));
+  if (dim === 3 && !all) parts.push(svg("text", { class: "tag", x: x + 12, y: y + 26 }, axes));
+  return parts;
+}
+
+function arrow(tip, end) {
+  const turned = Math.atan2(tip[1] - end[1], tip[0] - end[0]);
+  const wing = (by) => [tip[0] - 9 * Math.cos(turned + by), tip[1] - 9 * Math.sin(turned + by)];
+  return svg("path", { class: "load", d: path([end, tip]) + path([wing(0.42), tip, wing(-0.42)]) });
+}

@@ -1,0 +1,279 @@
+// The drawing page: what the server says of the drawing, what is picked, and the one message that is on its way.
+
+import { el } from "../dom.js";
+import { Camera } from "./camera.js";
+import { Canvas } from "./canvas.js";
+import { Curves } from "./curves.js";
+import { Files } from "./files.js";
+import { Groups } from "./groups.js";
+import { Picture } from "./picture.js";
+import { Properties } from "./properties.js";
+import { Status } from "./status.js";
+import { Text } from "./text.js";
+import { Tools } from "./tools.js";
+import { ToolRail } from "./rail.js";
+import { Whole } from "./whole.js";
+
+const AGAIN = 2000; // ms between attempts to reach a lost server
+const OFTEN = 6; // moves of a drag after which the curve may follow
+
+export class Draw {
+  constructor(root) {
+    Object.assign(this, { root, state: null, tool: "bar", snap: true, waiting: null, queue: [], want: null, closed: true, cursor: null, rubber: null, moves: 0 });
+    this.picked = { nodes: new Set(), members: new Set() };
+    this.shown = { names: true, force: true };
+    this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    root.dataset.theme = this.theme;
+    this.camera = new Camera();
+    this.banner = el("p", { class: "banner", role: "status", hidden: true });
+    this.spoken = el("p", { class: "spoken", role: "status", "aria-live": "polite" });
+    this.picture = new Picture(this);
+    this.curves = new Curves(this);
+    this.canvas = new Canvas(this);
+    this.status = new Status(this);
+    this.properties = new Properties(this);
+    this.whole = new Whole(this);
+    this.groups = new Groups(this);
+    this.text = new Text(this);
+    this.files = new Files(this);
+    this.rail = new ToolRail(this);
+    this.tools = new Tools(this);
+    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, this.banner, this.files.offer, this.status.node, this.status.details, this.properties.node,
+      this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.spoken), panel));
+    root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
+  }
+
+  // -- asking ------------------------------------------------------------------------------------------------------
+
+  /** Ask for something; the promise holds the answer. */
+  ask(command) {
+    return new Promise((resolve) => {
+      this.queue.push({ command, resolve });
+      this.pump();
+    });
+  }
+
+  /** An edit: what it made is picked. */
+  async edit(command) {
+    const answer = await this.ask(command);
+    const { made } = answer;
+    if (made?.member) this.pick({ type: "member", name: made.member });
+    else if (made?.node) this.pick({ type: "node", name: made.node });
+    if (made?.lost?.length) this.tell(`Removed with it: ${made.lost.join(", ")}.`);
+    return answer;
+  }
+
+  /** Nodes to new places while they are dragged; of many wishes only the last counts. */
+  drag(places, number) {
+    this.want = { do: "move", places, drag: number };
+    this.pump();
+  }
+
+  /** The drag has ended: everything is computed and kept. */
+  dragged() {
+    this.ask({ do: "show" });
+  }
+
+  pump() {
+    if (this.waiting || this.closed) return;
+    const stale = this.curves.stale && (!this.want || this.moves >= OFTEN);
+    if (this.want && !stale) {
+      this.moves++;
+      this.waiting = { resolve: () => {} };
+      this.post(JSON.stringify(this.want));
+      this.want = null;
+    } else if (this.queue.length) {
+      this.waiting = this.queue.shift();
+      this.post(JSON.stringify(this.waiting.command));
+    } else if (stale) {
+      this.moves = 0;
+      this.waiting = { resolve: () => {} };
+      this.post(JSON.stringify(this.curves.command()));
+    }
+  }
+
+  // -- hearing -----------------------------------------------------------------------------------------------------
+
+  hear(data) {
+    const answer = JSON.parse(data);
+    if (answer.kind === "failed") return this.fail(answer.message);
+    if (answer.kind === "drawing") this.take(answer);
+    else if (answer.kind === "moved") this.place(answer);
+    else if (answer.kind === "curve") this.curves.take(answer);
+    else if (answer.kind === "error") this.refuse(answer.message);
+    if (answer.other || answer.choices) return this.pump(); // nobody here asked
+    const { waiting } = this;
+    this.waiting = null;
+    waiting?.resolve(answer);
+    this.pump();
+  }
+
+  /** A value that is not taken: every field shows again what holds. */
+  refuse(message) {
+    this.curves.failed(message, this.waiting);
+    this.tell(message, true);
+    this.properties.rebuild();
+    this.whole.rebuild();
+  }
+
+  take(answer) {
+    const first = !this.state, dim = this.state?.dim;
+    if (answer.choices) {
+      this.choices = answer.choices;
+      this.files.setOffer(answer.offer);
+    }
+    this.state = answer;
+    this.camera.setDim(answer.dim);
+    this.keepPicked(answer.made?.renamed);
+    if (!answer.other && !first) this.tell(answer.saved || "");
+    this.canvas.rebuild();
+    if (first || answer.dim !== dim) this.fit();
+    this.curves.spoil();
+    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.curves, this.text, this.files]) part.rebuild();
+    window.kinetruss.ready = true;
+    this.root.dataset.state = "ready";
+  }
+
+  place(answer) {
+    Object.assign(this.state, answer, { kind: "drawing" });
+    this.canvas.update();
+    this.curves.spoil();
+    this.status.rebuild();
+    this.properties.follow();
+  }
+
+  keepPicked(renamed) {
+    if (renamed) {
+      for (const set of Object.values(this.picked)) if (set.delete(renamed[0])) set.add(renamed[1]);
+    }
+    const names = { nodes: new Set(this.state.nodes), members: new Set(this.state.members.map(({ name }) => name)) };
+    for (const [type, set] of Object.entries(this.picked)) for (const name of set) if (!names[type].has(name)) set.delete(name);
+  }
+
+  // -- picking -----------------------------------------------------------------------------------------------------
+
+  at(name) {
+    const place = this.state.places[this.state.nodes.indexOf(name)];
+    return [place[0], place[1], place[2] || 0];
+  }
+
+  /** A point on the grid or in line with other nodes, where that is chosen. */
+  snapped(point, except = new Set()) {
+    if (!this.snap) return point;
+    return this.camera.snapped(point, this.state.places.filter((_, k) => !except.has(this.state.nodes[k])));
+  }
+
+  /** Whether a node lies in the work plane. */
+  inPlane(name) {
+    const { axis, at } = this.camera.plane;
+    return Math.abs(this.at(name)[axis] - at) * this.camera.scale < 1;
+  }
+
+  /** As many coordinates as the drawing has. */
+  cut(point) {
+    return point.slice(0, this.camera.dim);
+  }
+
+  isPicked({ type, name }) {
+    return this.picked[`${type}s`].has(name);
+  }
+
+  pick(hit) {
+    this.picked.nodes.clear();
+    this.picked.members.clear();
+    if (hit) this.picked[`${hit.type}s`].add(hit.name);
+    this.repick();
+  }
+
+  toggle({ type, name }) {
+    const set = this.picked[`${type}s`];
+    if (!set.delete(name)) set.add(name);
+    this.repick();
+  }
+
+  pickAll() {
+    this.state.nodes.forEach((name) => this.picked.nodes.add(name));
+    this.state.members.forEach(({ name }) => this.picked.members.add(name));
+    this.repick();
+  }
+
+  pickBox(a, b) {
+    const inside = ([x, y]) => (x - a[0]) * (x - b[0]) <= 0 && (y - a[1]) * (y - b[1]) <= 0;
+    this.state.nodes.forEach((name, k) => inside(this.canvas.seen[k]) && this.picked.nodes.add(name));
+    this.state.members.forEach(({ name, ends }) => ends.every((end) => this.picked.nodes.has(end)) && this.picked.members.add(name));
+    this.repick();
+  }
+
+  repick() {
+    this.canvas.update();
+    for (const part of [this.rail, this.properties, this.groups, this.curves]) part.rebuild();
+    this.say([...this.picked.nodes, ...this.picked.members].join(", ") || "nothing picked");
+  }
+
+  remove() {
+    const nodes = [...this.picked.nodes], members = [...this.picked.members];
+    if (nodes.length || members.length) this.edit({ do: "delete", nodes, members });
+  }
+
+  fit() {
+    this.camera.fit(this.state.places);
+    this.canvas.update();
+  }
+
+  setTool(tool) {
+    this.tool = tool;
+    this.tools.cancelAct();
+    this.canvas.rubber();
+    this.rail.rebuild();
+  }
+
+  toggleTheme() {
+    this.theme = this.theme === "dark" ? "light" : "dark";
+    this.root.dataset.theme = this.theme;
+  }
+
+  // -- words -------------------------------------------------------------------------------------------------------
+
+  tell(words, warning = false) {
+    this.banner.hidden = !words;
+    this.banner.textContent = words;
+    this.banner.classList.toggle("warning", warning);
+  }
+
+  say(words) {
+    this.spoken.textContent = words;
+  }
+
+  // -- the server --------------------------------------------------------------------------------------------------
+
+  open(post) {
+    this.post = post;
+    this.closed = false;
+    this.setEnded(false);
+    if (this.state) this.tell("The studio answers again.");
+  }
+
+  fail(message) {
+    this.closed = true;
+    this.root.textContent = message;
+    this.root.dataset.state = "failed";
+  }
+
+  /** The server is lost: the drawing stays as it was last confirmed, and nothing can be changed. */
+  close(connect) {
+    this.closed = true;
+    for (const { resolve } of [this.waiting, ...this.queue]
+      .filter(Boolean)) resolve({ kind: "lost" });
+    Object.assign(this, { waiting: null, queue: [], want: null });
+    if (!this.state) return this.fail("The studio does not answer. Start it again, and open the address that it prints.");
+    this.setEnded(true);
+    this.tell("The studio has ended. The drawing stays as it was last confirmed and cannot be changed. It is kept beside its file: start the studio again in the same folder, and this page goes on with it.", true);
+    setTimeout(connect, AGAIN);
+  }
+
+  setEnded(ended) {
+    this.root.classList.toggle("ended", ended);
+    for (const field of this.root.querySelectorAll("input, select, button, textarea")) field.disabled = ended;
+  }
+}

@@ -1,0 +1,59 @@
+// Fields of the panels: typed values with units, choices, and a section that keeps what is being typed.
+
+import { el } from "../dom.js";
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** What was typed: a number, a text with a unit, or null for nothing. */
+export function typed(text) {
+  const words = text.trim();
+  if (!words) return null;
+  return NUMBER.test(words) ? Number(words) : words;
+}
+
+/** A field with its label; `set` gets what was typed. */
+export function field(label, value, set, { hint = "", size = 9, name = label } = {}) {
+  const input = el("input", { type: "text", size, "aria-label": name, placeholder: hint, inputmode: "text", autocomplete: "off", spellcheck: "false" });
+  input.value = value ?? "";
+  input.addEventListener("change", () => set(typed(input.value)));
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") input.blur();
+    if (event.key === "Escape") {
+      input.value = value ?? "";
+      input.blur();
+    }
+  });
+  return el("label", { class: "entry" }, el("span", {}, label), input);
+}
+
+/** A list to choose from; options are names or [value, text]. */
+export function choice(label, options, value, set, name = label) {
+  const select = el("select", { "aria-label": name }, options.map((one) => (Array.isArray(one) ? el("option", { value: one[0] }, one[1]) : el("option", { value: one }, one))));
+  select.value = value ?? "";
+  select.addEventListener("change", () => set(select.value));
+  return el("label", { class: "entry" }, el("span", {}, label), select);
+}
+
+export function check(label, on, set, name = label) {
+  const input = el("input", { type: "checkbox", "aria-label": name });
+  input.checked = on;
+  input.addEventListener("change", () => set(input.checked));
+  return el("label", { class: "tick" }, input, label);
+}
+
+export function button(words, action, attributes = {}) {
+  return el("button", { type: "button", onclick: action, ...attributes }, words);
+}
+
+/** Put other content into a node; the field in use keeps the focus and what is typed into it. */
+export function refill(node, ...content) {
+  const { activeElement: active } = node.ownerDocument;
+  const label = node.contains(active) ? active.getAttribute("aria-label") || active.textContent : null;
+  const words = label && active.tagName === "INPUT" && active.type === "text" && active.dataset.dirty ? active.value : null;
+  node.replaceChildren(...content.flat(4).filter(Boolean));
+  if (!label) return;
+  const again = [...node.querySelectorAll("input, select, button, textarea")].find((one) => (one.getAttribute("aria-label") || one.textContent) === label);
+  if (!again) return;
+  if (words !== null) again.value = words;
+  again.focus({ preventScroll: true });
+}

@@ -1,0 +1,189 @@
+// What is picked: exact places, lengths, supports, kinds, drives, loads.
+
+import { el, section } from "../dom.js";
+import { quantity } from "../format.js";
+import { button, check, choice, field, refill } from "./fields.js";
+
+const KINDS = [["rigid", "rigid"], ["driven", "driven length"], ["elastic", "elastic (spring)"], ["cable", "cable"], ["free", "free (measures only)"]];
+const AXES = [..."xyz"];
+
+export class Properties {
+  constructor(draw) {
+    this.draw = draw;
+    this.body = el("div", {});
+    this.node = section("Picked", this.body);
+  }
+
+  set(path, value) {
+    return this.draw.edit({ do: "set", path, value });
+  }
+
+  entry(table, name) {
+    const found = this.draw.state.data[table]?.[name];
+    return Array.isArray(found) ? { [table === "nodes" ? "at" : "ends"]: found } : found || {};
+  }
+
+  rebuild() {
+    const { draw } = this, { picked, state } = draw;
+    if (!state) return;
+    const nodes = [...picked.nodes], members = [...picked.members];
+    const lists = this.lists(state, nodes, members);
+    if (nodes.length === 1 && !members.length) refill(this.body, lists, this.ofNode(nodes[0]));
+    else if (members.length === 1 && !nodes.length) refill(this.body, lists, this.ofMember(members[0]));
+    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? `${nodes.length} nodes, ${members.length} members` : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, nodes.length ? null : this.newNode());
+  }
+
+  /** Lists of all nodes and members: picking by keys. */
+  lists(state, nodes, members) {
+    const list = (type, label, names, chosen) => choice(label, [["", "-"], ...names], chosen.length === 1 ? chosen[0] : "", (name) => this.draw.pick(name ? { type, name } : null), `pick a ${type}`);
+    return el("div", { class: "row" }, list("node", "Node", state.nodes, nodes), list("member", "Member", state.members.map(({ name }) => name), members));
+  }
+
+  /** A node by its coordinates. */
+  newNode() {
+    const { dim } = this.draw.state;
+    const inputs = AXES.slice(0, dim).map((axis) => field(axis, "", () => {}, { hint: "0", size: 6, name: `${axis} of the new node` }));
+    const add = () => {
+      const words = inputs.map((one) => one.querySelector("input").value.trim() || "0");
+      this.draw.edit({ do: "add", at: words.map((word) => (Number.isFinite(Number(word)) ? Number(word) : word)) });
+    };
+    return el("fieldset", {}, el("legend", {}, "New node at (m, or with a unit)"), el("div", { class: "row" }, inputs, button("Add node", add)));
+  }
+
+  ofNode(name) {
+    const { draw } = this, { state } = draw, entry = this.entry("nodes", name);
+    const places = AXES.slice(0, state.dim).map((axis, k) => field(axis, entry.at?.[k], (value) => {
+      if (value === null) return this.rebuild();
+      const at = [...entry.at];
+      at[k] = value;
+      draw.edit({ do: "move", places: { [name]: at } });
+    }, { size: 8, name: `${axis} of ${name}` }));
+    const held = state.fixed[name] || "";
+    const hold = AXES.slice(0, state.dim).map((axis, k) => check(axis, held.includes(axis), (on) =>
+      this.set(["fixed", name], AXES.slice(0, state.dim).filter((one) => (one === axis ? on : held.includes(one))).join("") || null), `hold ${name} along ${axis}`));
+    return [this.naming("nodes", name), el("fieldset", {}, el("legend", {}, "Place (m, or with a unit: 50 mm, 2 in)"), el("div", { class: "row" }, places)),
+      el("fieldset", {}, el("legend", {}, "Support: held along"), el("div", { class: "row" }, hold, button("All", () => this.set(["fixed", name], AXES.slice(0, state.dim).join("")), { "aria-label": `hold ${name}` }), button("Free", () => this.set(["fixed", name], null), { "aria-label": `free ${name}` }))),
+      this.load(name), el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["nodes", name, "mass"], value), { hint: "0 kg", name: `mass of ${name}` }), this.slide(name))];
+  }
+
+  /** A drive of a coordinate of the node. */
+  slide(name) {
+    const { state } = this.draw;
+    const own = Object.entries(state.data.drives || {}).find(([, one]) => one.kind === "coordinate" && one.node === name);
+    return choice("Driven along", [["", "-"], ...AXES.slice(0, state.dim)], own?.[1].axis || "", (axis) =>
+      this.set(["drives", own?.[0] || this.free("drives", "slide")], axis ? { kind: "coordinate", node: name, axis } : null), `drive ${name} along`);
+  }
+
+  load(name) {
+    const { state } = this.draw;
+    const own = Object.entries(state.data.loads || {}).find(([, one]) => one.node === name && one.force);
+    const force = own ? own[1].force : Array(state.dim).fill(0);
+    const fields = AXES.slice(0, state.dim).map((axis, k) => field(`F${axis}`, own ? force[k] : "", (value) => {
+      const next = force.map((one, i) => (i === k ? value ?? 0 : one));
+      const none = next.every((one) => Number(one) === 0);
+      this.set(["loads", own?.[0] || this.free("loads", `F_${name}`)], none ? null : { ...(own?.[1] || {}), node: name, force: next });
+    }, { hint: "0 N", size: 6, name: `force on ${name} along ${axis}` }));
+    return el("fieldset", {}, el("legend", {}, "Load (N, or with a unit: 2 kN)"), el("div", { class: "row" }, fields));
+  }
+
+  ofMember(name) {
+    const { draw } = this, { state } = draw;
+    if (!(name in (state.data.bars || {}))) return [this.naming("active", name), el("p", { class: "faint" }, "An active member: edit its rods, screw and motor in the text.")];
+    const entry = this.entry("bars", name);
+    const kind = entry.kind || "rigid";
+    this.span = el("small", {}, this.spanText(name));
+    const soft = kind === "elastic" || kind === "cable";
+    const length = soft ? field("Natural length", entry.natural_length, (value) => this.set(["bars", name, "natural_length"], value), { hint: "as drawn", name: `natural length of ${name}` })
+      : field("Length", entry.length, (value) => this.set(["bars", name, "length"], value), { hint: "as drawn", name: `length of ${name}` });
+    return [this.naming("bars", name), this.span,
+      el("div", { class: "row" }, choice("Kind", KINDS, kind, (value) => this.setKind(name, value), `kind of ${name}`), length),
+      soft ? el("div", { class: "row" }, field("Stiffness", entry.stiffness, (value) => this.set(["bars", name, "stiffness"], value), { hint: "E A/l", name: `stiffness of ${name}` }),
+        field("Pretension", entry.pretension, (value) => this.set(["bars", name, "pretension"], value), { hint: "0 N", name: `pretension of ${name}` })) : null,
+      this.angle(name), el("div", { class: "row" }, sectionChoice(draw, entry.section, (value) => this.set(["bars", name, "section"], value), `section of ${name}`),
+        materialChoice(draw, entry.material, (value) => this.set(["bars", name, "material"], value), `material of ${name}`)),
+      el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["bars", name, "mass"], value), { hint: "of its section", name: `mass of ${name}` }))];
+  }
+
+  /** Another kind; an elastic bar without section and material needs a stiffness, which is offered. */
+  setKind(name, kind) {
+    const entry = { ...this.entry("bars", name) }, { state } = this.draw;
+    delete entry.kind;
+    if (kind === "elastic" || kind === "cable") {
+      delete entry.length;
+      const stiff = (entry.section || state.data.section) && (entry.material || state.data.material);
+      if (!stiff && entry.stiffness === undefined) entry.stiffness = "1 kN/m";
+    } else for (const field of ["stiffness", "natural_length", "pretension", "strain"]) delete entry[field];
+    this.set(["bars", name], kind === "rigid" ? (Object.keys(entry).length === 1 ? entry.ends : entry) : { ...entry, kind });
+  }
+
+  ofMany(members) {
+    const set = async (key, value) => {
+      for (const name of members) if (name in (this.draw.state.data.bars || {})) await this.set(["bars", name, key], value);
+    };
+    return el("div", { class: "row" }, sectionChoice(this.draw, null, (value) => set("section", value), "section of all picked"), materialChoice(this.draw, null, (value) => set("material", value), "material of all picked"));
+  }
+
+  angle(name) {
+    const { state } = this.draw;
+    const own = Object.entries(state.data.drives || {}).find(([, one]) => (one.kind || "angle") === "angle" && one.bar === name);
+    const options = state.dim === 2 ? [["", "-"], ["on", "yes"]] : [["", "-"], ...AXES.map((axis) => [axis, `about ${axis}`])];
+    return el("div", { class: "row" }, choice("Driven angle", options, own ? own[1].axis || "on" : "", (value) =>
+      this.set(["drives", own?.[0] || this.free("drives", "motor")], value ? { kind: "angle", bar: name, ...(state.dim === 3 ? { axis: value } : {}) } : null), `driven angle of ${name}`));
+  }
+
+  free(table, stem) {
+    const used = this.draw.state.data[table] || {};
+    let name = stem;
+    for (let k = 2; name in used; k++) name = `${stem}${k}`;
+    return name;
+  }
+
+  naming(table, name) {
+    return el("div", { class: "row" }, field("Name", name, (value) => (value === null ? this.rebuild() : this.draw.edit({ do: "rename", table, old: name, new: String(value) })), { name: `name of ${name}` }));
+  }
+
+  spanText(name) {
+    const { state } = this.draw;
+    const k = state.members.findIndex((one) => one.name === name);
+    if (k < 0) return "";
+    const [a, b] = state.members[k].ends.map((end) => this.draw.at(end));
+    const force = state.force?.[k] ?? null;
+    return `${state.members[k].ends.join(" to ")}, ${quantity(Math.hypot(...a.map((value, i) => value - b[i])), "m")}${force === null ? "" : `, ${quantity(force, "N")}${state.unsure.includes(name) ? " (not unique)" : ""}`}`;
+  }
+
+  /** While nodes are dragged: only what they change. */
+  follow() {
+    const { picked, state } = this.draw;
+    if (picked.members.size === 1 && this.span) this.span.textContent = this.spanText([...picked.members][0]);
+    if (picked.nodes.size !== 1) return;
+    const [name] = picked.nodes;
+    state.places[state.nodes.indexOf(name)].forEach((value, k) => {
+      const input = this.body.querySelector(`[aria-label="${AXES[k]} of ${CSS.escape(name)}"]`);
+      if (input) input.value = Number(value.toPrecision(9));
+    });
+  }
+}
+
+/** A section of the model, of the library, or a tube by its diameters. */
+export function sectionChoice(draw, value, set, name) {
+  const names = [...Object.keys(draw.state.data.sections || {}), ...draw.choices.sections];
+  const own = value && typeof value === "object" ? "own" : value || "";
+  const outer = field("Outer", own === "own" ? value.outer ?? value.diameter : "", () => {}, { hint: "20 mm", size: 6, name: `outer diameter, ${name}` });
+  const inner = field("Inner", own === "own" ? value.inner : "", () => {}, { hint: "0", size: 6, name: `inner diameter, ${name}` });
+  const tube = () => {
+    const [d, i] = [outer, inner].map((one) => one.querySelector("input").value.trim());
+    if (d) set(!i || Number(i) === 0 ? { kind: "rod", diameter: d } : { kind: "tube", outer: d, inner: i });
+  };
+  const fields = el("span", { class: "row", hidden: own !== "own" }, outer, inner, button("Set", tube, { "aria-label": `set ${name}` }));
+  const list = choice("Section", [["", "of the model"], ...new Set(names), ["own", "tube or rod ..."]], own, (chosen) => {
+    fields.hidden = chosen !== "own";
+    if (chosen !== "own") set(chosen || null);
+  }, name);
+  return el("span", { class: "row" }, list, fields);
+}
+
+export function materialChoice(draw, value, set, name) {
+  const names = [...Object.keys(draw.state.data.materials || {}), ...draw.choices.materials];
+  const own = value && typeof value === "object" ? [["own", "of its own"]] : [];
+  return choice("Material", [["", "of the model"], ...new Set(names), ...own], own.length ? "own" : value || "", (chosen) => chosen !== "own" && set(chosen || null), name);
+}

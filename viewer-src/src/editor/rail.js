@@ -1,0 +1,114 @@
+// The tools above the drawing, and the keys of the page.
+
+import { el, press } from "../dom.js";
+import { field } from "./fields.js";
+
+const TOOLS = [
+  ["pick", "Pick", "v", "Pick and move: drag nodes, Shift adds to what is picked, Shift-drag draws a box (V)"],
+  ["node", "Node", "n", "A node where you click (N)"],
+  ["bar", "Bar", "b", "A bar from press to release, or from click to click; it makes the nodes it needs (B)"],
+];
+
+export class ToolRail {
+  constructor(draw) {
+    this.draw = draw;
+    this.tools = new Map(TOOLS.map(([name, words, , title]) => [name, el("button", { type: "button", title, onclick: () => draw.setTool(name) }, words)]));
+    const made = (words, title, action) => el("button", { type: "button", title, "aria-label": title.replace(/ \(.*/, ""), onclick: action }, words);
+    this.undo = made("Undo", "Undo (Ctrl+Z)", () => draw.ask({ do: "undo" }));
+    this.redo = made("Redo", "Redo (Ctrl+Y)", () => draw.ask({ do: "redo" }));
+    this.delete = made("Delete", "Delete what is picked (Delete)", () => draw.remove());
+    this.fit = made("Fit", "Show all (F)", () => draw.fit());
+    this.names = made("Names", "Names and forces (A)", () => this.toggle("names"));
+    this.force = made("Forces", "Colour by force (C)", () => this.toggle("force"));
+    this.snap = made("Snap", "Snap to the grid (G)", () => this.toggleSnap());
+    this.theme = made("◐", "Dark or light (D)", () => draw.toggleTheme());
+    this.looks = el("span", { class: "group", role: "group", "aria-label": "view" }, ["corner", "top", "front", "side"].map((name) => el("button", { type: "button", title: `View: ${name}`, onclick: () => this.look(name) }, name[0].toUpperCase() + name.slice(1))));
+    this.plane = el("span", { class: "group plane" });
+    this.grid = el("span", { class: "group" });
+    this.title = el("h1", {});
+    this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
+      el("div", { class: "tools" }, el("span", { class: "group", role: "group", "aria-label": "tools" }, [...this.tools.values()]),
+        el("span", { class: "group" }, this.undo, this.redo, this.delete),
+        el("span", { class: "group" }, this.fit, this.names, this.force, this.snap, this.theme), this.grid, this.looks, this.plane));
+  }
+
+  toggle(name) {
+    this.draw.shown[name] = !this.draw.shown[name];
+    this.draw.canvas.update();
+    this.rebuild();
+  }
+
+  toggleSnap() {
+    this.draw.snap = !this.draw.snap;
+    this.rebuild();
+  }
+
+  look(name) {
+    this.draw.camera.look(name);
+    this.draw.fit();
+  }
+
+  setPlane(change) {
+    Object.assign(this.draw.camera.plane, change);
+    this.draw.canvas.update();
+    this.rebuild();
+  }
+
+  rebuild() {
+    const { draw } = this, { state, camera } = draw;
+    for (const [name, one] of this.tools) press(one, draw.tool === name);
+    press(this.names, draw.shown.names);
+    press(this.force, draw.shown.force);
+    press(this.snap, draw.snap);
+    if (!state) return;
+    this.title.textContent = `${state.file || "Untitled drawing"}${state.dirty ? " (not saved)" : ""}`;
+    this.undo.disabled = !state.undo;
+    this.redo.disabled = !state.redo;
+    this.undo.title = state.undo ? `Undo ${state.undo} (Ctrl+Z)` : "Nothing to undo";
+    this.redo.title = state.redo ? `Redo ${state.redo} (Ctrl+Y)` : "Nothing to redo";
+    this.delete.disabled = !draw.picked.nodes.size && !draw.picked.members.size;
+    this.looks.hidden = this.plane.hidden = state.dim !== 3;
+    this.grid.replaceChildren(field("Grid", camera.step ?? "", (value) => this.setStep(value), { hint: "auto", size: 4, name: "grid step in m" }));
+    const select = el("select", { "aria-label": "work plane", onchange: () => this.setPlane({ axis: Number(select.value), at: 0 }) }, ["y-z", "x-z", "x-y"].map((name, k) => el("option", { value: k }, name)));
+    select.value = camera.plane.axis;
+    this.plane.replaceChildren(el("label", { class: "entry" }, el("span", {}, "Plane"), select),
+      field(`at ${"xyz"[camera.plane.axis]} =`, camera.plane.at, (value) => this.setPlane({ at: Number.isFinite(value) ? value : camera.plane.at }), { size: 4, name: "height of the work plane in m" }),
+      el("button", { type: "button", title: "Look straight at the work plane", onclick: () => { camera.face(); draw.fit(); } }, "Face it"));
+  }
+
+  setStep(value) {
+    this.draw.camera.step = Number.isFinite(value) && value > 0 ? value : null;
+    this.draw.canvas.update();
+    this.rebuild();
+  }
+
+  /** Keys of the page; typing into a field stays typing. */
+  key(event) {
+    const { draw } = this, { target } = event;
+    const typing = target.tagName === "TEXTAREA" || target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type !== "checkbox");
+    if (draw.closed || event.defaultPrevented || typing) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (event.ctrlKey || event.metaKey) {
+      const command = { z: event.shiftKey ? "redo" : "undo", y: "redo" }[key];
+      if (command) draw.ask({ do: command });
+      else if (key === "a") draw.pickAll();
+      else if (key === "s") draw.files.save();
+      else return;
+      event.preventDefault();
+      return;
+    }
+    if (event.altKey) return;
+    const tool = TOOLS.find((one) => one[2] === key);
+    const turn = { i: [0, 0.12], k: [0, -0.12], j: [-0.12, 0], o: [0.12, 0] }[key];
+    if (tool) draw.setTool(tool[0]);
+    else if (turn) { draw.camera.turn(...turn); draw.canvas.update(); }
+    else if (key === "Delete" || key === "Backspace") draw.remove();
+    else if (key === "f") draw.fit();
+    else if (key === "a") this.toggle("names");
+    else if (key === "c") this.toggle("force");
+    else if (key === "g") this.toggleSnap();
+    else if (key === "d") draw.toggleTheme();
+    else return;
+    event.preventDefault();
+  }
+}

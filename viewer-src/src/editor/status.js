@@ -1,0 +1,51 @@
+// What the drawing lacks, what moves, what is redundant, what is beyond a limit; drives and reactions.
+
+import { el } from "../dom.js";
+import { number, quantity } from "../format.js";
+import { refill } from "./fields.js";
+
+const HEADS = { mechanism: "moves", redundant: "redundant", drive: "drive", open: "does not close" };
+
+export class Status {
+  constructor(draw) {
+    this.draw = draw;
+    this.words = el("div", { class: "words", role: "status", "aria-live": "polite" });
+    this.tables = el("div", {});
+    this.mobility = el("pre", {});
+    this.node = el("section", { class: "verdicts", "aria-label": "state of the drawing" }, this.words);
+    this.details = el("div", { class: "state" }, this.tables, el("details", {}, el("summary", {}, "Mobility"), this.mobility));
+  }
+
+  rebuild() {
+    const { state } = this.draw;
+    const rows = [];
+    for (const text of state.missing) rows.push(["missing", text]);
+    for (const { kind, text } of state.warnings) rows.push([HEADS[kind] || kind, text]);
+    for (const text of state.alarms) rows.push(["limit", text]);
+    for (const { text, line } of state.faults || []) rows.push(["fault", line ? `Line ${line}: ${text}` : text]);
+    const key = JSON.stringify([rows, state.why]);
+    if (key !== this.last) {
+      this.last = key;
+      const good = !rows.length && state.force;
+      this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `${state.drives.length ? `It stands, and ${state.drives.length === 1 ? "one drive moves" : `${state.drives.length} drives move`} it.` : "It stands; no drive moves it."} ${state.why}` : state.why),
+        el("ul", {}, rows.slice(0, 14).map(([head, text]) => el("li", { class: `of-${head.split(" ")[0]}` }, el("b", {}, head), " ", text))));
+    }
+    this.mobility.textContent = state.mobility ? state.mobility.text || "It follows when the pointer rests." : "";
+    this.numbers(state);
+  }
+
+  numbers(state) {
+    const tables = [];
+    if (state.drives.length) {
+      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "drive"), el("th", {}, "at"), el("th", {}, "holds with")),
+        state.drives.slice(0, 40).map(({ name, unit, value, force }) => el("tr", {}, el("th", {}, name), el("td", {}, quantity(value, unit)), el("td", {}, force === null ? "-" : quantity(force, unit === "rad" ? "N m" : "N"))))));
+    }
+    const axes = [..."xyz"].slice(0, state.dim);
+    const reactions = Object.entries(state.reaction).slice(0, 60);
+    if (reactions.length) {
+      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "reaction"), axes.map((axis) => el("th", {}, `${axis} (N)`))),
+        reactions.map(([name, values]) => el("tr", {}, el("th", {}, name), values.map((value) => el("td", {}, value === null ? "-" : number(Math.abs(value) < 1e-12 * Math.max(...values.map(Math.abs)) ? 0 : value, 4)))))));
+    }
+    refill(this.tables, ...tables);
+  }
+}

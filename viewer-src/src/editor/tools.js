@@ -1,0 +1,244 @@
+// What pointer and keys do in the drawing: pick and move, nodes, bars; pan, turn and approach.
+
+import { clean } from "./camera.js";
+
+const SLACK = 4; // pixels that a click may move
+const FEW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+export class Tools {
+  constructor(draw) {
+    this.draw = draw;
+    this.pointers = new Map();
+    const { node } = draw.canvas;
+    node.addEventListener("pointerdown", (event) => this.down(event));
+    node.addEventListener("pointermove", (event) => this.move(event));
+    node.addEventListener("pointerup", (event) => this.up(event));
+    node.addEventListener("pointercancel", (event) => this.cancel(event));
+    node.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      draw.camera.zoom(Math.exp(-event.deltaY / 500), this.place(event));
+      draw.canvas.update();
+    }, { passive: false });
+    node.addEventListener("contextmenu", (event) => event.preventDefault());
+    node.addEventListener("keydown", (event) => this.key(event));
+    node.addEventListener("blur", () => this.setCursor(null));
+  }
+
+  place(event) {
+    const box = this.draw.canvas.node.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  /** Node or free point at a place: {node} or {point}; null where the plane is seen edge-on. New nodes see those of their plane. */
+  target(place, touch) {
+    const { draw } = this;
+    const hit = draw.canvas.hit(place, touch, (name) => draw.tool !== "node" || draw.inPlane(name));
+    if (hit?.type === "node") return { node: hit.name, point: draw.at(hit.name) };
+    const point = draw.camera.unproject(place);
+    if (!point) {
+      draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
+      return null;
+    }
+    return { point: draw.snapped(point) };
+  }
+
+  down(event) {
+    const { draw } = this, place = this.place(event), touch = event.pointerType === "touch";
+    draw.canvas.node.setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, place);
+    draw.canvas.node.focus({ preventScroll: true });
+    this.setCursor(null);
+    if (this.pointers.size === 2) return this.pinch();
+    if (event.button === 1 || event.button === 2 || event.altKey) {
+      this.act = { kind: draw.camera.dim === 3 && !event.shiftKey ? "turn" : "pan", last: place };
+      return;
+    }
+    if (draw.picture.placing) return draw.picture.click(place);
+    const hit = draw.canvas.hit(place, touch);
+    if (draw.tool === "pick") this.begin(hit, place, event);
+    else this.act = { kind: draw.tool, start: place, from: this.target(place, touch) };
+  }
+
+  begin(hit, place, event) {
+    const { draw } = this;
+    if (!hit) {
+      this.act = event.shiftKey ? { kind: "box", start: place } : { kind: "pan", last: place, start: place, clear: true };
+      return;
+    }
+    if (event.shiftKey) draw.toggle(hit);
+    else if (!draw.isPicked(hit)) draw.pick(hit);
+    if (hit.type === "node") this.act = { kind: "drag", start: place, node: hit.name, from: Object.fromEntries([...draw.picked.nodes].map((name) => [name, draw.at(name)])), number: Math.floor(Math.random() * 2 ** 50) };
+    else this.act = { kind: "none" };
+  }
+
+  move(event) {
+    const { draw } = this, { act } = this, place = this.place(event);
+    if (this.pointers.has(event.pointerId)) this.pointers.set(event.pointerId, place);
+    if (act?.kind === "pinch") return this.pinched();
+    if (!act) return this.hover(place);
+    if (act.kind === "pan" || act.kind === "turn") {
+      const [dx, dy] = [place[0] - act.last[0], place[1] - act.last[1]];
+      if (act.clear && Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) > SLACK) act.clear = false;
+      if (act.kind === "pan") draw.camera.pan(dx, dy);
+      else draw.camera.turn(-dx / 150, dy / 150);
+      act.last = place;
+      draw.canvas.update();
+    } else if (act.kind === "box") {
+      draw.rubber = { box: [...act.start, ...place] };
+      draw.canvas.rubber();
+    } else if (act.kind === "drag") this.drag(place);
+    else if (act.kind === "bar" && act.from) {
+      const to = this.target(place, event.pointerType === "touch");
+      draw.rubber = to && { from: act.from.point, to: to.point };
+      draw.canvas.rubber();
+    }
+  }
+
+  hover(place) {
+    const { draw } = this;
+    if (draw.tool === "pick" || draw.closed) return;
+    const hit = draw.canvas.hit(place);
+    const point = hit?.type === "node" ? draw.at(hit.name) : draw.camera.unproject(place);
+    const to = point && (hit?.type === "node" ? point : draw.snapped(point));
+    draw.rubber = to ? { from: this.pending?.point, to } : null;
+    draw.canvas.rubber();
+  }
+
+  /** Drag the picked nodes, in a plane parallel to the work plane. */
+  drag(place) {
+    const { draw, act } = this, own = act.from[act.node];
+    if (!act.moved && Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) <= SLACK) return;
+    const to = draw.camera.unproject(place, own[draw.camera.plane.axis] || 0);
+    if (!to) return draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
+    act.moved = true;
+    const there = draw.snapped(to, new Set(Object.keys(act.from)));
+    const places = {};
+    for (const [name, from] of Object.entries(act.from)) places[name] = from.map((value, k) => (k === draw.camera.plane.axis || there[k] === own[k] ? value : clean(value + there[k] - own[k]))).slice(0, draw.camera.dim);
+    draw.drag(places, act.number);
+  }
+
+  up(event) {
+    const { draw, act } = this, place = this.place(event);
+    this.pointers.delete(event.pointerId);
+    this.act = null;
+    draw.rubber = null;
+    if (act?.kind === "pan" && act.clear) draw.pick(null);
+    else if (act?.kind === "drag" && act.moved) draw.dragged();
+    else if (act?.kind === "box") draw.pickBox(act.start, place);
+    else if (act?.kind === "node" && act.from) this.drawNode(act.from);
+    else if (act?.kind === "bar" && act.from) this.drawBar(act, place, event.pointerType === "touch");
+    draw.canvas.rubber();
+  }
+
+  cancel(event) {
+    this.pointers.delete(event.pointerId);
+    this.act = null;
+    this.draw.rubber = null;
+    this.draw.canvas.rubber();
+  }
+
+  drawNode(target) {
+    const { draw } = this;
+    if (target.node) draw.pick({ type: "node", name: target.node });
+    else draw.edit({ do: "add", at: draw.cut(target.point) });
+  }
+
+  /** From press to release, or from click to click. */
+  drawBar(act, place, touch) {
+    const moved = Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) > SLACK;
+    if (moved) {
+      this.pending = null;
+      const to = this.target(place, touch);
+      if (to) this.join(act.from, to);
+    } else this.clickBar(act.from);
+  }
+
+  async clickBar(target) {
+    const { draw } = this;
+    if (!this.pending) {
+      let { node } = target;
+      if (!node) node = (await draw.edit({ do: "add", at: draw.cut(target.point) })).made?.node;
+      this.pending = node ? { node, point: draw.at(node) } : null;
+      return;
+    }
+    const from = this.pending;
+    this.pending = null;
+    if (from.node !== target.node) await this.join(from, target);
+  }
+
+  async join(from, to) {
+    const { draw } = this;
+    const start = from.node || (await draw.edit({ do: "add", at: draw.cut(from.point) })).made?.node;
+    if (!start || start === to.node) return;
+    if (to.node) await draw.edit({ do: "bar", ends: [start, to.node] });
+    else await draw.edit({ do: "add", at: draw.cut(to.point), bar_from: start });
+  }
+
+  // -- two fingers -------------------------------------------------------------------------------------------------
+
+  pinch() {
+    this.cancelAct();
+    this.act = { kind: "pinch", last: [...this.pointers.values()] };
+  }
+
+  cancelAct() {
+    this.draw.rubber = null;
+    this.pending = null;
+  }
+
+  pinched() {
+    const { draw, act } = this, now = [...this.pointers.values()];
+    if (now.length < 2) return;
+    const middle = (pair) => [(pair[0][0] + pair[1][0]) / 2, (pair[0][1] + pair[1][1]) / 2];
+    const apart = (pair) => Math.hypot(pair[0][0] - pair[1][0], pair[0][1] - pair[1][1]);
+    const [a, b] = [middle(act.last), middle(now)];
+    draw.camera.pan(b[0] - a[0], b[1] - a[1]);
+    draw.camera.zoom(apart(now) / (apart(act.last) || 1), b);
+    act.last = now.map((one) => [...one]);
+    draw.canvas.update();
+  }
+
+  // -- keys --------------------------------------------------------------------------------------------------------
+
+  setCursor(point) {
+    this.draw.cursor = point;
+    this.draw.canvas.rubber();
+  }
+
+  key(event) {
+    const { draw } = this, { camera } = draw;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const way = FEW_KEYS[event.key];
+    if (way) {
+      event.preventDefault();
+      const [u, v] = camera.across, step = camera.grid * (event.shiftKey ? 10 : 1);
+      const start = draw.cursor || camera.snapped(camera.unproject([camera.width / 2, camera.height / 2]) || [0, 0, 0]);
+      const next = [...start];
+      if (draw.cursor) {
+        next[u] = start[u] + way[0] * step;
+        next[v] = start[v] + way[1] * step;
+      }
+      this.setCursor(camera.snapped(next));
+      const hit = draw.canvas.hit(camera.project(draw.cursor));
+      draw.say(`${hit ? `${hit.type} ${hit.name}, ` : ""}${draw.cut(draw.cursor).join(", ")} m`);
+    } else if (event.key === "Enter" && draw.cursor) {
+      event.preventDefault();
+      this.enter(event);
+    } else if (event.key === "Escape") {
+      this.cancelAct();
+      this.setCursor(null);
+      draw.pick(null);
+    }
+  }
+
+  enter(event) {
+    const { draw } = this;
+    const place = draw.camera.project(draw.cursor);
+    const hit = draw.canvas.hit(place);
+    const target = hit?.type === "node" ? { node: hit.name, point: draw.at(hit.name) } : { point: draw.cursor };
+    if (draw.tool === "node") this.drawNode(target);
+    else if (draw.tool === "bar") this.clickBar(target);
+    else if (event.shiftKey && hit) draw.toggle(hit);
+    else draw.pick(hit);
+  }
+}
