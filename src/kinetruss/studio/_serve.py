@@ -37,6 +37,12 @@ def serve(
     Raises
     ------
     InputError : missing packages of the studio, a faulty model, no such folder, a port in use.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model_file = kt.library.example_files()["four_bar"][0]
+    >>> kt.studio.serve(model_file, ready=print)  # serves until it is interrupted  # doctest: +SKIP
     """
     file = Path(path).resolve()
     target = file.parent if folder is None else Path(folder).resolve()
