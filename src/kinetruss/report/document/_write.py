@@ -59,6 +59,15 @@ def write_document(
     Raises
     ------
     StoreError : the folder cannot be written. InputError : unknown paper.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.write_document(kt.run(model), folder, pdf=False).page.name
+    'report.html'
     """
     return write_page(document_page(run, view, date, block, paper), folder, view=view, pdf=pdf)
 
