@@ -51,19 +51,34 @@ _UNPRINTED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u
 
 
 def plain(text: str, most: int = LONGEST_TEXT) -> str:
-    """Text that is safe to print: control characters are written as escapes, and long text is cut in its middle."""
+    r"""Text that is safe to print: control characters are written as escapes, and long text is cut in its middle.
+
+    >>> import kinetruss as kt
+    >>> print(kt.errors.plain("a bell \a rings"))
+    a bell \x07 rings
+    """
     if len(text) > most:
         text = f"{text[: most * 2 // 3]} ... {text[-(most // 3 - 5) :]}"
     return _UNPRINTED.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def one_line(text: str, most: int = LONGEST_VALUE) -> str:
-    """A name for a message or a table: safe to print, on one line, cut if it is long."""
+    r"""A name for a message or a table: safe to print, on one line, cut if it is long.
+
+    >>> import kinetruss as kt
+    >>> kt.errors.one_line("a name\nof two lines")
+    'a name\\nof two lines'
+    """
     return plain(text, most).replace("\n", "\\n").replace("\t", "\\t")
 
 
 def shown(value: object) -> str:
-    """A value for a message: on one line, safe to print, cut if it is long."""
+    """A value for a message: on one line, safe to print, cut if it is long.
+
+    >>> import kinetruss as kt
+    >>> print(kt.errors.shown("crank"), kt.errors.shown([1, 2]))
+    'crank' [1, 2]
+    """
     if isinstance(value, (str, bytes)) and len(value) > LONGEST_VALUE:
         value = value[:LONGEST_VALUE]  # the rest would be cut anyway
         return f"{one_line(repr(value))[: LONGEST_VALUE - 3]}..."

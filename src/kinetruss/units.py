@@ -234,7 +234,12 @@ EITHER = {
 
 
 def unit_of(quantity: str) -> str:
-    """SI unit of a quantity, as text (empty for a plain number)."""
+    """SI unit of a quantity, as text (empty for a plain number).
+
+    >>> import kinetruss as kt
+    >>> kt.units.unit_of("length"), kt.units.unit_of("torque"), kt.units.unit_of("number")
+    ('m', 'N m', '')
+    """
     return QUANTITIES[quantity].unit
 
 

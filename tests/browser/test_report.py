@@ -141,7 +141,7 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
     squeezed = text.replace(" ", "")
     for case in record["envelopes"].values():
         for least in aligned([quantity(one["least"], "N") for one in case]):
-            assert least.translate(PLAIN).replace(" ", "") in squeezed
+            assert least.translate(PLAIN).split()[0] in squeezed  # the unit stands in the heading
     assert record["model_sha256"] in squeezed
     assert "shape, driven members green" in text
     assert "press ? for its keys" not in text

@@ -54,6 +54,16 @@ def size(model: Model, mission: Mission | str | Path) -> Sizing:
     The result is the lightest combination if forces grow with masses, as they do in trusses under their own weight and a
     payload. In any structure no single group can have the tube one size smaller. Local buckling of thin walls, joints and
     deflections are not checked. Bars that are `elastic` change the motion only through their loads, not their stiffness.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> sizing = kt.design.size(kt.read(model), mission)
+    >>> [group.name for group in sizing.groups]
+    ['lower_longerons', 'upper_longerons', 'battens', 'actuators']
+    >>> sizing.mass_after < sizing.mass_before
+    True
     """
     mission = mission if isinstance(mission, Mission) else read_mission(mission, model)
     if found := mission_faults(model, mission):

@@ -27,7 +27,14 @@ _DRIVES = ("drives", "members", "screw", "gear", "motor", "self-locking", "utili
 
 
 def table(sizing: Sizing) -> str:
-    """Tubes before and after, masses, governing checks; drives; notes."""
+    """Tubes before and after, masses, governing checks; drives; notes.
+
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> text = kt.design.table(kt.design.size(kt.read(model), mission))
+    >>> [line.split()[0] for line in text.splitlines()[:5]]
+    ['group', 'lower_longerons', 'upper_longerons', 'battens', 'actuators']
+    """
     lines = []
     if sizing.groups:
         lines += [Table(_GROUPS, map(_group, sizing.groups)).text, ""]
@@ -46,6 +53,12 @@ def table(sizing: Sizing) -> str:
 def record(sizing: Sizing) -> dict[str, Any]:
     """All values as plain data; NaN and infinity become None. With the sized model, as its file has it, and what it is sized
     for: from this a report can be made (`report.sizing_page`).
+
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> found = kt.design.record(kt.design.size(kt.read(model), mission))
+    >>> found["groups"][0]["name"], found["mass_after"] < found["mass_before"]
+    ('lower_longerons', True)
     """
     return {
         "title": sizing.mission.title,

@@ -38,7 +38,7 @@ class Table:
 
     def __init__(self, head: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "", note: str = "") -> None:
         self.head, self.caption, self.note = tuple(head), caption, note
-        found = [tuple(row) for row in rows]
+        found = [tuple(cell if isinstance(cell, str) else str(cell) for cell in row) for row in rows]
         self.rows = list(zip(*map(aligned, zip(*found, strict=True)), strict=True)) if found and any(self.head) else found
 
     @property

@@ -90,6 +90,17 @@ def corrected(
     and of the actuators with l0 unknown; Newton's method on positions, forces and lengths together, with the whole tangent.
     Loads of inertia are those of the rigid motion. `statics.equilibrium` of the elastic structure with the corrected lengths
     has the wanted pose.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"O": (0, 0), "A": kt.Node(at=(0, -1), mass=2.0)}, fixed={"O": "xy", "A": "x"}, gravity=(0, -10),
+    ...     bars={"rod": kt.Bar(ends=("O", "A"), kind="driven", mass=0)},
+    ... )
+    >>> fixed = kt.flexible.corrected(model, kt.runs.forces_at_rest(model), at="A.y", stiffness={"rod": 20e3})
+    >>> fixed.change.values.round(6).tolist()  # m: the rod starts m g/k shorter
+    [[-0.001]]
     """
     system = compile(model)
     wanted = coordinates(system, at)

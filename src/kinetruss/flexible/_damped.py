@@ -70,6 +70,18 @@ def active_damping(
     Both feedbacks only take energy from the structure, whatever the gains, if they are collocated. One mode: s (s^2 + w^2) + g
     (s^2 + z^2) = 0, z its frequency with the actuators left out; the largest damping ratio is (w - z)/(2 z), at g = w sqrt(w/z)
     (Preumont, Vibration Control of Active Structures, 2018, chapter 7).
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"O": (0, 0), "A": kt.Node(at=(0, -1), mass=2.0)}, fixed={"O": "xy", "A": "x"}, gravity=(0, -10),
+    ...     bars={"rod": kt.Bar(ends=("O", "A"), kind="driven", mass=0)},
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> found = kt.flexible.active_damping(model, forces, gains=[2.0, 20.0], modes=1, stiffness={"rod": 20e3})
+    >>> found.damping.values.round(6).tolist()  # all energy is in the actuator: gain/(2 w), w = 100 rad/s
+    [[0.01], [0.1]]
     """
     if kind not in ("force", "rate"):
         raise InputError(f"kind is {kind!r}. Give 'force' or 'rate'.")

@@ -65,6 +65,17 @@ def frequencies(
     (K - w^2 M) phi = 0 with K of the bars' elasticity, and of their tension along the motion (geometric stiffness). Modes of
     neighbouring samples are matched by the largest sum of MAC = (phi1^T M phi2)^2/((phi1^T M phi1)(phi2^T M phi2)) (Allemang &
     Brown, IMAC 1982). Damping and gyroscopic terms do not enter.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"O": (0, 0), "A": kt.Node(at=(0, -1), mass=2.0)}, fixed={"O": "xy", "A": "x"}, gravity=(0, -10),
+    ...     bars={"rod": kt.Bar(ends=("O", "A"), mass=0)},
+    ... )
+    >>> found = kt.flexible.frequencies(model, kt.runs.forces_at_rest(model), modes=1, stiffness={"rod": 2.0 * 100.0**2})
+    >>> found.frequency.values.round(4).tolist()  # Hz: sqrt(k/m)/(2 pi), 100 rad/s
+    [[15.9155]]
     """
     if isinstance(modes, bool) or not isinstance(modes, int) or modes < 1:
         raise InputError(f"modes is {modes!r}. Give a whole number from 1.")

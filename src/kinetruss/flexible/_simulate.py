@@ -66,6 +66,18 @@ def simulate(
     not given: E A/l0, or that of its `Compliance` at l0; large displacements. It starts at rest in the settled state
     of the first instant (first order), unless ``positions`` are given. Steps follow the fastest vibration of the members: short
     runs.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"O": (0, 0), "A": kt.Node(at=(0, -1), mass=2.0)}, fixed={"O": "xy", "A": "x"}, gravity=(0, -10),
+    ...     bars={"rod": kt.Bar(ends=("O", "A"), kind="driven", mass=0)},
+    ... )
+    >>> lift = kt.Quintic(moves={"rod": (1.0, 0.9)}, duration=0.1)
+    >>> run = kt.flexible.simulate(model, lift, samples=3, stiffness={"rod": 20e3})
+    >>> run.motion.position.sel(node="A", axis="y").values[0].round(6).item()  # m: settled under the load, m g/k lower
+    -1.001
     """
     delay = number_of(damping, "damping", "s")
     if delay < 0:

@@ -63,7 +63,13 @@ def schema() -> dict[str, Any]:
 
 
 def schema_file() -> Path:
-    """The JSON Schema that is shipped with the package."""
+    """The JSON Schema that is shipped with the package.
+
+    >>> import kinetruss as kt
+    >>> import json
+    >>> json.loads(kt.io.schema_file().read_text(encoding="utf-8"))["type"]
+    'object'
+    """
     return Path(__file__).with_name("kinetruss.schema.json")
 
 

@@ -17,7 +17,13 @@ MODULES = ("cells", "mechanisms", "vgt")
 
 
 def builders() -> dict[str, type[Record]]:
-    """Names of all library models (``vgt.double_octahedral``) with the record that checks their parameters."""
+    """Names of all library models (``vgt.double_octahedral``) with the record that checks their parameters.
+
+    >>> import kinetruss as kt
+    >>> builders = kt.library.builders()
+    >>> "vgt.triangular" in builders, "payload_mass" in builders["vgt.triangular"].model_fields
+    (True, True)
+    """
     for module in MODULES:
         importlib.import_module(f"kinetruss.library.{module}")
     return {name: record for name, (_, record) in sorted(BUILDERS.items())}

@@ -80,6 +80,13 @@ def mesh(points: ArrayLike, elements: ArrayLike, *, prefix: str = "n") -> Mesh:
     Raises
     ------
     InputError : another shape, or point numbers out of range.
+
+    Examples
+    --------
+    >>> from kinetruss.library import meshes
+    >>> square = meshes.mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+    >>> square.names, square.elements.tolist()
+    (('n0', 'n1', 'n2', 'n3'), [[0, 1, 2], [0, 2, 3]])
     """
     x: Any = np.array(points, float)
     rows: Any = np.array(elements, np.int64)

@@ -23,6 +23,11 @@ def rectangle(*, width: float, height: float, columns: int, rows: int, six_nodes
     """A rectangle from the origin, width along x and height along y (m), of columns x rows cells with two triangles each.
 
     Diagonals alternate. six_nodes : triangles with nodes in the middles of their sides.
+
+    >>> from kinetruss.library import meshes
+    >>> plate = meshes.rectangle(width=2.0, height=1.0, columns=2, rows=1)
+    >>> len(plate.names), len(plate.elements)
+    (6, 4)
     """
     step = 2 if six_nodes else 1
     _fits({"columns": columns, "rows": rows}, step)
@@ -48,6 +53,11 @@ def box(*, size: Sequence[float], cells: Sequence[int], prefix: str = "n") -> Me
 
     All cells are split in the same way, along the diagonal from their lowest to their highest corner (Kuhn), so neighbours
     match.
+
+    >>> from kinetruss.library import meshes
+    >>> block = meshes.box(size=(2.0, 1.0, 1.0), cells=(2, 1, 1))
+    >>> len(block.names), len(block.elements)  # 3 x 2 x 2 nodes, six tetrahedra in each of two cells
+    (12, 12)
     """
     _fits(dict(zip(("cells along x", "cells along y", "cells along z"), cells, strict=True)))
     counts = np.array(cells, np.int64)
@@ -79,6 +89,16 @@ def read(source: Any, *, dim: int | None = None, prefix: str = "n") -> Mesh:
     InputError : meshio is not installed, or the mesh has cells of none of these kinds, or of several.
 
     Tetrahedra with triangles are accepted: the triangles are their surface.
+
+    Examples
+    --------
+    >>> from types import SimpleNamespace
+    >>> import numpy as np
+    >>> from kinetruss.library import meshes
+    >>> points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    >>> given = SimpleNamespace(points=points, cells_dict={"triangle": np.array([[0, 1, 2]])})
+    >>> meshes.read(given).points.tolist()  # all in z = 0: a mesh of the plane
+    [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
     """
     found = _opened(Path(source)) if isinstance(source, str | Path) else source
     cells = {kind: np.asarray(rows) for kind, rows in found.cells_dict.items()}

@@ -110,5 +110,11 @@ class Lost:
 
 
 def rests_on(fault: Fault, lost: Lost) -> bool:
-    """True if a place that the fault depends on is removed in whole or in part."""
+    """True if a place that the fault depends on is removed in whole or in part.
+
+    >>> import kinetruss as kt
+    >>> fault = kt.Fault(("bars", "b"), "has no end B.", "Add the node.", about=(("nodes", "B"),))
+    >>> [kt.model.rests_on(fault, kt.model.Lost([place])) for place in (("nodes", "B"), ("loads", "f"))]
+    [True, False]
+    """
     return any(lost.touches(place) for place in fault.about)

@@ -116,7 +116,14 @@ def matched(names: Sequence[str], pattern: str) -> list[str]:
 
 
 def mission_faults(model: Model, mission: Mission) -> list[Fault]:
-    """All faults of a mission relative to its model: unknown runs, load cases and members, groups that overlap."""
+    """All faults of a mission relative to its model: unknown runs, load cases and members, groups that overlap.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> mission = kt.Mission(runs=["lift"], catalogues={"tubes": "aluminium_tubes_metric"})
+    >>> [fault.message for fault in kt.model.mission_faults(model, mission)]
+    ["the model has no run called 'lift'."]
+    """
     return [*_runs(model, mission), *_groups(model, mission), *_drives(model, mission)]
 
 

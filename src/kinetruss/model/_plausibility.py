@@ -50,7 +50,14 @@ Path = tuple[str | int, ...]
 
 
 def plausibility(model: Model) -> list[Fault]:
-    """Implausible values of a model without faults; see `kinematics.notes`."""
+    """Implausible values of a model without faults; see `kinematics.notes`.
+
+    >>> import kinetruss as kt
+    >>> tungsten = kt.Material(E=400e15, density=19300.0)  # E a million times too large
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")}, material=tungsten)
+    >>> [fault.path for fault in kt.model.plausibility(model)]
+    [('material', 'E')]
+    """
     return [*_sections(model), *_materials(model), *_masses(model), *_gravity(model), *_screws(model), *_angles(model)]
 
 

@@ -281,7 +281,12 @@ def _listed(value: Any) -> Any:
 
 
 def short_form(value: Any, field: str) -> Any:
-    """A plain list or array is read as the record that has it as its `field`."""
+    """A plain list or array is read as the record that has it as its `field`.
+
+    >>> import kinetruss as kt
+    >>> kt.model.short_form((0, 1), "at"), kt.model.short_form({"at": (0, 1)}, "at")
+    ({'at': (0, 1)}, {'at': (0, 1)})
+    """
     value = _listed(value)
     return {field: value} if isinstance(value, (list, tuple)) else value
 

@@ -38,7 +38,12 @@ _SHORT = {
 
 
 def nearest(name: object, known: Iterable[object]) -> str:
-    """The fix for an unknown name: the most similar names."""
+    """The fix for an unknown name: the most similar names.
+
+    >>> import kinetruss as kt
+    >>> kt.model.nearest("crnk", ["crank", "rocker"])
+    "Did you mean 'crank'?"
+    """
     names = [str(k) for k in known]
     wanted = name if isinstance(name, str) else shown(name)
     near = get_close_matches(wanted[:_LONGEST], names, n=3, cutoff=0.5)

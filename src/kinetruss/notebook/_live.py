@@ -29,6 +29,13 @@ def live(model: Model, *, height: int = 720, folder: str | Path | None = None) -
     Raises
     ------
     InputError : anywidget is not installed, or the model has no equilibrium or cannot be assembled.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> widget = kt.notebook.live(kt.library.vgt.triangular())
+    >>> widget.values  # m
+    {'actuator': 2.5}
     """
     target = None if folder is None else Path(folder).resolve()
     if target is not None and not target.is_dir():

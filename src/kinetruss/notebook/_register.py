@@ -19,6 +19,13 @@ def register(shell: Any) -> None:
     """Show models, runs and results as pictures in this IPython shell.
 
     ``import kinetruss`` in a notebook calls it, and so does ``%load_ext kinetruss``.
+
+    >>> import kinetruss as kt
+    >>> from IPython.core.interactiveshell import InteractiveShell
+    >>> shell = InteractiveShell()
+    >>> kt.notebook.register(shell)
+    >>> shell.display_formatter.formatters["text/html"](kt.library.vgt.triangular())[:7]
+    '<iframe'
     """
     formatter = shell.display_formatter.formatters["text/html"]
     for module, name in FRAMED:

@@ -31,6 +31,13 @@ def show(what: Any, height: int = HEIGHT, **options: Any) -> Picture:
     Raises
     ------
     InputError : as for `viewer.scene`.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> picture = kt.notebook.show(kt.library.vgt.triangular(), height=400)
+    >>> picture.text[:31]
+    '<iframe sandbox="allow-scripts"'
     """
     return Picture(framed(page(scene(what, **options)), height))
 

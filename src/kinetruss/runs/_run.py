@@ -64,6 +64,17 @@ def run(
     InputError : no such run, an output folder that is not empty, faults of the trajectory. Nothing was computed.
     StoreError : another process is writing the folder; or it cannot be written, e.g. the disk is full. Committed samples
     stay readable.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> result = kt.run(model, "turn")
+    >>> result.status.name, list(result.forces)
+    ('COMPLETED', ['all'])
+    >>> worst = result.verdict.table()[0]
+    >>> worst.part, worst.rule, round(worst.utilisation, 3)
+    ('crank', 'yield', 0.036)
     """
     started = time.perf_counter()
     if (chosen := chosen_run(model, name)) and model.runs[chosen].analysis == MISSION:
@@ -96,6 +107,23 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
     ------
     InputError : the run has already ended.
     StoreError : no run folder, or another process is writing it.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> import tempfile
+    >>> def stop(done: int, asked: int) -> None:
+    ...     if done < asked:
+    ...         raise KeyboardInterrupt  # as Ctrl-C
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     try:
+    ...         _ = kt.run(model, out=f"{folder}/turn", block=100, progress=stop)
+    ...     except KeyboardInterrupt:
+    ...         len(kt.runs.load(f"{folder}/turn").motion.time)
+    ...     len(kt.runs.resume(f"{folder}/turn").motion.time)
+    100
+    361
     """
     started = time.perf_counter()
     path = Path(out)

@@ -41,6 +41,12 @@ def serve(
     Raises
     ------
     InputError : missing packages of the studio, a faulty model, no such folder, a port in use.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model_file = kt.library.example_files()["four_bar"][0]
+    >>> kt.studio.serve(model_file, ready=print)  # serves until it is interrupted  # doctest: +SKIP
     """
     file = None if path is None else Path(path).resolve()
     target = Path(folder).resolve() if folder is not None else Path.cwd() if file is None else file.parent

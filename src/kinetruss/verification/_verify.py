@@ -26,6 +26,13 @@ def verify(filter: str | None = None) -> Report:
     Returns
     -------
     Report, with one entry per scalar; `classes` counts them.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> report = kt.verification.verify("gauges.rosette")
+    >>> report.passed, report.failed
+    (3, 0)
     """
     wanted = (filter or "").casefold()
     made: dict[str, dict[str, float]] = {}

@@ -35,6 +35,27 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
     Raises
     ------
     InputError : a planar model; instants of another motion; an end that is no hub, which passes no moment.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> from math import cos, pi, sin
+    >>> def ring(letter: str, radius: float, turn: float) -> dict[str, tuple[float, float, float]]:
+    ...     angles = [k * pi / 3 + turn * (-1) ** k for k in range(6)]
+    ...     return {f"{letter}{k}": (radius * cos(a), radius * sin(a), 0.0) for k, a in enumerate(angles)}
+    >>> part = kt.Part(length=0.5, section=kt.Tube(outer=0.02, inner=0.016), material="steel_s235")
+    >>> screw = kt.LeadScrew(lead=0.001, mean_diameter=0.02, friction=0.1)
+    >>> leg = kt.Active(ends=("F0", "C"), base=part, tube=part, screw=screw)
+    >>> model = kt.Model(
+    ...     nodes={"C": kt.Node(at=(0, 0, 0.8), mass=20.0), **ring("F", 0.5, 0.4)}, fixed=list(ring("F", 0.5, 0.4)),
+    ...     bars={f"L{k}": kt.Bar(ends=(f"F{k}", "C"), kind="driven", mass=0) for k in range(1, 6)}, active={"L0": leg},
+    ...     hubs={"C": kt.Hub(arms=ring("L", 0.2, -0.4))}, gravity=(0, 0, -9.81),
+    ... )
+    >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"L0": 0.01}, duration=1.0), samples=5)
+    >>> demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    >>> couples = kt.actuators.screw_couples(model, motion, demand)
+    >>> list(couples), couples["L0.torque.B"].body  # the other end is on the ground
+    (['L0.torque.B'], 'C.hub')
     """
     if model.dim == 2:
         raise InputError("A planar model has no torque about the axis of a member. Make the model spatial.")

@@ -85,6 +85,18 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
     direction of the motion, at standstill in that of the acceleration, and where there is none against the load. Where a
     motor has an inductance, L i' counts; i' is the derivative of a spline through the samples of the current between two of
     its jumps (reversals of the motion or of the thrust): choose the samples accordingly.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"actuator": 0.01}, duration=1.0), samples=11)
+    >>> demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    >>> demand.motor_speed.sel(active="actuator").values[0].round(3).item()  # rad/s: G L'/lead = 5.2 * 0.01/0.003
+    17.333
+    >>> worst = demand.table()[0]
+    >>> worst.part, worst.rule, worst.utilisation < 1
+    ('actuator', 'voltage', True)
     """
     time = motion.arrays["time"].values
     columns = columns_of(model, motion, forces)

@@ -53,6 +53,13 @@ def exceeded(demand: Demand) -> tuple[Exceeded, ...]:
     """Every limit that a demand exceeds, with each stretch of time in which it does; worst first.
 
     As text, one is for example ``M7: voltage too high from 0.2941 s to 0.7059 s; 36.3 V at 0.5 s, 45.2 % above 25 V.``
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> motion = kt.kinematics.follow(model, kt.Quintic(moves={"actuator": (2.5, 3.0)}, duration=1.0), samples=21)
+    >>> demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    >>> [(one.active, one.quantity, round(one.time, 2), float(one.limit)) for one in kt.actuators.exceeded(demand)]
+    [('actuator', 'voltage', 0.45, 25.0)]
     """
     found = list(_found(demand))
     return tuple(sorted(found, key=lambda one: -one.value / one.limit))

@@ -44,6 +44,13 @@ def moves(demand: Demand) -> tuple[Move, ...]:
 
     Integrals are by the trapezoidal rule over the samples of the move, the standstills at its ends included. Members without a
     motor have no energies (NaN).
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> motion = kt.kinematics.follow(model, kt.Cyclic(moves={"actuator": (2.5, 2.6)}, period=2.0), samples=41)
+    >>> demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    >>> [(one.active, round(one.travel, 3)) for one in kt.actuators.moves(demand)]  # m: there and back
+    [('actuator', 0.1), ('actuator', -0.1)]
     """
     return tuple(one for k in range(demand.data.sizes["active"]) for one in _of_member(demand, k))
 

@@ -40,6 +40,18 @@ def power_flow(model: Model, motion: Motion, demand: Demand) -> xr.Dataset:
     ``electrical`` = ``copper`` + ``motor`` + ``gear`` + ``screw`` + ``stored`` + ``actuator``.
     Losses are never negative, whichever way the power flows; ``balance`` is what is not accounted for, round-off. NaN where
     there is no motor.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"actuator": 0.01}, duration=1.0), samples=11)
+    >>> demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    >>> power = kt.actuators.power_flow(model, motion, demand).sel(active="actuator")
+    >>> bool((power.electrical > power.actuator).all())  # losses
+    True
+    >>> bool(abs(power.balance).max() < 1e-9)  # nothing is unaccounted for
+    True
     """
     members = list(model.actuators)
     data, time = demand.data, demand.arrays["time"].values

@@ -77,6 +77,16 @@ def summarise(model: Model, demand: Demand) -> Demand:
     -----
     Integrals are by the trapezoidal rule over the samples. Electrical energy = winding + motor + gear + screw + stored + work
     of the thrust; at every sample this holds exactly for the powers (`power_flow`), over a motion to the error of the rule.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"actuator": 0.01}, duration=1.0), samples=11)
+    >>> demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))
+    >>> again = kt.actuators.summarise(model, demand).data  # `evaluate` has done it already
+    >>> again.equals(demand.data), bool(again.self_locking.sel(active="actuator"))
+    (True, True)
     """
     kept = {str(name): one for name, one in demand.arrays.items() if one.dims == ("time", "active")}
     return demand.with_(data=summarised(model, demand.arrays["time"].values, kept, demand.attrs))
@@ -113,7 +123,18 @@ def _axes(names: tuple[str, ...]) -> Axes:
 
 
 def merge_summaries(first: xr.Dataset, second: xr.Dataset, durations: tuple[float, float]) -> xr.Dataset:
-    """The summary of two consecutive stretches of time from those of each, and their durations (s)."""
+    """The summary of two consecutive stretches of time from those of each, and their durations (s).
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"actuator": 0.01}, duration=1.0), samples=11)
+    >>> one = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion)).data
+    >>> both = kt.actuators.merge_summaries(one, one, (1.0, 1.0))  # the same second twice
+    >>> round(float(both.electrical_energy[0] / one.electrical_energy[0]), 6)
+    2.0
+    >>> round(float(both.rms_current[0] / one.rms_current[0]), 6)
+    1.0
+    """
     # an entry without a limit has no utilisation: its largest value counts
     one, two = (part["utilisation"].fillna(part["value"]).fillna(-1.0) for part in (first, second))
     peaks = [name for name, part in second.data_vars.items() if "quantity" in part.dims]

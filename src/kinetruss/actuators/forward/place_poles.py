@@ -41,6 +41,16 @@ def place_poles(train: DriveTrain, loop: PositionLoop, mass: float = 0.0) -> Gai
 
     Source: state feedback by comparison of coefficients; Franklin, Powell & Emami-Naeini, Feedback Control of Dynamic Systems,
     ch. 7. Friction leaves an error at rest: there is no integral part.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> motor = kt.Motor(inertia=1e-3, resistance=1.0, torque_constant=0.1, emf_constant=0.1)
+    >>> train = kt.DriveTrain(motor=motor, gear=kt.Gear(ratio=10), amplifier=kt.Amplifier(current_gain=1.0))
+    >>> loop = kt.PositionLoop(target="30 deg", settling_time=1.0, damping=0.8)
+    >>> gains = kt.actuators.place_poles(train, loop, mass=0.9)
+    >>> gains.order, round(gains.rate / gains.position, 6)  # 2 zeta/w
+    (2, 0.32)
     """
     model = drive_model_of(train, "voltage")
     refuse_jam(model, mass)

@@ -46,6 +46,20 @@ def motor_demand(
     is left out, which is on the safe side, unless the gear is self-locking.
     The inertia of the gear counts at the motor's shaft. Source: Lacy (1991, eq. 2.40 and 4.78), the load torque divided
     by the gear ratio.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> motor = kt.Motor(inertia=0.0, resistance=2.0, torque_constant=0.1, emf_constant=0.1)
+    >>> gear = kt.Gear(ratio=10, efficiency=0.8)
+    >>> found = kt.actuators.motor_demand(None, gear, motor, torque=8.0, rate=3.0, acceleration=0.0)  # N m, rad/s
+    >>> for name in ("motor_speed", "motor_torque", "current", "voltage", "electrical_power"):
+    ...     print(name, found[name].round(6))
+    motor_speed 30.0
+    motor_torque 1.0
+    current 10.0
+    voltage 23.0
+    electrical_power 230.0
     """
     stage = gear or DIRECT
     velocity, lead = np.asarray(rate, float), 1.0 if screw is None else screw.lead

@@ -41,6 +41,13 @@ def raising_torque(screw: LeadScrew, thrust: float) -> float:
     Raises
     ------
     InputError : the screw jams: mu tan(lambda) sec(a) >= 1, no torque raises the load.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> screw = kt.LeadScrew(lead=0.002, mean_diameter=0.02, friction=0.3)
+    >>> round(kt.actuators.raising_torque(screw, 100.0), 4)  # N m: F d/2 (0.2 + 0.3)/(1 - 0.2 * 0.3)
+    0.5319
     """
     slope, friction = _thread(screw)
     if slope * friction >= 1:
@@ -73,6 +80,13 @@ def screw_torque(screw: LeadScrew, thrust: ArrayLike, moving: ArrayLike) -> NDAr
 
     The sign of the power thrust x rate chooses: positive work raises the load, negative lowers it. At standstill the
     screw holds: no torque where it is self-locking, else what keeps it from running back.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> screw = kt.LeadScrew(lead=0.002, mean_diameter=0.02, friction=0.3)
+    >>> kt.actuators.screw_torque(screw, 100.0, [1, -1, 0]).round(4).tolist()  # raise, lower, stand still: it locks itself
+    [0.5319, -0.0943, 0.0]
     """
     push, direction = np.broadcast_arrays(np.asarray(thrust, float), np.sign(np.asarray(moving, float)))
     up, down = raising_torque(screw, 1.0), lowering_torque(screw, 1.0)
@@ -84,6 +98,13 @@ def holding_torque(screw: LeadScrew, thrust: ArrayLike) -> NDArray[np.float64]:
     """Torque on the screw (N m, positive towards longer) that keeps it from running back: zero where it is self-locking.
 
     Counted with the running friction, which is on the safe side.
+
+    >>> import kinetruss as kt
+    >>> ball, steep = (kt.LeadScrew(lead=0.002, mean_diameter=0.02, friction=friction) for friction in (0.0, 0.3))
+    >>> kt.actuators.holding_torque(ball, 1000.0).round(6).item()  # N m: without friction thrust x lead
+    2.0
+    >>> kt.actuators.holding_torque(steep, 1000.0).item()  # friction holds the load
+    0.0
     """
     held: NDArray[np.float64] = np.asarray(thrust, float) * max(0.0, -lowering_torque(screw, 1.0))
     return held
@@ -93,6 +114,11 @@ def breakaway_torque(screw: LeadScrew, thrust: ArrayLike, direction: ArrayLike) 
     """Torque on the screw (N m, positive towards longer) that starts it from rest, with its static friction.
 
     direction : sign of the motion to come; 0 means against the load, which takes most.
+
+    >>> import kinetruss as kt
+    >>> screw = kt.LeadScrew(lead=0.002, mean_diameter=0.02, friction=0.3, static_friction=0.4)
+    >>> kt.actuators.breakaway_torque(screw, 100.0, [1, -1]).round(3).tolist()  # longer, against the load; shorter, with it
+    [0.652, -0.185]
     """
     push, wanted = np.broadcast_arrays(np.asarray(thrust, float), np.sign(np.asarray(direction, float)))
     return screw_torque(sticking(screw), push, np.where(wanted == 0, np.where(push < 0, -1.0, 1.0), wanted))
@@ -104,12 +130,23 @@ def sticking(screw: LeadScrew) -> LeadScrew:
 
 
 def is_self_locking(screw: LeadScrew) -> bool:
-    """True where no thrust runs the screw back: tan(lambda) <= mu sec(a), i.e. lead <= mu d/2 sec(a)."""
+    """True where no thrust runs the screw back: tan(lambda) <= mu sec(a), i.e. lead <= mu d/2 sec(a).
+
+    >>> import kinetruss as kt
+    >>> [kt.actuators.is_self_locking(kt.LeadScrew(lead=0.001, mean_diameter=0.02, friction=mu)) for mu in (0.05, 0.15)]
+    [False, True]
+    """
     return bool(screw.lead <= largest_self_locking_lead(screw) * (1 + 1e-12))
 
 
 def largest_self_locking_lead(screw: LeadScrew) -> float:
-    """The largest lead (m/rad) that still holds by friction, for this diameter, friction and flank: mu d/2 sec(a)."""
+    """The largest lead (m/rad) that still holds by friction, for this diameter, friction and flank: mu d/2 sec(a).
+
+    >>> import kinetruss as kt
+    >>> screw = kt.LeadScrew(lead=0.001, mean_diameter=0.02, friction=0.15)
+    >>> round(kt.actuators.largest_self_locking_lead(screw), 6)  # m/rad: mu d/2
+    0.0015
+    """
     return float(screw.mean_diameter / 2 * screw.friction / math.cos(screw.flank))
 
 

@@ -77,6 +77,14 @@ def train_of(model: Model, name: str) -> DriveTrain:
     Raises
     ------
     InputError : nothing of that name, no screw, or no motor.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(screw="screw_lacy_planar", gear="gear_lacy", motor="motor_lacy")
+    >>> train = kt.actuators.train_of(model, "actuator")
+    >>> train.gear.ratio, float(train.screw.lead)
+    (5.2, 0.003)
     """
     if name in model.drives and name not in model.actuators:
         raise InputError(f"Drive {name!r} has no motor: there is no drive train. Give it one.")

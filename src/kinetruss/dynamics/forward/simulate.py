@@ -76,6 +76,14 @@ def simulate(
     -----
     M(x) a + J^T N = f(t, x, v), J a = gamma, in Cartesian coordinates of the nodes; positions and velocities are projected onto
     the constraints. The forces of members, supports and drives are those of `dynamics.inverse` along the same motion.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> ball = kt.Model(nodes={"A": kt.Node(at=(0, 5), mass=1.0)}, gravity=(0, -10))
+    >>> fall = kt.dynamics.simulate(ball, 1.0, samples=3)
+    >>> fall.motion.position.sel(node="A", axis="y").values.round(6).tolist()  # m: 5 - g t^2/2
+    [5.0, 3.75, 0.0]
     """
     t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else float(t_end)

@@ -146,6 +146,15 @@ def free_body(
     Sum of forces: F_A + F_B + what else acts + m g = m a. Moment about the centre of mass c: sum r x F + M = H', H' = I u x u''
     for a rigid rod, with the forces that `dynamics.inverse` found from its own, different equations. About axis 1 there is no
     moment. Source: Newton and Euler's equations of a rigid rod; Lacy (1991, chapters 2 and 4).
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular(payload_mass=10.0)
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> body = kt.dynamics.free_body(model, forces.motion, forces, node="B")
+    >>> [term.symbol for term in body.bodies[0].terms]
+    ['-F_B', '-F_B', 'm g']
     """
     if (member is None) == (node is None):
         raise InputError("Name one thing to cut free: member=..., or node=...")

@@ -127,6 +127,15 @@ def newton_euler(
     on the right-hand side of its equations. So are the forces of springs, membranes and solids, which follow from the motion.
     Nothing else of the mass matrix of `inverse` is used: agreement shows that its consistent masses and mean tensions are
     equivalent to Newton and Euler's equations. Source: Lacy (1991, chapters 2 and 4), with the errata of the documentation.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> system = kt.dynamics.newton_euler(model, forces.motion, forces)
+    >>> system.matrix.shape  # 3 bodies and a free node in the plane
+    (11, 11)
     """
     if model.hubs:
         raise InputError("The braces of hubs have no equations of their own. Use dynamics.free_body of the arms and nodes.")

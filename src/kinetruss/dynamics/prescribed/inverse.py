@@ -59,6 +59,18 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. In redundant structures the
     forces minimise sum N^2 l/(E A) if every bar of the state of self-stress has E and A, else sum N^2;
     ``data.attrs["not_unique"]`` names the members, and ``message`` reports them.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(
+    ...     nodes={"O": (0, 0), "A": kt.Node(at=(0.5, 0), mass=2.0)}, fixed=["O"],
+    ...     bars={"crank": kt.Bar(ends=("O", "A"), mass=0)}, drives={"motor": kt.AngleDrive("crank")},
+    ... )
+    >>> motion = kt.kinematics.follow(crank, kt.ConstantRate(rates={"motor": 10.0}, duration=0.1), samples=3)
+    >>> forces = kt.dynamics.inverse(crank, motion)
+    >>> forces.member_force.sel(member="crank").values.round(6).tolist()  # N: m r w^2
+    [100.0, 100.0, 100.0]
     """
     system = compile(model)
     check_motion(system, motion, members=True)

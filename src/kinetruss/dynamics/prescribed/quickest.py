@@ -88,6 +88,15 @@ def quickest(
     inertia is the only thing that depends on the rates (no dampers, friction of bearings, moving loads). So k follows in closed
     form from rates, accelerations and forces. Motor limits depend on k through friction and back-emf; there k is found by
     bisection (Brent, 1973).
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"actuator": 0.1}, duration=1.0), samples=11)
+    >>> found = kt.dynamics.quickest(model, motion, rate=0.2)  # m/s
+    >>> round(found.duration, 6), found.limit, found.drive
+    (0.5, 'rate', 'actuator')
     """
     if not motion.status.ok:
         raise InputError(f"The motion ended early: {motion.message or motion.status.value} Give one that is whole.")

@@ -21,7 +21,7 @@ _EXAMPLES = {"m": "25 mm", "m/rad": "3 mm/rev", "rad": "15 deg", "rad/s": "3000 
 
 
 def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
-    """Read a catalogue of tubes, lead screws, gears or motors from a YAML or JSON file.
+    r"""Read a catalogue of tubes, lead screws, gears or motors from a YAML or JSON file.
 
     A quantity needs its unit here: printed catalogues use millimetres and inches, and a bare 25 would be read as metres.
 
@@ -32,6 +32,18 @@ def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
     Raises
     ------
     ModelError : all faults of the file at once, each with line and column and its fix.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "tubes.yaml")
+    ...     _ = file.write_text("source: our stock\nmaterial: steel_s235\ntubes: {20x2: {outer: 20 mm, wall: 2 mm}}\n")
+    ...     catalogue = kt.io.read_catalogue(file)
+    >>> catalogue.tubes["20x2"].outer, catalogue.material.E
+    (0.02, 210000000000.0)
     """
     path = Path(path)
     try:

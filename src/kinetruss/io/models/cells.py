@@ -17,7 +17,7 @@ __all__ = ["read_cell", "with_parts"]
 
 
 def read_cell(nodes: str | Path, members: str | Path, *, max_size: int = MAX_SIZE, **fittings: Any) -> Cell:
-    """A cell of `library.cells` from two CSV files.
+    r"""A cell of `library.cells` from two CSV files.
 
     Parameters
     ----------
@@ -31,6 +31,19 @@ def read_cell(nodes: str | Path, members: str | Path, *, max_size: int = MAX_SIZ
     ------
     ModelError : all faults of both tables, each with file and line: columns or units that are missing, cells that are no
         number; faults of the cell.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     nodes, members = Path(folder, "nodes.csv"), Path(folder, "members.csv")
+    ...     _ = nodes.write_text("node,x [mm],y [mm]\nA,0,0\nB,1000,0\nC,0,800\n")
+    ...     _ = members.write_text("member,from,to,kind\nside,A,C,\nbrace,B,C,active\n")
+    ...     cell = kt.io.read_cell(nodes, members)
+    >>> cell.nodes["C"].at, cell.bars["brace"].kind
+    ((0.0, 0.8), 'driven')
     """
     cells = importlib.import_module("kinetruss.library.cells")
     found: Cell = cells.cell(**_joined(read_parts(Path(nodes), Path(members), max_size), fittings))

@@ -27,6 +27,13 @@ def read_mission(path: str | Path, model: Model | None = None, *, max_size: int 
     Raises
     ------
     ModelError : all faults of the file at once, each with line and column and its fix.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> kt.io.read_mission(mission, kt.read(model)).groups["battens"].members
+    ('M19', 'M20', 'M21')
     """
     path = Path(path)
     try:

@@ -19,7 +19,7 @@ __all__ = ["model_of", "placed", "read"]
 
 
 def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, Any] | None = None) -> Model:
-    """Read a model from a YAML or JSON file.
+    r"""Read a model from a YAML or JSON file.
 
     Every scalar of a YAML file is text, so ``no`` and ``12:30`` are names like any other; quantities are read with their
     units. ``library: {name: vgt.double_octahedral, bays: 3}`` starts from a library model, which the other keys change name by
@@ -40,6 +40,18 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
     Raises
     ------
     ModelError : all faults of the file at once, each with line and column and its fix.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "model.yaml")
+    ...     _ = file.write_text("nodes: {A: [0, 0], B: [500 mm, 0]}\nfixed: [A]\nbars: {arm: [A, B]}\nkinetruss: 1\n")
+    ...     model = kt.read(file)
+    >>> model.nodes["B"].at
+    (0.5, 0.0)
     """
     path = Path(path)
     try:
@@ -54,7 +66,19 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
 
 
 def placed(path: str | Path, faults: list[Fault], *, max_size: int = MAX_SIZE) -> list[Fault]:
-    """Faults of the model in a file, with line and column, in the order of the file."""
+    r"""Faults of the model in a file, with line and column, in the order of the file.
+
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> fault = kt.Fault(("bars", "b"), "is too long.", "Shorten it.")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "model.yaml")
+    ...     _ = file.write_text("nodes: {A: [0, 0]}\nbars:\n  b: [A, B]\n")
+    ...     found = kt.io.placed(file, [fault])
+    >>> found[0].line, found[0].column
+    (3, 3)
+    """
     if not faults:
         return faults
     tree, _ = _parsed(Path(path), max_size)

@@ -62,6 +62,14 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
     Raises
     ------
     ModelError : as for `set_value`; two paths of which one is inside the other.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> heavier = kt.io.set_values(model, {"nodes.B.mass": "20 kg", "title": "Heavier"})
+    >>> heavier.nodes["B"].mass, heavier.title
+    (20.0, 'Heavier')
     """
     changes: dict[str | int, Any] = {}
     for path, value in settings.items():

@@ -34,6 +34,17 @@ def write(model: Model, path: str | Path) -> Path:
     Raises
     ------
     InputError : another suffix. StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> model = kt.library.vgt.triangular()
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = kt.write(model, Path(folder, "truss.yaml"))
+    ...     kt.read(file) == model
+    True
     """
     path = Path(path)
     if path.suffix.lower() not in _TEXT:

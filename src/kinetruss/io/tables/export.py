@@ -39,6 +39,19 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
     ------
     InputError : an unknown suffix or group, or a package of the extra ``export`` that is not installed.
     StoreError : the run cannot be read or the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = kt.run(model, out=Path(folder, "run"))
+    ...     file = kt.io.export(Path(folder, "run"), Path(folder, "run.csv"), groups=["motion"])
+    ...     rows = file.read_text().splitlines()
+    >>> len(rows), rows[0].split(",")[0]  # a head and 361 instants
+    (362, 'time (s)')
     """
     path = Path(file)
     writers: dict[str, Callable[[Store, list[str], Path], None]] = {".csv": _csv, ".parquet": _parquet, ".nc": _netcdf}

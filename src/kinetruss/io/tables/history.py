@@ -46,7 +46,7 @@ class NodeHistory:
 def read_history(
     path: str | Path, *, dim: int | None = None, nodes: Iterable[str] | None = None, max_size: int = MAX_HISTORY
 ) -> NodeHistory:
-    """Read a node-history CSV: columns ``t``, ``NODE.x``, ``NODE.y``[, ``NODE.z``], ``NODE.vx`` .., ``NODE.ax`` ..
+    r"""Read a node-history CSV: columns ``t``, ``NODE.x``, ``NODE.y``[, ``NODE.z``], ``NODE.vx`` .., ``NODE.ax`` ..
 
     Parameters
     ----------
@@ -58,6 +58,19 @@ def read_history(
     ------
     ModelError : all faults of the table, each with file, line and column: unknown nodes, columns missing, cells that are not a
     number, time that decreases.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> table = "t,B.x [mm],B.y [mm],B.vx,B.vy,B.ax,B.ay\n0,2000,0,0,0,0,0\n1,2000,0,0,0,0,0\n"
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "motion.csv")
+    ...     _ = file.write_text(table)
+    ...     history = kt.io.read_history(file)
+    >>> history.nodes, history.position[0].tolist()  # m
+    (('B',), [[2.0, 0.0]])
     """
     known = None if nodes is None else frozenset(nodes)
     table = read_table(Path(path), lambda name: _quantity(name, known), max_size=max_size)

@@ -28,6 +28,13 @@ def read_measured(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any)
     Raises
     ------
     ModelError : faults of the table, each with file, line and column; accelerations without rates, rates without values.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> record = kt.io.read_measured(kt.library.example_files()["measured_slew"][1], outliers="replace")
+    >>> list(record.values), float(record.values["M7"][0])  # m
+    (['M7', 'M9', 'M11'], 1.24146)
     """
     table = read_measured_table(Path(path), max_size)
     return Measured(times=tuple(table.times), **measured_columns(table), **options)

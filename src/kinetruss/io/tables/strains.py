@@ -57,6 +57,14 @@ def read_strains(path: str | Path, model: Model, *, max_size: int = MAX_SIZE) ->
     ------
     ModelError : all faults of the table, each with file, line and column: unknown columns, cells that are not a number,
     time that decreases, numbers too large to be strain.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model, record = kt.library.example_files()["strain_gauges"][:2]
+    >>> history = kt.io.read_strains(record, kt.read(model))
+    >>> list(history.columns), float(history.columns["M6.axial"][0])  # 1e-6
+    (['M6.axial'], 4.07)
     """
     known = strain_columns(model)
     try:

@@ -40,6 +40,16 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
     Raises
     ------
     InputError : wrong shapes, numbers that are not finite, times that do not increase.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import numpy as np
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")})
+    >>> time, still = np.array([0.0, 1.0]), np.zeros((2, 2, 2))
+    >>> motion = kt.kinematics.from_arrays(model, time, still + [[0, 0], [2, 0]], still, still)
+    >>> motion.length.sel(member="b").values.tolist(), motion.data.attrs["misfit"]
+    ([2.0, 2.0], 0.0)
     """
     system = compile(model)
     t = instants(0.0, 2, time)

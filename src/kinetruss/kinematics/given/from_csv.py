@@ -21,7 +21,7 @@ __all__ = ["from_csv"]
 
 
 def from_csv(model: Model, path: str | Path) -> Motion:
-    """A Motion from a CSV of node histories measured or computed elsewhere.
+    r"""A Motion from a CSV of node histories measured or computed elsewhere.
 
     Parameters
     ----------
@@ -36,6 +36,20 @@ def from_csv(model: Model, path: str | Path) -> Motion:
     ------
     ModelError : faults of the table, each with its place; a missing moving node, no velocities or accelerations, a fixed node
         at another position.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")})
+    >>> table = "t,B.x [mm],B.y [mm],B.vx,B.vy,B.ax,B.ay\n0,2000,0,0,0,0,0\n1,2000,0,0,0,0,0\n"
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "motion.csv")
+    ...     _ = file.write_text(table)
+    ...     motion = kt.kinematics.from_csv(model, file)
+    >>> motion.length.sel(member="b").values.tolist()
+    [2.0, 2.0]
     """
     history = read_history(path, dim=model.dim, nodes=model.nodes)
     if found := history_faults(model, history):

@@ -76,6 +76,18 @@ def follow(
     change the result. If anything turns far between two samples, instants in between are computed too, so that whole turns
     and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
     ``between_velocity``).
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")}, drives={"turn": kt.AngleDrive("b")}
+    ... )
+    >>> motion = kt.kinematics.follow(crank, kt.ConstantRate(rates={"turn": 3.0}, duration=1.0), samples=5)
+    >>> motion.velocity.sel(node="B").values[0].round(9).tolist()  # m/s: r w, upwards
+    [0.0, 6.0]
+    >>> motion.acceleration.sel(node="B").values[0].round(9).tolist()  # m/s^2: r w^2, to the centre
+    [-18.0, 0.0]
     """
     system = compile(model)
     if isinstance(trajectory, str):

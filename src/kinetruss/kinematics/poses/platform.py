@@ -52,6 +52,15 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     and alpha is its derivative: for a rigid platform the rates of the body, for nodes that move against each other their mean
     rotation. The normal is that of the polygon, sum r_i x r_(i+1) (Newell), differentiated twice. Lacy (1991), eq. 4.31 to
     4.36, divides by a quantity that vanishes in every pure beta tilt; see the errata.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.double_octahedral()
+    >>> motion = kt.kinematics.follow(model, kt.library.vgt.slew(beta=(0.0, 0.1), duration=1.0), samples=2)
+    >>> found = kt.kinematics.platform(model, motion, ["N7", "N9", "N8"], base=["N1", "N2", "N3"])
+    >>> found.beta.values[-1].round(6).item()  # rad
+    0.1
     """
     system = compile(model)
     motion, samples = with_passed(system, motion)

@@ -44,6 +44,16 @@ def conditioning(
     Notes
     -----
     ``motion.singularity`` is the smallest value among the blocks, which is faster; here the dense Jacobian is used.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")}, drives={"turn": kt.AngleDrive("b")}
+    ... )
+    >>> motion = kt.kinematics.follow(crank, kt.ConstantRate(rates={"turn": 1.0}, duration=1.0), samples=3)
+    >>> kt.kinematics.conditioning(crank, motion).condition.values.round(6).tolist()  # the rows are at right angles
+    [1.0, 1.0, 1.0]
     """
     system = compile(model)
     x, time = state_of(system, motion)

@@ -46,6 +46,17 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     w = u x (v_B - v_A)/L and alpha = u x (a_B - a_A)/L - 2 L' w/L (Lacy, 1991, eq. 4.31 with its errata: no plane is needed,
     and none can be degenerate). The base is clamped at A, the tube at B: c_base = x_A + l_b/2 u, c_tube = x_B - l_t/2 u, with
     u' and u'' exact. The centre of an active member is no fixed fraction of its length.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")}, drives={"turn": kt.AngleDrive("b")}
+    ... )
+    >>> motion = kt.kinematics.follow(crank, kt.ConstantRate(rates={"turn": 3.0}, duration=1.0), samples=2)
+    >>> rates = kt.kinematics.member_rates(crank, motion).sel(member="b")
+    >>> rates.angular_velocity.values[0].round(9).tolist(), rates.centre_velocity.values[0].round(9).tolist()  # rad/s, m/s
+    ([3.0], [0.0, 3.0])
     """
     system = compile(model)
     x, time = state_of(system, motion)

@@ -74,6 +74,18 @@ def inverse(
     Limits of rates and accelerations (of the task, and of the largest speed of motors) are kept by redundant drives where that
     is found (see `docs/tasks.md`). Attributes of ``motion.data``: ``limits_kept`` (1 or 0), ``worst_limit``, ``worst_drive``,
     ``worst_time`` (s) and ``worst_ratio`` (value over limit); the message says what is not kept, and what is not checked.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> x, y = model.nodes["B"].at
+    >>> lift = kt.Quintic(moves={"B.y": (y, y - 0.1)}, duration=1.0)
+    >>> motion = kt.kinematics.inverse(model, lift, samples=3)
+    >>> (motion.position.sel(node="B", axis="y").values - y).round(6).tolist()  # m
+    [0.0, -0.05, -0.1]
+    >>> motion.drive_position.sel(drive="actuator").values.round(3).tolist()  # m: what the actuator must do
+    [2.5, 2.35, 2.231]
     """
     system = compile(model)
     targets = task_of(system, targets, platform)

@@ -100,7 +100,13 @@ def _tensor(inertia: ArrayLike, dim: int) -> NDArray[np.float64]:
 def mass_properties(
     points: ArrayLike, bars: Mapping[tuple[int, int], float], lumped: Sequence[float] | ArrayLike = 0.0
 ) -> MassProperties:
-    """Mass, centre and inertia of uniform bars, by (i, j) kg, and lumped masses (k,) kg at points (k, dim) m."""
+    """Mass, centre and inertia of uniform bars, by (i, j) kg, and lumped masses (k,) kg at points (k, dim) m.
+
+    >>> from kinetruss.library import bodies
+    >>> found = bodies.mass_properties([(0, 0), (2, 0)], {(0, 1): 3.0}, lumped=[0.0, 1.0])
+    >>> found.mass, found.center.round(6).tolist()  # kg; m: (3 * 1 + 1 * 2)/4
+    (4.0, [1.25, 0.0])
+    """
     points = np.array(points, float)
     m = np.diag(np.broadcast_to(np.asarray(lumped, float), len(points))).copy()
     for (i, j), mass in bars.items():
@@ -121,7 +127,16 @@ def _of_pairs(points: NDArray[np.float64], m: NDArray[np.float64]) -> MassProper
 
 @own_arguments
 def properties_of(model: Model, body: str | Body) -> MassProperties:
-    """Mass, centre and inertia of a body of a model at its position there, global axes."""
+    """Mass, centre and inertia of a body of a model at its position there, global axes.
+
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Body(nodes=tuple(corners), mass=2.0, center=(0.25, 0.25, 0.25), inertia=(0.1, 0.1, 0.1))
+    >>> model = kt.Model(nodes=corners, bodies={"block": block})
+    >>> found = kt.library.bodies.properties_of(model, "block")
+    >>> found.mass, found.center.tolist()
+    (2.0, [0.25, 0.25, 0.25])
+    """
     if isinstance(body, str):
         if body not in model.bodies:
             raise InputError(f"No body called {body!r}. {nearest(body, model.bodies)}")

@@ -30,6 +30,19 @@ def read_stl(path: str | Path, scale: float = 1.0) -> NDArray[np.float64]:
     Raises
     ------
     InputError : no such file, or not an STL file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from kinetruss.library import bodies
+    >>> o, x, y, z = "0 0 0", "1 0 0", "0 1 0", "0 0 1"
+    >>> faces = ["facet outer vertex " + " vertex ".join(one) for one in ((o, y, x), (o, x, z), (o, z, y), (x, y, z))]
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "corner.stl")
+    ...     _ = file.write_text("solid corner " + " ".join(faces))
+    ...     bodies.read_stl(file, scale=0.001).shape  # triangles, corners, axes
+    (4, 3, 3)
     """
     path = Path(path)
     try:
@@ -63,6 +76,20 @@ def from_stl(
     Raises
     ------
     InputError : a file that cannot be read, a surface that is not closed or has no volume.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from kinetruss.library import bodies
+    >>> o, x, y, z = "0 0 0", "1 0 0", "0 1 0", "0 0 1"
+    >>> faces = ["facet outer vertex " + " vertex ".join(one) for one in ((o, y, x), (o, x, z), (o, z, y), (x, y, z))]
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "corner.stl")
+    ...     _ = file.write_text("solid corner " + " ".join(faces))
+    ...     found = bodies.from_stl(file, density=6.0)
+    >>> round(found.mass, 9), found.center.round(9).tolist()  # kg: volume 1/6 m^3; m
+    (1.0, [0.25, 0.25, 0.25])
     """
     return surface_properties(read_stl(path, scale), mass=mass, density=density, name=str(path))
 
@@ -71,7 +98,14 @@ def from_stl(
 def surface_properties(
     triangles: ArrayLike, *, mass: float | None = None, density: float | None = None, name: str = "The surface"
 ) -> MassProperties:
-    """The same for a surface of triangles (triangles, 3, 3) m, all oriented outwards or all inwards."""
+    """The same for a surface of triangles (triangles, 3, 3) m, all oriented outwards or all inwards.
+
+    >>> from kinetruss.library import bodies
+    >>> o, x, y, z = (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)
+    >>> found = bodies.surface_properties([(o, y, x), (o, x, z), (o, z, y), (x, y, z)], mass=2.0)
+    >>> found.mass, found.center.round(9).tolist()  # of a tetrahedron
+    (2.0, [0.25, 0.25, 0.25])
+    """
     if (mass is None) == (density is None):
         raise InputError("Give either the mass (kg) or the density (kg/m^3).")
     r = np.array(triangles, float)

@@ -84,6 +84,10 @@ def stacked(cells: list[Cell], names: str, tolerance: float = 1e-6, *, close: bo
     """Cells on top of each other, with the name of each and its number; a single cell has the empty name.
 
     close : the top of the last lies on the base of the first.
+
+    >>> from kinetruss.library import cells
+    >>> list(cells.stacked([cells.panel()] * 2, "B").cell().nodes)
+    ['B1.N1', 'B1.N2', 'B1.N3', 'B1.N4', 'B2.N3', 'B2.N4']
     """
     called = [f"{names}{k}" for k in range(1, len(cells) + 1)] if len(cells) > 1 else [""]
     found = dict(zip(called, cells, strict=True))

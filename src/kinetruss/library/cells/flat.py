@@ -79,6 +79,13 @@ def panel(
     Raises
     ------
     ModelError : a top that crosses the base; faults of the parameters.
+
+    Examples
+    --------
+    >>> from kinetruss.library import cells
+    >>> cell = cells.panel(width=1.0, height=0.8)
+    >>> list(cell.bars), cell.nodes["N4"].at
+    (['batten1', 'batten2', 'longeron1', 'longeron2', 'diagonal1'], (0.5, 0.8))
     """
     half, whole = cmath.exp(0.5j * lean), cmath.exp(1j * lean)
     middle, reach = 1j * height * half, (width if top is None else top) / 2

@@ -125,6 +125,13 @@ def double_octahedron(
     Raises
     ------
     ModelError : longerons that do not span the base, a pose out of reach, tilt or height of a tapered bay.
+
+    Examples
+    --------
+    >>> from kinetruss.library import cells
+    >>> cell = cells.double_octahedron(beta="10 deg")
+    >>> len(cell.nodes), len(cell.bars), list(cell.active), list(cell.poses)
+    (9, 15, ['M7', 'M9', 'M11'], ['bay'])
     """
     active, records = _hardware(fittings)
     above = (base if top is None else top, longeron if upper_longeron is None else upper_longeron)

@@ -30,6 +30,13 @@ def tetrahedron(*, side: PositiveLength = 1.0, height: PositiveLength | None = N
     Parameters
     ----------
     side : of the base, m. height : of the apex, m; by default all edges are equal. fittings : see `Fittings`.
+
+    Examples
+    --------
+    >>> from kinetruss.library import cells
+    >>> cell = cells.tetrahedron(side=1.0)
+    >>> list(cell.faces), round(cell.nodes["N4"].at[2], 6)  # height: sqrt(2/3)
+    (['base', 'top', 'side1', 'side2', 'side3'], 0.816497)
     """
     height = side * math.sqrt(2 / 3) if height is None else height
     low = _polygon(3, side)
@@ -67,6 +74,13 @@ def octahedron(
     Raises
     ------
     ModelError : a top that cuts the base; faults of the parameters.
+
+    Examples
+    --------
+    >>> from kinetruss.library import cells
+    >>> cell = cells.octahedron(side=1.0)
+    >>> len(cell.nodes), len(cell.bars), round(cell.nodes["N4"].at[2], 6)  # height of the regular one: sqrt(2/3)
+    (6, 12, 0.816497)
     """
     height = side * math.sqrt(2 / 3) if height is None else height
     nodes = [*_polygon(3, side), *_tilted(_polygon(3, side if top is None else top, math.pi / 3), height, beta, gamma)]
@@ -93,6 +107,13 @@ def decahedron(*, side: PositiveLength = 1.0, **fittings: Unpack[Fittings]) -> C
     Parameters
     ----------
     side : of all edges, m. fittings : see `Fittings`.
+
+    Examples
+    --------
+    >>> from kinetruss.library import cells
+    >>> cell = cells.decahedron()
+    >>> len(cell.nodes), len(cell.bars), len(cell.faces)
+    (7, 15, 11)
     """
     rim = _polygon(5, side)
     h = math.sqrt(side**2 - float(rim[0] @ rim[0]))
@@ -174,7 +195,13 @@ def cube(
     gamma: Angle = 0.0,
     **fittings: Unpack[Fittings],
 ) -> Cell:
-    """A cube with a diagonal in every face, or a box or frustum on a square: the `prism` of four sides, with its names."""
+    """A cube with a diagonal in every face, or a box or frustum on a square: the `prism` of four sides, with its names.
+
+    >>> from kinetruss.library import cells
+    >>> box = cells.cube(side=0.5)
+    >>> len(box.nodes), len(box.bars)  # 12 edges and 6 diagonals
+    (8, 18)
+    """
     return prism(4, side=side, height=height, top=top, beta=beta, gamma=gamma, **fittings)
 
 

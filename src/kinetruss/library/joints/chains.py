@@ -61,6 +61,15 @@ def prismatic(
     ------
     P. F. Sarrus, Comptes rendus de l'Academie des Sciences 36 (1853) 1036; C.-N. Peaucellier, Nouvelles annales de
     mathematiques 12 (1873) 71-78.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Model(nodes=corners, bodies={"block": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> slider = kt.library.joints.prismatic(block, "slide", bodies=("ground", "block"), at="O", axis="z")
+    >>> kt.kinematics.mobility(slider).degrees_of_freedom
+    1
     """
     if model.dim == 2:
         return prismatic_in_plane(model, name, bodies=bodies, at=at, axis=axis, size=size, form=form)
@@ -86,6 +95,13 @@ def cylindrical(
     34 bars. Parameters and errors as of `prismatic`; the axis runs through the place. `slide` of its record is the distance of
     the nodes ``NAME.B`` and ``NAME.G`` on the axis, its hinge the angle from the upper end, which does not turn, to the second
     body.
+
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Model(nodes=corners, bodies={"block": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> free = kt.library.joints.cylindrical(block, "bush", bodies=("ground", "block"), at="O", axis="z")
+    >>> kt.kinematics.mobility(free).degrees_of_freedom  # along the axis and about it
+    2
     """
     pair = pair_of(bodies)
     place, _ = start(model, name, pair, at, 3)
@@ -127,6 +143,15 @@ def planar(
     Raises
     ------
     ModelError, JointWarning : as of `prismatic`.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Model(nodes=corners, bodies={"block": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> puck = kt.library.joints.planar(block, "table", bodies=("ground", "block"), at="O", axis="z")
+    >>> kt.kinematics.mobility(puck).degrees_of_freedom  # two displacements and a rotation
+    3
     """
     pair = pair_of(bodies)
     place, _ = start(model, name, pair, at, 3)

@@ -89,6 +89,15 @@ def screw(
     Raises
     ------
     ModelError, JointWarning : as of `cylindrical`; a pitch of 0; a second body whose nodes all lie on the axis.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Model(nodes=corners, bodies={"block": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> nut = kt.library.joints.screw(block, "nut", bodies=("ground", "block"), at="O", axis="z", pitch=0.01)
+    >>> kt.kinematics.mobility(nut).degrees_of_freedom, list(nut.couplings)
+    (1, ['nut.screw'])
     """
     if not pitch or not math.isfinite(pitch):
         raise ModelError([Fault(("joints", name, "pitch"), f"{pitch!r} is no travel in a turn.", "Give metres, not 0.")])

@@ -54,6 +54,13 @@ def pin(model: Model, name: str, *, bodies: Bodies, at: Any) -> Model:
     """The hinge of the plane: the bodies share one node, called after the joint. One relative freedom, the angle.
 
     Parameters, returns and errors as of `spherical`, in a planar model.
+
+    >>> import kinetruss as kt
+    >>> corners = {"A": (0, 0), "B": (1, 0), "C": (0, 1)}
+    >>> plate = kt.Model(nodes=corners, bodies={"plate": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> hung = kt.library.joints.pin(plate, "hinge", bodies=("ground", "plate"), at="A")
+    >>> kt.kinematics.mobility(hung).degrees_of_freedom
+    1
     """
     pair = pair_of(bodies)
     place, node = start(model, name, pair, at, 2)
@@ -127,6 +134,15 @@ def weld(model: Model, name: str, *, bodies: Bodies, at: Any, size: float | None
     Raises
     ------
     ModelError, JointWarning : as of `revolute`.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Model(nodes=corners, bodies={"block": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> held = kt.library.joints.weld(block, "weld", bodies=("ground", "block"), at="O")
+    >>> kt.kinematics.mobility(held).degrees_of_freedom
+    0
     """
     pair = pair_of(bodies)
     place, node = start(model, name, pair, at, model.dim)
@@ -159,6 +175,15 @@ def universal(model: Model, name: str, *, bodies: Bodies, at: Any, axes: tuple[A
     Raises
     ------
     ModelError, JointWarning : as of `revolute`; axes that are parallel.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    >>> block = kt.Model(nodes=corners, bodies={"block": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> hung = kt.library.joints.universal(block, "cross", bodies=("ground", "block"), at="O", axes=("x", "y"))
+    >>> kt.kinematics.mobility(hung).degrees_of_freedom
+    2
     """
     pair = pair_of(bodies)
     place, node = start(model, name, pair, at, 3)

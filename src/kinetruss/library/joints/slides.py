@@ -51,6 +51,15 @@ def parallelogram(
     ------
     ModelError : unknown or equal bodies, a name that is taken, a place far off a body, an axis without direction. Warns
         `JointWarning` if the size makes it ill-conditioned.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> corners = {"A": (0, 0), "B": (1, 0), "C": (0, 1)}
+    >>> plate = kt.Model(nodes=corners, bodies={"plate": kt.Body(nodes=tuple(corners), mass=2.0)})
+    >>> table = kt.library.joints.parallelogram(plate, "lift", bodies=("ground", "plate"), at=(0.5, -0.2), axis="y", size=0.5)
+    >>> kt.kinematics.mobility(table).degrees_of_freedom
+    1
     """
     pair, place, u, v = _stand(model, name, bodies, at, axis)
 

@@ -148,6 +148,11 @@ def lacy_step(
 
     w = 6/(zeta 0.9 duration) and third pole 2 w, as in his program (his text has 4 for 6). By default the actuator of
     `triangular` from 2.5 to 3.7 m in 3 s. It overshoots by 1 % and has a small velocity at the end.
+
+    >>> import kinetruss as kt
+    >>> step = kt.library.vgt.lacy_step()
+    >>> step.moves, round(step.frequency, 4)  # m; w = 6/(0.8 * 2.7 s), rad/s
+    ({'actuator': (2.5, 3.7)}, 2.7778)
     """
     return StepResponse(
         moves=moves or {"actuator": (2.5, 3.7)},

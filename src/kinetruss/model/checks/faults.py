@@ -40,7 +40,12 @@ __all__ = ["dimension", "faults", "misfits", "trajectory_faults"]
 
 
 def faults(model: ModelData) -> list[Fault]:
-    """All faults of combinations of fields of `model`."""
+    """All faults of combinations of fields of `model`.
+
+    >>> import kinetruss as kt
+    >>> kt.model.faults(kt.library.vgt.triangular())  # a model that exists has none
+    []
+    """
     dim = _dim(model)
     return [
         *_nodes(model, dim),
@@ -367,7 +372,14 @@ def _trajectories(model: ModelData) -> Iterator[Fault]:
 
 
 def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
-    """Faults of a trajectory against the drives and poses of a model."""
+    """Faults of a trajectory against the drives and poses of a model.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> wrong = kt.Quintic(moves={"motor": (2.5, 2.6)}, duration=1.0)
+    >>> [fault.message for fault in kt.model.trajectory_faults(model, wrong)]
+    ["no drive or pose coordinate called 'motor'."]
+    """
     kinds = coordinate_kinds(model)
     field, table = moved_by(trajectory)
     for name, value in table.items():

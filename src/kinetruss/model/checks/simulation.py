@@ -46,7 +46,13 @@ def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
 
 
 def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
-    """Faults of tasks against the drives of a model. Trajectories are checked separately."""
+    """Faults of tasks against the drives of a model. Trajectories are checked separately.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> [fault.message for fault in kt.model.task_faults(model, {"motor": kt.Hold()})]
+    ["no drive called 'motor'."]
+    """
     for name, task in tasks.items():
         place = (*path, name)
         drive = model.all_drives.get(name)
@@ -124,7 +130,13 @@ def _alone(task: Any, name: str, place: tuple[Any, ...]) -> Iterator[Fault]:
 
 
 def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
-    """Faults of events against the members and nodes of a model."""
+    """Faults of events against the members and nodes of a model.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> [fault.message for fault in kt.model.event_faults(model, {"low": kt.Event(coordinate="C.y", value=0.0)})]
+    ["no coordinate called 'C.y'."]
+    """
     for name, event in events.items():
         for field in ("length", "force"):
             member = getattr(event, field)
@@ -212,7 +224,13 @@ def all_condition_faults(model: ModelData) -> Iterator[Fault]:
 
 
 def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Unknown nodes, members and drives of a condition, and vectors with too few or too many components."""
+    """Unknown nodes, members and drives of a condition, and vectors with too few or too many components.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> [fault.message for fault in kt.model.condition_faults(model, kt.Condition(payloads={"C": 1.0}), ("laden",))]
+    ["no node called 'C'."]
+    """
     dim = len(next(iter(model.nodes.values())).at)
     for field in ("payloads", "forces"):
         for node in getattr(condition, field):

@@ -19,7 +19,14 @@ SPATIAL = ("gimbal", "pointing", "reflecting")
 
 
 def target_faults(model: ModelData, target: Any, path: Place = ("targets",)) -> Iterator[Fault]:
-    """Faults of a task, or of tasks that are combined, against a model."""
+    """Faults of a task, or of tasks that are combined, against a model.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> lift = kt.Positioning(node="C", moves={"y": 2.0})
+    >>> [fault.message for fault in kt.model.target_faults(model, lift)]
+    ["no node called 'C'."]
+    """
     if isinstance(target, TARGETS):
         yield from _drives(model, target, path)
     if not isinstance(target, Combined):

@@ -170,12 +170,22 @@ class Coupling(Record):
 
 
 def turns(drive: Any) -> bool:
-    """True if a drive prescribes an angle."""
+    """True if a drive prescribes an angle.
+
+    >>> import kinetruss as kt
+    >>> kt.model.turns(kt.AngleDrive("crank")), kt.model.turns(kt.LengthDrive("strut"))
+    (True, False)
+    """
     return drive.kind in ("angle", "hinge")
 
 
 def geared(drive: Any) -> TypeGuard[AngleDrive | HingeDrive]:
-    """True if a drive prescribes an angle and has a gear, a motor or an amplifier."""
+    """True if a drive prescribes an angle and has a gear, a motor or an amplifier.
+
+    >>> import kinetruss as kt
+    >>> kt.model.geared(kt.AngleDrive("crank")), kt.model.geared(kt.AngleDrive("crank", gear=kt.Gear(ratio=10)))
+    (False, True)
+    """
     return turns(drive) and any(part is not None for part in (drive.gear, drive.motor, drive.amplifier))
 
 

@@ -226,6 +226,12 @@ def moved_by(trajectory: Any) -> tuple[str, Mapping[str, Any]]:
     Raises
     ------
     InputError : the argument is not a trajectory.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> kt.model.moved_by(kt.Quintic(moves={"M7": (1.1, 1.2)}, duration=1.0))
+    ('moves', {'M7': (1.1, 1.2)})
     """
     for field in ("moves", "values", "rates", "amplitudes"):
         if isinstance(trajectory, Record) and field in type(trajectory).model_fields:

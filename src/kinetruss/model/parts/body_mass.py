@@ -123,7 +123,14 @@ def quality(points: Floats) -> float:
 
 
 def body_mass(model: ModelData, body: Body) -> tuple[NDArray[np.float64], float]:
-    """m_ij (k, k), kg, of the carriers of a body at their positions in the model, and the skew part of two in the plane."""
+    """m_ij (k, k), kg, of the carriers of a body at their positions in the model, and the skew part of two in the plane.
+
+    >>> import kinetruss as kt
+    >>> body = kt.Body(nodes=("A", "B"), mass=6.0)
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bodies={"rod": body})
+    >>> kt.model.body_mass(model, body)[0].round(9).tolist()  # kg: m/3 and m/6, as of a slender rod
+    [[2.0, 1.0], [1.0, 2.0]]
+    """
     dim = model.dim
     points = np.array([model.nodes[name].at for name in body.carried_by(dim)], float)
     if body.center is None:

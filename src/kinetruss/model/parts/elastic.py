@@ -24,7 +24,15 @@ def axial_stiffness(model: ModelData, part: Any) -> float | None:
 
 
 def stiffness(model: ModelData, bar: Bar, natural: float) -> float:
-    """k = `stiffness`, or E A/l0, N/m."""
+    """k = `stiffness`, or E A/l0, N/m.
+
+    >>> import kinetruss as kt
+    >>> section = kt.Rectangle(width=0.01, height=0.01)
+    >>> bar = kt.Bar(ends=("A", "B"), kind="elastic", section=section, material=kt.Material(E=200e9, density=7800.0))
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A", "B"], bars={"b": bar})
+    >>> round(kt.model.stiffness(model, bar, 2.0), 3)  # N/m: E A/l0
+    10000000.0
+    """
     if bar.stiffness is not None:
         return bar.stiffness
     EA = axial_stiffness(model, bar)
@@ -36,6 +44,12 @@ def natural_length(model: ModelData, bar: Bar, distance: float) -> float:
 
     Of a pretension N0: with k given, l0 = l - N0/k, or l0 = l/sqrt(1 + 2 N0/(k l)) with Green's strain; with E A,
     l0 = l/(1 + N0/(E A)), or l0 = l/s with s^3 - s = 2 N0/(E A) and s > 1/sqrt(3), where the slope of the law is positive.
+
+    >>> import kinetruss as kt
+    >>> cable = kt.Bar(ends=("A", "B"), kind="elastic", stiffness=1000.0, pretension=50.0)
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A", "B"], bars={"cable": cable})
+    >>> kt.model.natural_length(model, cable, 1.0)  # m: l - N0/k
+    0.95
     """
     if bar.pretension is None:
         return distance if bar.natural_length is None else bar.natural_length

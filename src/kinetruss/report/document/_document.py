@@ -48,6 +48,14 @@ def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBl
     Raises
     ------
     InputError : unknown paper.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> page = kt.report.document_page(kt.run(model))
+    >>> "Four-bar linkage" in page.html, page.record["title"]
+    (True, 'Four-bar linkage')
     """
     known_paper(paper)
     given = filled(block, run.model.report, date)

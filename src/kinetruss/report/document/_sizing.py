@@ -37,6 +37,20 @@ def read_sizing(file: str | Path) -> dict[str, Any]:
     Raises
     ------
     InputError : the file cannot be read, or holds something else.
+
+    Examples
+    --------
+    >>> import json
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> sizing = kt.design.size(kt.read(model), mission)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "sizing.json")
+    ...     _ = file.write_text(json.dumps({"schema": "kinetruss.size/1", **kt.design.record(sizing)}))
+    ...     kt.report.read_sizing(file)["groups"][0]["name"]
+    'lower_longerons'
     """
     path = Path(file)
     try:
@@ -61,6 +75,15 @@ def sizing_page(record: Record, view: str = "", date: str = "", block: TitleBloc
     Raises
     ------
     InputError : unknown paper; the model of the record cannot be read, or it has no runs.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> record = kt.design.record(kt.design.size(kt.read(model), mission))
+    >>> page = kt.report.sizing_page(record)
+    >>> [row["name"] for row in page.record["sizing"]["groups"]]
+    ['lower_longerons', 'upper_longerons', 'battens', 'actuators']
     """
     known_paper(paper)
     run = governing_run(record)

@@ -59,12 +59,30 @@ def write_document(
     Raises
     ------
     StoreError : the folder cannot be written. InputError : unknown paper.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.write_document(kt.run(model), folder, pdf=False).page.name
+    'report.html'
     """
     return write_page(document_page(run, view, date, block, paper), folder, view=view, pdf=pdf)
 
 
 def write_page(found: Page, folder: str | Path, *, view: str = "", pdf: bool = True) -> Written:
-    """Write a report that is a page already; view : that which it includes."""
+    """Write a report that is a page already; view : that which it includes.
+
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> page = kt.report.document_page(kt.run(model))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.write_page(page, folder, pdf=False).page.name
+    'report.html'
+    """
     place = Path(folder)
     page, paper = place / PAGE, place / PAPER
     text = found.html

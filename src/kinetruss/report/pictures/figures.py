@@ -42,6 +42,16 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     Raises
     ------
     StoreError : the folder cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> import tempfile
+    >>> run = kt.run(model)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     sorted(path.name for path in kt.report.figures(run, folder, formats=["svg"]))
+    ['forces.svg', 'lengths.svg', 'shape.svg', 'stresses.svg', 'utilisation.svg']
     """
     from kinetruss.report.pictures.draw import save
 

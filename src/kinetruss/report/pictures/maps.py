@@ -46,6 +46,17 @@ def map_picture(workspace: xr.Dataset, file: str | Path, quantity: str = "reach"
     Raises
     ------
     InputError : an unknown quantity, drive or suffix. StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> bay = kt.library.vgt.double_octahedral(limits=(0.9, 1.6))
+    >>> tilts = [-0.2, 0.0, 0.2]  # rad
+    >>> found = kt.kinematics.workspace(bay, "bay", ("bay.beta", tilts), ("bay.gamma", tilts))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.map_picture(found, f"{folder}/reach.svg").name
+    'reach.svg'
     """
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:

@@ -71,6 +71,14 @@ def picture(
     Raises
     ------
     InputError : an unknown suffix, name, instant or width. StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.picture(kt.library.vgt.triangular(), f"{folder}/truss.svg", view="front").name
+    'truss.svg'
     """
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:

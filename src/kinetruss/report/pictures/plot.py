@@ -53,6 +53,15 @@ def plot(
     ------
     InputError : a name that no run has (the message offers the nearest), or an unknown suffix.
     StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.plot([kt.run(model)], "member_force", f"{folder}/forces.svg", members=["coupler"]).name
+    'forces.svg'
     """
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:

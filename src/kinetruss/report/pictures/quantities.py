@@ -147,6 +147,14 @@ def curves(
     Raises
     ------
     InputError : no such quantity, member or load case (the message offers the nearest names); a member without this quantity.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> [curve] = kt.report.curves(kt.run(model), "member_force", ["coupler"])
+    >>> curve.of, curve.unit, len(curve.time)
+    ('coupler', 'N', 361)
     """
     if not run.good:
         raise InputError(f"{run.path or run.name} has no good sample to show.")

@@ -37,7 +37,14 @@ MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "powe
 
 
 def summary(run: RunResult) -> Page:
-    """The summary of a run as a page; of a mission, its envelope."""
+    """The summary of a run as a page; of a mission, its envelope.
+
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> page = kt.report.summary(kt.run(model))
+    >>> page.text.splitlines()[:2]
+    ['Four-bar linkage', 'run turn: Completed.']
+    """
     if isinstance(run, MissionRun):
         return Page(found=run, as_record=mission_record, as_text=mission_text)
     return Page(found=run, as_record=summary_record, as_text=_text)

@@ -70,6 +70,15 @@ def compare(
     Raises
     ------
     InputError : a name that no run has; no quantity that all runs have.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> light, heavy = kt.run(model), kt.run(kt.io.set_values(model, {"nodes.C.mass": 1.0}))
+    >>> page = kt.report.compare([light, heavy], "drive_force")
+    >>> [row[:3] for row in page.rows[1:]]
+    [['mass 500 g', 'drive_force', 'motor'], ['mass 1 kg', 'drive_force', 'motor']]
     """
     names = quantities([quantity] if isinstance(quantity, str) else quantity)
     labels = run_labels(runs)

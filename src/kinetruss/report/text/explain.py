@@ -28,7 +28,21 @@ Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a
 
 
 def explain(found: FreeBody | LabelledSystem) -> Page:
-    """A free body (`dynamics.free_body`) or the equations of a whole model (`dynamics.newton_euler`), in numbers."""
+    r"""A free body (`dynamics.free_body`) or the equations of a whole model (`dynamics.newton_euler`), in numbers.
+
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> page = kt.report.explain(kt.dynamics.free_body(model, forces.motion, forces, node="C"))
+    >>> print("\n".join(page.text.splitlines()[3:7]))
+    Forces (N)                  x          y
+    -F_B  strut, end B   1000.000      0.000
+    -F_B  tie, end B    -1000.000   1000.000
+    P     load hook         0.000  -1000.000
+    """
     if hasattr(found, "bodies"):
         return Page(found=found, as_record=_free_body_record, as_text=_free_body_text, as_rows=_free_body_rows)
     return Page(found=found, as_record=_system_record, as_text=_system_text, as_rows=_system_rows)

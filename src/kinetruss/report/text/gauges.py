@@ -24,7 +24,14 @@ COMPARED = ("column", "rows", "offset", "scale", "rms", "scatter", "correlation"
 
 
 def gauges(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Page:
-    """Readings of each gauge and group; with a comparison, the difference of a measured record."""
+    """Readings of each gauge and group; with a comparison, the difference of a measured record.
+
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["strain_gauges"][0])
+    >>> page = kt.report.gauges(kt.runs.gauge_strains(model, "experiment_1"))
+    >>> [line.split()[0] for line in page.text.splitlines()[2:]]
+    ['G1', 'G2', 'G3', 'M6.axial', 'M6.bending_2', 'M6.bending_3']
+    """
     return Page(
         found=strains,
         as_record=partial(_record, compared=compared),
@@ -137,6 +144,16 @@ def gauges_picture(strains: xr.Dataset, compared: xr.Dataset | None, file: str |
     Raises
     ------
     InputError : not the suffix of a picture. StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> model = kt.read(kt.library.example_files()["strain_gauges"][0])
+    >>> strains = kt.runs.gauge_strains(model, "experiment_1")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.report.gauges_picture(strains, None, f"{folder}/gauges.svg").name
+    'gauges.svg'
     """
     from kinetruss.report.pictures.draw import SUFFIXES, draw, write
     from kinetruss.report.pictures.specs import Histories, Panel

@@ -58,6 +58,14 @@ def joints(
     Raises
     ------
     InputError : a name that is not in the model, or a run without forces.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> page = kt.report.joints(kt.run(model), member="coupler", time=0.5)
+    >>> [line.split()[:3] for line in page.text.splitlines()[2:]]
+    [['member', 'end', 'node'], ['coupler', 'A', 'B'], ['coupler', 'B', 'C']]
     """
     if not run.forces or not run.good:
         raise InputError("The run has no forces: its analysis is kinematics.follow, or it has no good sample.")

@@ -17,7 +17,14 @@ HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time")
 
 
 def variants(found: VariantRuns) -> Page:
-    """The outcome of each variant, in the order of the combinations, and the folders of the runs."""
+    """The outcome of each variant, in the order of the combinations, and the folders of the runs.
+
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> page = kt.report.variants(kt.runs.run_variants(model, {"nodes.C.mass": [0.5, 1.0]}))
+    >>> [line.split()[0] for line in page.text.splitlines()[1:]]
+    ['mass=0.5', 'mass=1.0']
+    """
     return Page(found=found, as_record=_records, as_text=_text)
 
 

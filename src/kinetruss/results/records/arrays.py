@@ -31,7 +31,14 @@ Columns = Mapping[str, Column]
 
 
 def variable(dims: tuple[str, ...], values: NDArray[Any], units: str, name: str) -> Column:
-    """An array with its axes, its unit and a long name."""
+    """An array with its axes, its unit and a long name.
+
+    >>> import kinetruss as kt
+    >>> import numpy as np
+    >>> column = kt.results.variable(("time",), np.array([0.0, 5.0]), "N", "axial force")
+    >>> column.dims, column.attrs
+    (('time',), {'units': 'N', 'long_name': 'axial force'})
+    """
     return Column(dims, values, {"units": units, "long_name": name})
 
 

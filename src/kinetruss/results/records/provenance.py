@@ -15,7 +15,15 @@ __all__ = ["model_hash", "provenance"]
 
 
 def model_hash(model: Model) -> str:
-    """SHA-256 of the whole model, first 16 hex digits."""
+    """SHA-256 of the whole model, first 16 hex digits.
+
+    >>> import kinetruss as kt
+    >>> light, same, heavy = (kt.library.vgt.triangular(payload_mass=mass) for mass in (10.0, 10.0, 20.0))
+    >>> kt.results.model_hash(light) == kt.results.model_hash(same)
+    True
+    >>> kt.results.model_hash(light) == kt.results.model_hash(heavy)
+    False
+    """
     return _hash(ByIdentity(model))
 
 
@@ -33,7 +41,13 @@ def _versions() -> dict[str, str]:
 
 
 def provenance(model: Model, **options: Any) -> dict[str, Any]:
-    """Versions, model title and hash, and the options of a computation."""
+    """Versions, model title and hash, and the options of a computation.
+
+    >>> import kinetruss as kt
+    >>> found = kt.results.provenance(kt.library.vgt.triangular(), samples=201)
+    >>> found["title"], found["samples"], "kinetruss" in found
+    ('Triangular variable-geometry truss', 201, True)
+    """
     return {
         **_versions(),
         "title": model.title,

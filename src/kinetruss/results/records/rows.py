@@ -61,6 +61,16 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last.
 
     Entries that do not apply (NaN without a note) are omitted.
+
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> rows = kt.results.rows_of(kt.strength.check(model, forces).data, "part", "rule")
+    >>> [(row.part, row.rule) for row in rows[:2]]
+    [('strut', 'buckling'), ('strut', 'beam-column')]
     """
     parts, rules = data[subject].values.tolist(), [str(name) for name in data[rule].values]
     count = len(parts)

@@ -118,6 +118,16 @@ def budget(
     Coordinates have exact sensitivities to lengths. Those of forces and strains are central differences over the tolerance and
     half of it, extrapolated (Richardson); ``sensitivity_error`` is the change by the extrapolation. Masses of members stay when
     their length changes. The Monte Carlo assembles every draw anew.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(
+    ...     nodes={"O": (0, 0), "A": (0, -1)}, fixed={"O": "xy", "A": "x"}, bars={"rod": kt.Bar(ends=("O", "A"), kind="driven")}
+    ... )
+    >>> found = kt.runs.budget(rod, "A.y", {"rod.length": "1 mm"}, samples=100)
+    >>> found.worst_case.values.round(9).tolist(), found.root_sum_square.values.round(9).tolist()  # m
+    ([0.001], [0.001])
     """
     chosen = parameters(model, tolerances, expansion)
     names = [of] if isinstance(of, str) else list(of)

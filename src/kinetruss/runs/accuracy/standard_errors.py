@@ -43,6 +43,18 @@ def standard_errors(model: Model, record: Measured, *, load_case: str | None = N
     difference of the two results is its share; the shares of one coordinate are added with the covariance of the smoother,
     those of different coordinates as independent: variance = sum_k d_k^T R_k d_k. Forces are linear in accelerations and
     quadratic in rates, so that these shares are exact; those of the values are exact to the third order.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (2, 0)}, fixed=["A"], bars={"b": ("A", "B")}, drives={"turn": kt.AngleDrive("b")},
+    ... )
+    >>> times = [0.05 * k for k in range(21)]
+    >>> record = kt.Measured(times=times, values={"turn": [t**2 + (-1) ** k * 1e-3 for k, t in enumerate(times)]})
+    >>> found = kt.runs.standard_errors(crank, record)
+    >>> bool((found.position_error.sel(node="B").max("axis") > 0).all())  # m
+    True
     """
     smooth = kinematics.measured(record)
     base = _outputs(model, smooth.trajectory, load_case)

@@ -42,6 +42,14 @@ def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: st
     ------
     InputError : no such run or load case, an instant outside the run.
     AnalysisError : the path ends early.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> forces = kt.runs.forces_at(model, "turn", [0.25, 0.75])
+    >>> forces.time.values.tolist()  # s
+    [0.25, 0.75]
     """
     job = plan(model, name)
     t = np.atleast_1d(np.asarray(times, float))
@@ -53,6 +61,12 @@ def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, 
     """Forces of a named run at its sample with the largest member force of `members` (if empty, of all).
 
     Raises as `forces_at`.
+
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> forces = kt.runs.forces_at_peak(model, "turn", ("coupler",))
+    >>> forces.time.values.round(2).tolist()  # s
+    [0.3]
     """
     job = plan(model, name)
     every = max(1, len(job.times) // 2000)  # of a long run, only equally spaced samples are checked
@@ -68,6 +82,17 @@ def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
     Raises
     ------
     InputError : no such load case, a mechanism with fewer drives than freedoms.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> forces.member_force.values.round(3).tolist()  # N: compression of the strut, tension of the tie
+    [[-1000.0, 1414.214]]
     """
     position = kinematics.assemble(model)
     still = np.zeros((1, *position.shape))

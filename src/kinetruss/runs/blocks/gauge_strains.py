@@ -33,6 +33,14 @@ def gauge_strains(
     Raises
     ------
     InputError : no such run or load case, no gauges, `measured` is no record. ModelError : measured times outside the run.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["strain_gauges"][0])
+    >>> strains = kt.runs.gauge_strains(model, "experiment_1")
+    >>> dict(strains.strain.sizes)
+    {'time': 110, 'gauge': 3}
     """
     job = plan(model, name)
     times = job.times

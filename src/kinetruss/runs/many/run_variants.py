@@ -96,6 +96,14 @@ def run_variants(
     On Linux, variants that are written are computed on all processors in parallel. A short run (one block) is stored in one
     file, without results that follow from its motion and forces (the same poses at rest, section forces, motor demands):
     these are computed on first access.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> found = kt.runs.run_variants(model, {"nodes.C.mass": [0.5, 1.0]}, "turn")
+    >>> {name: run.status.name for name, run in found.items()}
+    {'mass=0.5': 'COMPLETED', 'mass=1.0': 'COMPLETED'}
     """
     found = spread(model, settings, max_size)
     jobs = [replace(plan(variant.model, name), full=False) for variant in found]

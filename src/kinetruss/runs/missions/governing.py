@@ -24,6 +24,18 @@ def governing(mission: MissionRun, pair: int | None = None, out: str | Path | No
     Raises
     ------
     InputError : no such pair, or one that cannot be.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> model = model.with_(
+    ...     conditions={"laden": kt.Condition(payloads={"C": 5.0}), "bare": kt.Condition()},
+    ...     runs={**model.runs, "all": kt.Run(analysis="mission", motions=["turn"], conditions=["laden", "bare"])},
+    ... )
+    >>> worst = kt.runs.governing(kt.run(model, "all"))
+    >>> worst.model.nodes["C"].mass  # kg: that of the pair with the highest utilisation, with its payload
+    5.5
     """
     pairs = pairs_of(mission.model, mission.name)
     if pair is None:

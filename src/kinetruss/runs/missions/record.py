@@ -190,6 +190,16 @@ def load(path: str | Path) -> RunResult:
     Raises
     ------
     StoreError : no run folder, a damaged one, or one without a single good sample.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = kt.run(model, out=f"{folder}/turn")
+    ...     kt.runs.load(f"{folder}/turn").status.name
+    'COMPLETED'
     """
     store = open_store(Path(path))
     if store.ledger.options.get("analysis") != MISSION:

@@ -61,6 +61,18 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     work). First order: the deflection changes neither the geometry nor, by its own inertia, the forces; it is valid if the
     first natural frequency is well above the frequencies of the motion. An active member counts with its
     `Compliance`, else with the E and A of the weaker of its two parts, over its whole length.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> found = kt.statics.deflection(model, forces)
+    >>> found.elongation.sel(member="strut").values[0].round(9).item()  # m: N l/(E A) = -1000/(210e9 * 314.16e-6)
+    -1.5158e-05
     """
     system = compile(model)
     if list(forces.arrays["member"].values) != list(system.members):

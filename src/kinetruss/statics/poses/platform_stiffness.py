@@ -47,6 +47,17 @@ def platform_stiffness(
     -----
     To first order about a state without load. Gosselin, Stiffness mapping for parallel manipulators, IEEE Trans. Robotics and
     Automation 6 (1990) 377-382.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (1, 0), "C": (0, 1), "D": (1, 1)}, fixed={"A": "xy", "B": "xy", "C": "x", "D": "x"},
+    ...     bars={one: kt.Bar(ends=ends, kind="driven") for one, ends in {"left": ("A", "C"), "right": ("B", "D")}.items()},
+    ... )
+    >>> found = kt.statics.platform_stiffness(model, ["C", "D"], 1000.0)  # N/m of each drive
+    >>> found.compliance.sel(twist="v_y", wrench="F_y").round(9).item()  # m/N: two springs side by side
+    0.0005
     """
     if model.springs:
         raise InputError(

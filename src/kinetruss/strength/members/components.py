@@ -39,6 +39,18 @@ def components(model: Model, sections: Sections) -> xr.Dataset:
     -----
     c2, c3 are the extreme fibres along axes 2, 3 and k the section's shear factor (largest over mean shear stress: 2 for
     a thin tube, 4/3 for a rod, 3/2 for a rectangle).
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> found = kt.strength.components(model, kt.strength.sections(model, forces, stations=2))
+    >>> found.axial.sel(part="strut").values.round(-3).tolist()  # Pa: -1000 N/314 mm^2
+    [[-3183000.0, -3183000.0]]
     """
     parts = matching_parts(model, sections)
     stress = {"axial": sections.data["section_T"].values * _along(1 / parts.area)}

@@ -57,6 +57,18 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     the side of A; beyond it, from the part on the side of its free end. A station at the interface belongs to the side of A.
     ``NAME.tube`` at station 0 is its clamped end. A planar body has no sections, since the distribution of its mass is
     unknown: NaN.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> found = kt.strength.sections(model, forces, stations=3)
+    >>> found.section_T.sel(part="strut").values[0].round(6).tolist()  # N, at 0, 1/2 and 1 of the length
+    [-1000.0, -1000.0, -1000.0]
     """
     given = histories(model, forces)
     parts, xi = parts_of(model), fractions_of(stations)

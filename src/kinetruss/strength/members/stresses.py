@@ -47,6 +47,18 @@ def stresses(
     with parabolic shear; general sections by a bound (all bending and all shear at one point).
     Source: Lacy (1991, eq. 2.20 to 2.24); Timoshenko & Gere, Mechanics of Materials. S2 with one moment of two is up to 8 %
     too small in a double-octahedral bay; the resultant gives the stress of the fibre.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> found = kt.strength.stresses(model, kt.strength.sections(model, forces, stations=2))
+    >>> found.von_mises.sel(part="strut").values.round(-3).tolist()  # Pa: 1000 N/314 mm^2, nothing bends it
+    [[3183000.0, 3183000.0]]
     """
     parts = matching_parts(model, sections)
     if bending not in ("resultant", "2", "3"):

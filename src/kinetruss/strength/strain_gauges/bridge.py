@@ -34,6 +34,11 @@ def bridge_output(strain: ArrayLike, bridge: Bridge, factor: float) -> NDArray[n
     """Output over excitation, V/V, at a strain (m/m): R1/(R1 + R2) - R4/(R3 + R4) with R_i = R (1 + k a_i e).
 
     k is the gauge factor, less the share of the leads, R/(R + R_lead); of a ``linear`` bridge the first-order part.
+
+    >>> import kinetruss as kt
+    >>> quarter = kt.Bridge(kind="quarter", excitation=5.0, linear=True)
+    >>> kt.strength.bridge_output(1e-3, quarter, factor=2.0).round(9).item()  # V/V: k e/4
+    0.0005
     """
     a, b, c, d = _arms(bridge)
     x = _seen(bridge, factor) * np.asarray(strain, float)
@@ -60,6 +65,14 @@ def bridge_strain(volts: ArrayLike, bridge: Bridge, factor: float, times: ArrayL
     that is 0 with r. With a shunt, all readings are first scaled by what it should read over what it reads; it is across one
     arm, so that is the output of a quarter bridge. Source: Window, Strain Gauge Technology (1992); Hoffmann, An Introduction
     to Stress Analysis and Transducer Design (1989).
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> full = kt.Bridge(kind="full_bending", excitation=5.0, gain=100.0)
+    >>> volts = kt.strength.bridge_output(1e-3, full, factor=2.0) * full.excitation * full.gain
+    >>> kt.strength.bridge_strain([volts], full, factor=2.0).round(9).tolist()  # m/m
+    [0.001]
     """
     readings = np.asarray(volts, float)
     zero: Floats = bridge.zero
@@ -79,7 +92,12 @@ def bridge_strain(volts: ArrayLike, bridge: Bridge, factor: float, times: ArrayL
 
 
 def shunt_strain(resistance: float, shunt: float, factor: float) -> float:
-    """Strain (m/m, negative) that a resistor across an arm stands for: -R/(k (R + R_shunt)), both in ohm."""
+    """Strain (m/m, negative) that a resistor across an arm stands for: -R/(k (R + R_shunt)), both in ohm.
+
+    >>> import kinetruss as kt
+    >>> round(kt.strength.shunt_strain(120.0, 59880.0, 2.0), 9)  # m/m: -120/(2 * 60000)
+    -0.001
+    """
     return -resistance / (factor * (resistance + shunt))
 
 

@@ -45,6 +45,16 @@ def compare_gauges(strains: xr.Dataset, measured: StrainHistory) -> xr.Dataset:
     Raises
     ------
     ModelError : measured times outside the simulated ones, each with file and line. InputError : columns in volts.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model_file, *_ = files = kt.library.example_files()["strain_gauges"]
+    >>> model = kt.read(model_file)
+    >>> record = kt.io.read_strains(files[1], model)
+    >>> strains = kt.runs.gauge_strains(model, "experiment_1", measured=record)
+    >>> kt.strength.compare_gauges(strains, record).offset.sel(column="M6.axial").round(1).item()  # 1e-6
+    -0.5
     """
     times = strains["time"].values
     inside(measured, float(times[0]), float(times[-1]))

@@ -49,6 +49,18 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     gauges 120 degrees apart: axial = their mean. Quarter bridge: output = k e/(4 + 2 k e), k the gauge factor. Set to zero at
     rest, at the sample nearest to a time given as zero.
     Source: Lacy (1991, section 5.4: three gauges on M6); Window, Strain Gauge Technology (1992), for the bridge.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> gauged = model.with_(gauges={"G1": kt.Gauge(member="tie", at=0.5, factor=2.0)})
+    >>> kt.strength.gauges(gauged, kt.runs.forces_at_rest(gauged)).strain.values.round(2).tolist()  # 1e-6
+    [[21.44]]
     """
     if not model.gauges:
         raise InputError("The model has no gauges. Add some, e.g. gauges: {G1: {member: M6, angle: 0 deg, factor: 2.1}}.")

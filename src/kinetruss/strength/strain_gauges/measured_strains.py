@@ -36,6 +36,14 @@ def measured_strains(model: Model, paths: str | Path | Iterable[str | Path], *, 
     ------
     ModelError : faults of the tables; a voltage of a gauge without a bridge. InputError : records of other columns, or that
         share no time.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> files = kt.library.example_files()["strain_gauges"]
+    >>> record = kt.strength.measured_strains(kt.read(files[0]), files[1])
+    >>> len(record.times), list(record.columns)
+    (110, ['M6.axial'])
     """
     files = [paths] if isinstance(paths, str | Path) else list(paths)
     if not files:

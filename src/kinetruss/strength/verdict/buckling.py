@@ -59,13 +59,24 @@ def johnson_load(
 
     Meant for slenderness below `transition`, where it meets Euler's load with the same slope at A Sy/2.
     Source: Shigley, Mechanical Engineering Design, columns, parabolic (J. B. Johnson) formula.
+
+    >>> import kinetruss as kt
+    >>> E, I, area, yield_strength = 200e9, 1e-8, 1e-4, 200e6
+    >>> length = kt.strength.transition(E, yield_strength) * (I / area) ** 0.5
+    >>> kt.strength.johnson_load(E, I, area, length, yield_strength).round(3).item()  # N: half of A Sy, as Euler's load there
+    10000.0
     """
     A, Sy = np.asarray(area, float), np.asarray(yield_strength, float)
     return np.asarray(A * Sy * (1 - A * Sy / (4 * euler_load(E, I, length, C))))
 
 
 def transition(E: ArrayLike, yield_strength: ArrayLike, C: str | float = 1.0) -> NDArray[np.float64]:
-    """Slenderness l/k at which Johnson's parabola meets Euler's hyperbola: sqrt(2 pi^2 C E/Sy)."""
+    """Slenderness l/k at which Johnson's parabola meets Euler's hyperbola: sqrt(2 pi^2 C E/Sy).
+
+    >>> import kinetruss as kt
+    >>> kt.strength.transition(200e9, 200e6).round(2).item()  # pi sqrt(2 * 1000)
+    140.5
+    """
     ratio = np.asarray(E, float) / np.asarray(yield_strength, float)
     return np.asarray(math.pi * np.sqrt(2 * end_condition(C) * ratio))
 
@@ -81,6 +92,11 @@ def critical_load(
     """Euler's load of a slender member, Johnson's of a stocky one (slenderness below `transition`), N.
 
     Euler's alone where the yield strength is None or NaN.
+
+    >>> import kinetruss as kt
+    >>> slender, stocky = 10.0, 0.1  # m
+    >>> kt.strength.critical_load(200e9, 1e-8, 1e-4, [slender, stocky], 200e6).round(1).tolist()  # N: pi^2 E I/l^2; near A Sy
+    [197.4, 19949.3]
     """
     euler = euler_load(E, I, length, C)
     if yield_strength is None:
@@ -99,6 +115,12 @@ def amplification(compression: ArrayLike, euler: ArrayLike, factor: float = 1.0,
         pinned ends. safety : factor n on buckling.
 
     Source: AISC, Specification for Structural Steel Buildings, Allowable Stress Design (1989), eq. H1-1.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> kt.strength.amplification([0.0, 500.0, 1000.0], 1000.0).tolist()  # P = 0, Pe/2, Pe
+    [1.0, 2.0, inf]
     """
     P, Pe = np.broadcast_arrays(np.asarray(compression, float), np.asarray(euler, float))
     left = 1 - safety * P / Pe

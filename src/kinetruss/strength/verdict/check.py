@@ -70,6 +70,18 @@ def check(
     -----
     Rules and formulas: `utilisation`. Along a part the maximum is located between stations; in time, only the samples are
     evaluated. Safety factors are those of the model.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> worst = kt.strength.check(model, forces).table()[0]
+    >>> worst.part, worst.rule, round(worst.utilisation, 3)
+    ('strut', 'buckling', 0.061)
     """
     options = Options(stations=stations, moment_factor=moment_factor, active_section=active_section)
     cases = _cases(forces)
@@ -113,7 +125,18 @@ def check(
 
 
 def table(verdict: Verdict, rows: int | None = None) -> str:
-    """The rows of a verdict as plain text, worst first; `rows` limits how many."""
+    """The rows of a verdict as plain text, worst first; `rows` limits how many.
+
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> head, worst = kt.strength.table(kt.strength.check(model, forces), rows=1).splitlines()
+    >>> worst.split()[:4]
+    ['strut', 'buckling', '1', 'kN']
+    """
     when = "pose" if "pose" in verdict.data else "time"
     columns = ("part", "rule", "value", "limit", "utilisation", "margin", when, "position", "load_case", "note")
     return row_text(verdict.table()[:rows], columns)

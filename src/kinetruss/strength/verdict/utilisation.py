@@ -77,6 +77,18 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     beam-column: where P > 0, P n_b/P_cr + sum Cm M/((1 - n_b P/P_e) M_allow) with the largest bending moment along the
     member, M_allow = Sy/n_y I/c; round sections take the resultant moment, others add the two. Source: AISC, Allowable
     Stress Design (1989), eq. H1-1, with the safety factors of the model.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> found = kt.strength.utilisation(model, forces)
+    >>> found.utilisation.sel(part="tie", rule="yield").values.round(4).tolist()  # 1414 N/314 mm^2 over 235 MPa
+    [0.0192]
     """
     found = utilised(model, forces, options).dataset
     return found.assign_coords(time=forces.data.coords["time"]) if "pose" in forces.arrays else found

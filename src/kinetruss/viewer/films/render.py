@@ -79,6 +79,14 @@ def render(
     ------
     InputError : an unknown suffix, size, colour, camera, instant or name; a film of a model without motion; PyVista, ffmpeg
     or a library that draws without a display is missing. StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.viewer.render(kt.library.vgt.triangular(), f"{folder}/truss.png", size=(320, 240)).name
+    'truss.png'
     """
     path = Path(file)
     _check(path, size, fps, speed)

@@ -37,7 +37,14 @@ ORDERS = (1, 2, 3)
 
 
 def pack(scene: Scene) -> bytes:
-    """A scene as compressed bytes."""
+    """A scene as compressed bytes.
+
+    >>> import kinetruss as kt
+    >>> scene = kt.viewer.scene(kt.library.vgt.triangular())
+    >>> data = kt.viewer.pack(scene)  # bytes, for a page or a websocket
+    >>> kt.viewer.unpack(data).header["nodes"] == scene.header["nodes"]
+    True
+    """
     rounded = bool(scene.header["rounded"])
     table: dict[str, dict[str, Any]] = {}
     plain: list[bytes] = []
@@ -68,6 +75,13 @@ def unpack(data: bytes) -> Scene:
     Raises
     ------
     InputError : not a scene, or of another version.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> scene = kt.viewer.scene(kt.library.vgt.triangular())
+    >>> kt.viewer.unpack(kt.viewer.pack(scene)).header == scene.header
+    True
     """
     if not data.startswith(MAGIC):
         raise InputError("These bytes are no kinetruss scene.")

@@ -50,6 +50,13 @@ def page(scenes: Scene | Sequence[Scene], labels: Sequence[str] = (), title: str
     Raises
     ------
     InputError : no scene, or more than two.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> text = kt.viewer.page(kt.viewer.scene(kt.library.vgt.triangular()), title="Crane")
+    >>> "<title>Crane" in text
+    True
     """
     shown = list(scenes) if isinstance(scenes, Sequence) else [scenes]
     if not 1 <= len(shown) <= 2:
@@ -65,6 +72,10 @@ def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None,
 
     hosts : e.g. ``127.0.0.1:8000``, the only hosts to which the page may connect. still : shown while nobody answers, as in a
     notebook that was exported as a page. draw : the page that draws a model.
+
+    >>> import kinetruss as kt
+    >>> "<title>Crane" in kt.viewer.live_page("Crane", hosts=["127.0.0.1:8000"])
+    True
     """
     policy = f"{POLICY}; connect-src {' '.join(f'ws://{host}' for host in hosts)}" if hosts else POLICY
     data = "" if still is None else _data(still, "")

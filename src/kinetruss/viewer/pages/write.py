@@ -42,6 +42,14 @@ def write(
     Raises
     ------
     InputError : as `scene`. StoreError : the file cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     kt.viewer.write(kt.library.vgt.triangular(), f"{folder}/truss.html").name
+    'truss.html'
     """
     scenes = [scene(what, model=model, case=case, frames=frames, modes=modes)]
     if beside is not None:

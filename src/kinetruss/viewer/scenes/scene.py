@@ -72,6 +72,13 @@ def scene(
     Up to 600,000 numbers are kept as float32, of as many load cases as fit. In a larger scene each curve is rounded to
     1/65534 (positions, member forces) or 1/4094 of its range, only one load case is kept, the page computes joint forces from
     accelerations, and stress, utilisation and buckling are the worst of the run; ``rounded`` in the header is then true.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> scene = kt.viewer.scene(kt.library.vgt.triangular())
+    >>> scene.header["kind"], scene.header["dim"], scene.header["nodes"]
+    ('model', 2, ['O1', 'O2', 'B'])
     """
     subject = _subject(what, model, case)
     header, arrays = topology(subject.model)

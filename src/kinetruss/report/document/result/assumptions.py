@@ -30,7 +30,7 @@ def assumptions(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     if left:
         head = f"Strength not verified: {len(left)} of {count} parts."
         found.append(element("p", element("strong", head), class_="headline"))
-        rows = [(what, len(parts), few(parts)) for what, parts in record["not_checked"].items()]
+        rows = [(what, str(len(parts)), few(parts)) for what, parts in record["not_checked"].items()]
         found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
     elif not count:
         found.append(
