@@ -58,7 +58,8 @@ def plain(text: str, most: int = LONGEST_TEXT) -> str:
     a bell \x07 rings
     """
     if len(text) > most:
-        text = f"{text[: most * 2 // 3]} ... {text[-(most // 3 - 5) :]}"
+        last = max(most // 3 - 5, 0)
+        text = f"{text[: most * 2 // 3]} ... {text[len(text) - last :]}"
     return _UNPRINTED.sub(lambda found: ascii(found[0])[1:-1], text)
 
 

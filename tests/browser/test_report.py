@@ -138,7 +138,7 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
     )  # fmt: skip
     for caption in captions:
         assert caption in text
-    squeezed = text.replace(" ", "")
+    squeezed = text.replace(" ", "").replace("−", "-")
     for case in record["envelopes"].values():
         for least in aligned([quantity(one["least"], "N") for one in case]):
             assert least.translate(PLAIN).split()[0] in squeezed  # the unit stands in the heading
