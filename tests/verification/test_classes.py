@@ -192,3 +192,9 @@ def test_data_files_hold_nothing_that_is_not_used(group):
     assert all(set(one) <= {"class", "source", "note", "inferred"} for one in data["references"].values())
     keys = {"id", "compute", "each", "given", "reference", "tolerance", "scale", "values"}
     assert all(set(record) <= keys for record in data["cases"])
+
+
+def test_a_filter_that_no_case_has_is_no_agreement(runner):
+    found = runner("verify", "--filter", "no such case")
+    assert found.exit_code == 2
+    assert "No case has 'no such case'" in found.output

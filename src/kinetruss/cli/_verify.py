@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
+from kinetruss.errors import InputError
 
 __all__ = ["verify"]
 
@@ -27,11 +28,13 @@ def verify(as_json: bool, wanted: str | None) -> None:
 
     The class of a case says what its agreement shows. Inputs that differ from the printed ones are named.
 
-    Exit code 0: all agree; 1: at least one does not.
+    Exit code 0: all agree; 1: at least one does not; 2: no case has the text.
     """
     from kinetruss.verification import verify as compare
 
     found = compare(wanted)
+    if not found.entries:
+        raise InputError(f"No case has {wanted!r} in its id, class or source. `kinetruss verify` lists all of them.")
     if as_json:
         print_json("verify", found.as_dict())
     else:
