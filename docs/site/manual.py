@@ -12,6 +12,8 @@ from kinetruss.verification import verify
 def pages(_made: Path) -> Iterator[tuple[str, str]]:
     """The overview and a page for each group of cases."""
     entries = sorted(verify().entries, key=lambda entry: entry.id)
+    if missed := [entry.id for entry in entries if not entry.passed]:
+        raise RuntimeError(f"The site is not built: these values do not agree: {', '.join(missed)}")
     groups = {key: list(found) for key, found in itertools.groupby(entries, lambda entry: entry.id.split(".")[0])}
     lines = ["# Verification manual", "", f"{len(entries):,} values, each computed on the machine that built this site.", ""]
     lines += ["| group | entries | passed | largest difference / tolerance |", "|---|---|---|---|"]
