@@ -9,6 +9,7 @@ import manual
 import tables
 
 MADE = Path(__file__).parents[1] / "made"
+(MADE / "static").mkdir(parents=True, exist_ok=True)  # before Sphinx looks for it
 
 
 def write(_app: object = None) -> None:
