@@ -11,7 +11,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
-from kinetruss.report.pictures.histories import histories_svg
+from kinetruss.report import histories_svg
 from samples import fourbar, tripod
 
 CELLS = (

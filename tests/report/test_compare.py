@@ -10,7 +10,7 @@ import kinetruss as kt
 from kinetruss import report, runs, strength
 from kinetruss.errors import InputError
 from kinetruss.report.pictures.plot import specification
-from kinetruss.report.pictures.quantities import ALIASES, BUNDLES, QUANTITIES, SIMULATION, TURNING, curves
+from kinetruss.report.pictures.quantities import ALIASES, BUNDLES, ELASTIC, QUANTITIES, SIMULATION, TURNING, curves
 from kinetruss.report.text.labels import run_labels
 from samples import fourbar, tripod
 
@@ -60,7 +60,7 @@ def test_torque_and_rate_of_a_geared_angle_with_what_holds_it(turned, slow_and_f
         curves(slow_and_fast[0], name)
 
 
-@pytest.mark.parametrize("name", [*(name for name in QUANTITIES if name not in TURNING), *ALIASES, *BUNDLES])
+@pytest.mark.parametrize("name", [*(name for name in QUANTITIES if name not in (*TURNING, *ELASTIC)), *ALIASES, *BUNDLES])
 def test_every_name_shows_something_with_a_unit(slow_and_fast, let_go, name):
     told = {*SIMULATION, *(bundle for bundle, names in BUNDLES.items() if {*names} & {*SIMULATION})}
     figure = specification(let_go if name in told else slow_and_fast, name)

@@ -165,7 +165,7 @@ def test_the_command_line_tells_beams(tmp_path):
     path = tmp_path / "arm.yaml"
     kt.write(cantilever(), path)
     call = CliRunner().invoke
-    assert "1 beams" in call(main, ["check", str(path)]).output
+    assert "1 beam" in call(main, ["check", str(path)]).output
     assert "beam arm: elastic, A to B, length 2 m, rectangle, clamped at A" in call(main, ["info", str(path)]).output
     refused = call(main, ["explain", str(path), "--member", "arm"])
     assert refused.exit_code == 2

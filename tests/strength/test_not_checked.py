@@ -90,7 +90,7 @@ def test_the_page_and_the_picture_and_the_report_say_so(stored, tmp_path):
     assert scene.header["not_checked"]["a"] == "yield: no yield strength"
     assert np.isnan(scene.arrays["utilisation"][:, 0]).all()
     drawing = report.picture(run, tmp_path / "used.svg", colour="utilisation")
-    assert "grey: not checked" in drawing.read_text()
+    assert "grey, broken: not checked" in drawing.read_text()
     page = report.document_page(run).html
     assert "yield: no yield strength" in page
     figures = [one for one in specifications(run) if one.name == "stresses"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinetruss.display.html import POLICY, Markup, element, html_page, joined
-from kinetruss.display.numbers import aligned, counted, instant, margin, number, quantity, round_up, scale, ticks
+from kinetruss.display.numbers import DIGIT, POINT, aligned, counted, instant, margin, number, quantity, round_up, scale, ticks
 from kinetruss.display.tables import Table
 from kinetruss.late import late
 
@@ -29,7 +29,8 @@ if TYPE_CHECKING:
     )
 
 __all__ = [
-    "COLOURS", "DIVERGING", "DRIVEN", "ELASTIC", "KINDS", "LOAD", "MISSING", "OVER", "POLICY", "SEQUENTIAL", "SKINS", "THEMES",
+    "COLOURS", "DIGIT", "DIVERGING", "DRIVEN", "ELASTIC", "KINDS", "LOAD", "MISSING", "OVER", "POINT", "POLICY",
+    "SEQUENTIAL", "SKINS", "THEMES",
     "Markup", "Table", "aligned", "colours_of", "contrast", "counted", "element", "html_page", "instant", "joined", "limits_of",
     "margin", "number", "quantity", "rgb", "round_up", "scale", "ticks",
 ]  # fmt: skip

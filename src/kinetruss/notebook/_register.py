@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinetruss.display.html import Markup, element
+from kinetruss.display import Markup, element
 from kinetruss.errors import KinetrussError
 
 __all__ = ["register"]
@@ -45,7 +45,7 @@ def _framed(what: Any) -> str | None:
 
 def _drawn(result: Any) -> str:
     """The curves of a result, and below them what it holds."""
-    from kinetruss.report.pictures.histories import histories_svg
+    from kinetruss.report import histories_svg
 
     drawn = histories_svg(result)
     text = element("pre", repr(result))

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from kinetruss.report.document._sizing import read_sizing, sizing_page
     from kinetruss.report.document._write import write_document, write_page
     from kinetruss.report.pictures.figures import figures
+    from kinetruss.report.pictures.histories import histories_svg
     from kinetruss.report.pictures.maps import map_picture
     from kinetruss.report.pictures.picture import picture
     from kinetruss.report.pictures.plot import plot
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
     from kinetruss.report.text.variants import variants
 
 __all__ = [
-    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "joints", "lines",
+    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "histories_svg",
+    "joints", "lines",
     "map_picture", "picture", "plot", "read_sizing", "sizing_page", "summary", "variants", "write_document", "write_page",
 ]  # fmt: skip
 
@@ -39,6 +41,7 @@ __getattr__, __dir__ = late(
         "document._sizing": "read_sizing sizing_page",
         "document._write": "write_document write_page",
         "pictures.figures": "figures",
+        "pictures.histories": "histories_svg",
         "pictures.maps": "map_picture",
         "pictures.picture": "picture",
         "pictures.plot": "plot",

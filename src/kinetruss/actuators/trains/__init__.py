@@ -8,7 +8,8 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.actuators.trains.shaft import Shaft
+    from kinetruss.actuators.trains.train_of import parts_of
 
-__all__ = ["Shaft"]
+__all__ = ["Shaft", "parts_of"]
 
-__getattr__, __dir__ = late(__name__, {"shaft": "Shaft"})
+__getattr__, __dir__ = late(__name__, {"shaft": "Shaft", "train_of": "parts_of"})

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.actuators.trains.train_of import parts_of
+from kinetruss.actuators.trains import parts_of
 from kinetruss.display import number
 from kinetruss.errors import InputError
 from kinetruss.mechanics.configuration import number_of

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.model.motion.drives import CoordinateDrive, CosineCoordinate, Coupling
 from kinetruss.model.parts.bodies import Body
-from kinetruss.model.parts.bracing import braces_of_each
+from kinetruss.model.parts.bracing import CHORD, braces_of_each
 from kinetruss.model.parts.joints import GROUND
 from kinetruss.model.parts.members import Bar, Node
 
@@ -173,7 +173,7 @@ def shape_bars(model: ModelData, names: Iterable[str]) -> dict[str, dict[str, Ba
 
 def chords(model: ModelData) -> dict[str, Bar]:
     """Free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
-    return {f"{name}.chord": Bar(ends=beam.ends, kind="free", mass=0.0, brace=True) for name, beam in _sound(model)}
+    return {f"{name}{CHORD}": Bar(ends=beam.ends, kind="free", mass=0.0, brace=True) for name, beam in _sound(model)}
 
 
 def rigid_beams(model: ModelData) -> list[Body]:

@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
     from kinetruss.model.parts.bodies import Body
 
-__all__ = ["braced", "braces", "braces_of_each", "rigid_pairs"]
+__all__ = ["CHORD", "braced", "braces", "braces_of_each", "rigid_pairs"]
+
+CHORD = ".chord"
+"""End of the name of the free bar along a beam; it goes with its beam."""
 
 INDEPENDENT = 1e-6
 """Least norm of the new part of the gradient of a bar that counts as independent."""
@@ -28,7 +31,9 @@ def braced(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] =
     kept = {
         name: bar
         for name, bar in model.bars.items()
-        if not bar.brace or bar.kind == "free" or any(set(bar.ends) <= one for one in rigid)  # free ones measure hinges
+        if not bar.brace
+        or (bar.kind == "free" and not name.endswith(CHORD))  # it measures a hinge
+        or any(set(bar.ends) <= one for one in rigid)
     }
     return {**kept, **braces(model, groups, faulty)}
 

@@ -12,8 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import DRIVEN, LOAD, aligned, quantity, scale
-from kinetruss.display.numbers import DIGIT, POINT
+from kinetruss.display import DIGIT, DRIVEN, LOAD, POINT, aligned, quantity, scale
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
 from kinetruss.report.pictures.view import MEMBERS, projected, write_names

@@ -57,7 +57,7 @@ def _panel(result: Result, name: str) -> Panel | None:
     """The curves with the largest values of one quantity; None if the result does not have it along time."""
     if name not in result.arrays or result.arrays[name].dims[:1] != ("time",) or not result.arrays[name].values.size:
         return None
-    from kinetruss.results.records.wide import flat, labels
+    from kinetruss.results.records import flat, labels
 
     array: Any = result.data[name]
     values = np.asarray(flat(array), float)

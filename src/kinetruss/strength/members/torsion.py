@@ -71,7 +71,7 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
     arrays, twisted = forces.arrays, set[str]()
     if couples := _couples(model):
         case = forces.load_case if forces.load_case in model.load_cases else None
-        given = case_loads(compile(model), arrays["time"].values, case).couples
+        given = case_loads(compile(model), arrays["time"].values, case, rotating=True).couples
         by_end: dict[tuple[str, int], str] = {}
         for name, load in couples.items():
             arm = arm_through(model, load.body, str(load.member))

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from kinetruss.errors import InputError
-from kinetruss.io.formats.plain import plain_model
+from kinetruss.io.formats import plain_model
 from kinetruss.library import cells
 from kinetruss.model import nearest
 from kinetruss.studio.editor.edits import MEMBERS, Data, ends_of, moved, new_name, place_of

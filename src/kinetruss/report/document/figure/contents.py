@@ -62,7 +62,7 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
         case = entry["load_case"] if entry["load_case"] in run.forces else case
         k = _sample(run, entry)
     time = run.motion.data["time"].values
-    found = case_loads(compile(model), time, case if case in model.load_cases else None)
+    found = case_loads(compile(model), time, case if case in model.load_cases else None, rotating=True)
     force = np.asarray(found.force[:, :, : model.dim])[k] if len(found.node) else np.zeros((0, model.dim))
     largest = float(np.linalg.norm(force, axis=1).max(initial=0.0))
     loads = tuple(
