@@ -94,7 +94,7 @@ def test_the_page_and_the_picture_and_the_report_say_so(stored, tmp_path):
     page = report.document_page(run).html
     assert "yield: no yield strength" in page
     figures = [one for one in specifications(run) if one.name == "stresses"]
-    assert any("not checked" in note for one in figures for note in one.notes)
+    assert any("no yield strength" in note for one in figures for note in one.notes)
 
 
 def test_the_export_holds_no_number_and_a_state(stored, tmp_path):
