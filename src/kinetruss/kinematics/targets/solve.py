@@ -17,6 +17,7 @@ from kinetruss.kinematics.path.assemble import own_start
 from kinetruss.kinematics.path.follow import Swept, sweep_path
 from kinetruss.kinematics.path.redundant import Path
 from kinetruss.kinematics.targets.programs import Tasks, measure_of, tasks_of
+from kinetruss.kinematics.targets.starts import STARTS, starts_of
 from kinetruss.mechanics import System, arrange
 from kinetruss.mechanics.configuration import drive_places, shortest
 from kinetruss.mechanics.freedom import shaped, underdriven
@@ -98,8 +99,6 @@ class Problem:
 
     def reach(self, parameters: NDArray[np.float64], start: State | None = None, *, starts: int | None = None) -> State:
         """The state that meets the tasks at these parameters, or the one of least sum of squares of misses from some starts."""
-        from kinetruss.kinematics.targets.starts import STARTS, starts_of
-
         found: list[State] = []
         for one in starts_of(self, start or self.begin, STARTS if starts is None else starts):
             found.append(self._reached(parameters, one))
@@ -108,6 +107,11 @@ class Problem:
         sizes = np.array([np.linalg.norm(one.miss) for one in found])
         same = int(np.count_nonzero(sizes <= sizes.min() + SAME * self.scale))
         return replace(found[int(np.argmin(sizes))], starts=len(found), same=same)
+
+    def moved(self, start: State, q: NDArray[np.float64]) -> State | None:
+        """The state that drives q (d,) reach on a straight way from a state; None if the way cannot be gone."""
+        x = drive_path(self.system, np.linspace(start.q, q, 5), start.x)
+        return None if x is None else replace(start, x=x, q=q)
 
     def _reached(self, parameters: NDArray[np.float64], start: State) -> State:
         self.drives.held[self.drives.held != 3] = 0

@@ -6,17 +6,13 @@ They are the same in every call.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-
-from kinetruss.kinematics.targets.solve import drive_path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.kinematics.targets.solve import Problem, State
 
 __all__ = ["STARTS", "starts_of"]
 
@@ -28,8 +24,11 @@ WIDE = 0.4
 """Spread of lengths without limits about the start, in units of the shortest bar; angles turn half a turn to either side."""
 
 
-def starts_of(given: Problem, first: State, count: int) -> Iterator[State]:
-    """At most `count` states to start from: the first, the model's own, then in turn from the spread and near the first."""
+def starts_of(given: Any, first: Any, count: int) -> Iterator[Any]:
+    """At most `count` states to start from: the first, the model's own, then in turn from the spread and near the first.
+
+    given, first : the `Problem` of the task and a `State` of it.
+    """
     yield first
     own = not np.array_equal(first.q, given.begin.q)
     if own and count > 1:
@@ -41,13 +40,12 @@ def starts_of(given: Problem, first: State, count: int) -> Iterator[State]:
         wanted = spread[k // 2] if k % 2 == 0 else _near(given, rng, first.q)
         # a share of the way where the structure cannot be closed on all of it
         for share in (1.0, 0.5, 0.25):
-            q = start.q + share * (wanted - start.q)
-            if (x := drive_path(given.system, np.linspace(start.q, q, 5), start.x)) is not None:
-                yield replace(start, x=x, q=q)
+            if (found := given.moved(start, start.q + share * (wanted - start.q))) is not None:
+                yield found
                 break
 
 
-def _spread(given: Problem, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
+def _spread(given: Any, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     """Drives (count, d) in all parts of their strokes, by a Latin hypercube (McKay, Beckman and Conover, 1979).
 
     Every other one has all its drives at the nearer ends of their strokes, where nearest poses often are.
@@ -58,10 +56,11 @@ def _spread(given: Problem, rng: np.random.Generator, count: int) -> NDArray[np.
     cells = np.stack([rng.permutation(count) for _ in own], axis=1) + rng.uniform(size=(count, len(own)))
     share = cells / max(1, count)
     share[::2] = np.round(share[::2])
-    return np.where(given.drives.held == 3, own, low + (high - low) * share)
+    found: NDArray[np.float64] = np.where(given.drives.held == 3, own, low + (high - low) * share)
+    return found
 
 
-def _near(given: Problem, rng: np.random.Generator, q: NDArray[np.float64]) -> NDArray[np.float64]:
+def _near(given: Any, rng: np.random.Generator, q: NDArray[np.float64]) -> NDArray[np.float64]:
     """Some other drives (d,) near by, within their strokes."""
     lower, upper = given.drives.lower, given.drives.upper
     room = np.minimum(NEAR * given.units, 0.4 * (upper - lower))

@@ -12,6 +12,7 @@ from kinetruss.report.document._mission import mission_html
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed, known_paper
+from kinetruss.report.document.frame.title_block import filled
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
 from kinetruss.report.document.parts.constants import section_constants
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
 
-__all__ = ["document_page", "filled", "run_parts"]
+__all__ = ["document_page", "run_parts"]
 
 
 def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4") -> Page:
@@ -62,15 +63,6 @@ def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBl
     if isinstance(run, MissionRun):
         return Page(found=run, as_record=mission_record, as_html=partial(mission_html, view=view, block=given, paper=paper))
     return Page(found=run, as_record=_record, as_html=partial(_html, view=view, block=given, paper=paper))
-
-
-def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> TitleBlock:
-    """A title block whose empty entries are those of a model, and its date that of the report."""
-    told = {} if own is None else {name: value for name, value in own.model_dump().items() if value}
-    told = (
-        {"date": date} | told | ({} if block is None else {name: value for name, value in block.model_dump().items() if value})
-    )
-    return TitleBlock(**told)
 
 
 def _record(run: RunResult) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from kinetruss.report.document._envelopes import envelopes
 from kinetruss.report.document._record import document_record, model_text
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
+from kinetruss.report.document.frame.title_block import filled
 from kinetruss.report.document.parts.constants import section_constants
 from kinetruss.report.document.parts.inputs import inputs
 from kinetruss.report.document.parts.methods import methods
@@ -34,8 +35,6 @@ __all__ = ["mission_html", "mission_lines"]
 
 def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = None, paper: str = "a4") -> str:
     """The report as HTML with its record; view : a page in three dimensions of the governing pair."""
-    from kinetruss.report.document._document import filled
-
     record = mission_record(run)
     told = lined(run, record)
     title = run.model.title or f"Mission {run.name}"

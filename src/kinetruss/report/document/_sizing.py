@@ -15,9 +15,10 @@ from kinetruss.display import Markup, element, instant, quantity
 from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
 from kinetruss.report._page import Page
-from kinetruss.report.document._document import filled, run_parts
+from kinetruss.report.document._document import run_parts
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.frame import Columns, Part, framed, known_paper
+from kinetruss.report.document.frame.title_block import filled
 from kinetruss.report.document.parts.words import value_of
 from kinetruss.report.document.result.lines import governing_entry, result_lines
 from kinetruss.report.document.worked import worked, worked_record

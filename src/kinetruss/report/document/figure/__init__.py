@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.report.document.figure.contents import Loaded, loaded, loaded_figure
+    from kinetruss.report.document.figure.contents import Loaded, loaded
+    from kinetruss.report.document.figure.page_part import loaded_figure
 
 __all__ = ["Loaded", "loaded", "loaded_figure"]
 
-__getattr__, __dir__ = late(__name__, {"contents": "Loaded loaded loaded_figure"})
+__getattr__, __dir__ = late(__name__, {"contents": "Loaded loaded", "page_part": "loaded_figure"})

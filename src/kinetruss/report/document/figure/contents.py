@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Markup, instant, quantity
+from kinetruss.display import instant, quantity
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
 from kinetruss.report.document.parts.words import named, share_of, value_of
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Loaded", "loaded", "loaded_figure"]
+__all__ = ["Loaded", "loaded"]
 
 LEAST = 1e-9
 """Forces below this share of the largest are not drawn."""
@@ -40,17 +40,6 @@ class Loaded:
     loads: tuple[tuple[int, Array], ...]
     governing: tuple[str, str] | None
     caption: str
-
-
-def loaded_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
-    """The figure as part of a page; nothing for a run without a good sample."""
-    if not run.good:
-        return []
-    from kinetruss.report.document.figure.drawing import drawn
-    from kinetruss.report.document.parts.pictures import embedded, lines_of
-
-    found = loaded(run, record)
-    return [embedded([lines_of(drawn(found), "loaded", found.caption)], found.caption)]
 
 
 def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from kinetruss.display import Markup, element
+from kinetruss.model import TitleBlock
 
-if TYPE_CHECKING:
-    from kinetruss.model import TitleBlock
-
-__all__ = ["title_block"]
+__all__ = ["filled", "title_block"]
 
 ROWS = (("project", "client"), ("number", "revision"), ("author", "date"), ("checker", ""))
 WORDS = {"number": "document"}
@@ -21,6 +17,15 @@ def title_block(block: TitleBlock) -> Markup:
     rows = [element("tr", *(_cells(block, name) for name in pair)) for pair in ROWS]
     signed = [_line(f"signature of the {name}") for name in SIGNED]
     return element("table", element("tbody", rows, element("tr", signed, class_="signed")), class_="block")
+
+
+def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> TitleBlock:
+    """A title block whose empty entries are those of a model, and its date that of the report."""
+    told = {} if own is None else {name: value for name, value in own.model_dump().items() if value}
+    told = (
+        {"date": date} | told | ({} if block is None else {name: value for name, value in block.model_dump().items() if value})
+    )
+    return TitleBlock(**told)
 
 
 def _cells(block: TitleBlock, name: str) -> Markup:
