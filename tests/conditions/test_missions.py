@@ -131,6 +131,11 @@ def test_drives_have_energy_and_root_mean_square_of_their_histories():
         roots.append(np.sqrt(np.trapezoid(forces.drive_force.values**2, t, axis=0) / (t[-1] - t[0])))
     assert mission.drives["value"].sel(quantity="energy").values == pytest.approx(np.max(energies, axis=0), rel=1e-9)
     assert mission.drives["value"].sel(quantity="rms force").values == pytest.approx(np.max(roots, axis=0), rel=1e-9)
+    for drive, record in model.all_drives.items():
+        turns = record.kind == "angle"
+        units = dict(zip(mission.drives.quantity.values, mission.drives.unit.sel(drive=drive).values, strict=True))
+        assert (units["force"], units["rate"]) == (("N m", "rad/s") if turns else ("N", "m/s"))
+        assert (units["power"], units["energy"]) == ("W", "J")
 
 
 def test_poses_are_motions_of_a_mission():

@@ -27,7 +27,7 @@ def envelopes(told: Record, record: Record) -> Iterator[Part]:
         "Largest tension, compression and bending",
         _extremes(record["extremes"], told["units"]),
     )
-    yield Part("drives", "Drives", "Largest loads, rates and powers", _drives(record["drives"], told["units"]))
+    yield Part("drives", "Drives", "Largest loads, rates and powers", _drives(record["drives"]))
     yield Part("motors", "Motors", "Largest demands, against limits", _motors(told["limits"]))
     yield Part("pairs", "Pairs", "Motions, conditions and load cases, worst first", _pairs(record["pairs"]))
 
@@ -82,23 +82,17 @@ def _extremes(every: Sequence[Record], units: Mapping[str, str]) -> list[Any]:
     ]
 
 
-def _drives(every: Sequence[Record], units: Mapping[str, str]) -> list[Any]:
+def _drives(every: Sequence[Record]) -> list[Any]:
     known = [row for row in every if row["value"] is not None and value_of(row["value"]) > 0]
     if not known:
         return []
     rows = known[:MOST]
     table = Columns().words("drive", [row["drive"] for row in rows]).words("demand", [row["quantity"] for row in rows])
-    table.mixed(["largest"], [[row["value"] for row in rows]], [_unit(row, units) for row in rows])
+    table.mixed(["largest"], [[row["value"] for row in rows]], [row["unit"] for row in rows])
     table.measured("at (s)", [row["time_of"] for row in rows], "")
     return [
         table.words("governing pair", [row["label"] for row in rows]).html("Largest demands on the drives", left_out(known))
     ]
-
-
-def _unit(row: Record, units: Mapping[str, str]) -> str:
-    force = units[row["drive"]]
-    rate = "rad/s" if force == "N m" else "m/s"
-    return {"rate": rate, "power": "W", "energy": "J"}.get(row["quantity"], force)
 
 
 def _pairs(every: Sequence[Record]) -> list[Any]:

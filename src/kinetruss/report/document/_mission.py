@@ -88,7 +88,7 @@ def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
         "strength": record["envelope"],
         "limits": trains,
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
-        "units": _units(run.extremes, "quantity") | _units(run.drives, "drive"),
+        "units": _units(run.extremes, "quantity"),
         "largest_forces": [],
         "drive_loads": [],
     }

@@ -156,14 +156,11 @@ def _extremes(data: xr.Dataset) -> Iterator[tuple[str, ...]]:
 
 def _drives(data: xr.Dataset) -> Iterator[tuple[str, ...]]:
     for i, drive in enumerate(data["drive"].values):
-        force = str(data["unit"].values[i])
-        rate = "rad/s" if force == "N m" else "m/s"
-        units = {"force": force, "rate": rate, "power": "W", "rms force": force, "energy": "J", "holding": force}
         for j, what in enumerate(map(str, data["quantity"].values)):
             one = {name: data[name].values[i, j] for name in data.data_vars}
             if one["value"] > 0:
                 when = "-" if np.isnan(one["time_of"]) else instant(float(one["time_of"]))
-                yield str(drive), what, quantity(float(one["value"]), units[what]), when, str(one["label"])
+                yield str(drive), what, quantity(float(one["value"]), str(one["unit"])), when, str(one["label"])
 
 
 def _trains(data: xr.Dataset) -> Iterator[tuple[str, ...]]:

@@ -117,12 +117,17 @@ def _raise(table: NDArray[np.float64], own: Sequence[int], found: tuple[NDArray[
 
 def drives_of(model: Model, found: DriveEnvelope, labels: Sequence[str]) -> dict[str, xr.Dataset]:
     """``drives`` over (drive, quantity) and, where there are trains, ``trains`` over (active, quantity)."""
-    units = ["N m" if turns(drive) else "N" for drive in model.all_drives.values()]
     tables = {"drives": _table(found.drives, "drive", list(model.all_drives), DRIVE, labels)}
-    tables["drives"] = tables["drives"].assign_coords(unit=("drive", units))
+    units = np.array([[_unit(turns(drive), what) for what in DRIVE] for drive in model.all_drives.values()], dtype=object)
+    tables["drives"]["unit"] = variable(("drive", "quantity"), units.astype(str), "", "unit of value and limit")
     if not np.isnan(found.trains).all():
         tables["trains"] = _table(found.trains, "active", list(model.actuators), TRAIN, labels)
     return tables
+
+
+def _unit(angle: bool, what: str) -> str:
+    force, rate = ("N m", "rad/s") if angle else ("N", "m/s")
+    return {"rate": rate, "power": "W", "energy": "J"}.get(what, force)
 
 
 def _table(
