@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter
 
-from kinetruss.errors import InputError
+from kinetruss.studio._messages import Message, read_message
 
 __all__ = ["MOST", "Case", "Command", "Gravity", "KeyFrame", "Live", "Load", "Mass", "Move", "Query", "Reset", "Run", "Save",
            "Switch", "command_of", "doubt"]  # fmt: skip
@@ -21,11 +20,7 @@ Values = Annotated[dict[Name, Finite], Field(max_length=10_000)]
 Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
 
 
-class _Command(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Move(_Command):
+class Move(Message):
     """Move drives to new values, m or rad. `fine`: also compute slow results (motors and mobility of large models)."""
 
     do: Literal["move"]
@@ -33,7 +28,7 @@ class Move(_Command):
     fine: bool = False
 
 
-class Switch(_Command):
+class Switch(Message):
     """Make a member rigid, driven, elastic, cut, or as in the file (own)."""
 
     do: Literal["switch"]
@@ -41,14 +36,14 @@ class Switch(_Command):
     to: Literal["rigid", "driven", "elastic", "cut", "own"]
 
 
-class Gravity(_Command):
+class Gravity(Message):
     """Gravity of the model, m/s^2."""
 
     do: Literal["gravity"]
     value: Vector
 
 
-class Load(_Command):
+class Load(Message):
     """A constant force (N) on a node; zero removes it."""
 
     do: Literal["load"]
@@ -57,7 +52,7 @@ class Load(_Command):
     force: Vector
 
 
-class Mass(_Command):
+class Mass(Message):
     """The payload of a node: its lumped mass, kg."""
 
     do: Literal["mass"]
@@ -65,17 +60,16 @@ class Mass(_Command):
     mass: Annotated[Finite, Field(ge=0)]
 
 
-class Case(_Command):
+class Case(Message):
     """The load case shown; None: all loads with factor 1."""
 
     do: Literal["case"]
     name: Name | None = None
 
 
-class KeyFrame(BaseModel):
+class KeyFrame(Message):
     """Drive values at a time, s."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
     time: Annotated[Finite, Field(ge=0, le=1e6)]
     values: Values
 
@@ -83,7 +77,7 @@ class KeyFrame(BaseModel):
 Frames = Annotated[list[KeyFrame], Field(max_length=500)]
 
 
-class Run(_Command):
+class Run(Message):
     """Follow the key frames, and find the worst instants."""
 
     do: Literal["run"]
@@ -91,25 +85,25 @@ class Run(_Command):
     samples: Annotated[int, Field(ge=2, le=2001)] = 201
 
 
-class Live(_Command):
+class Live(Message):
     """Return from a run to the live model."""
 
     do: Literal["live"]
 
 
-class Reset(_Command):
+class Reset(Message):
     """Reset the model to the file."""
 
     do: Literal["reset"]
 
 
-class Query(_Command):
+class Query(Message):
     """All numbers of the present pose, in double precision."""
 
     do: Literal["query"]
 
 
-class Save(_Command):
+class Save(Message):
     """Save the model in the folder. `pose`: with the present pose as its own. `replace`: also replace another file."""
 
     do: Literal["save"]
@@ -142,13 +136,4 @@ def command_of(text: str | bytes) -> Any:
     ------
     InputError : too long, not JSON, or not a known command.
     """
-    if len(text) > MOST:
-        raise InputError(f"A message of {len(text)} bytes is refused. Send at most {MOST}.")
-    try:
-        return _ADAPTER.validate_python(json.loads(text))
-    except ValidationError as error:
-        first = error.errors(include_url=False, include_input=False)[0]
-        where = ".".join(str(part) for part in first["loc"])
-        raise InputError(f"This message is not understood. {where or 'message'}: {first['msg']}.") from None
-    except (ValueError, RecursionError):
-        raise InputError("This message is not JSON.") from None
+    return read_message(text, _ADAPTER, MOST)

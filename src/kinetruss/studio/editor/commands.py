@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter
 
-from kinetruss.errors import InputError
+from kinetruss.studio._messages import Message, read_message
 
 __all__ = [
     "MOST", "Add", "Bar", "Copy", "Curve", "Delete", "Draft", "Fresh", "Keep", "Mirror", "Move", "Redo", "Rename",
@@ -24,18 +23,14 @@ Place = Annotated[list[Typed], Field(min_length=2, max_length=3)]
 Names = Annotated[list[Name], Field(max_length=100_000)]
 
 
-class _Command(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Fresh(_Command):
+class Fresh(Message):
     """An empty drawing of 2 or 3 dimensions."""
 
     do: Literal["fresh"]
     dim: Literal[2, 3]
 
 
-class Add(_Command):
+class Add(Message):
     """A node at a place, m or text with units. `bar_from`: also a bar from that node."""
 
     do: Literal["add"]
@@ -44,7 +39,7 @@ class Add(_Command):
     bar_from: Name | None = None
 
 
-class Bar(_Command):
+class Bar(Message):
     """A bar between two nodes."""
 
     do: Literal["bar"]
@@ -52,7 +47,7 @@ class Bar(_Command):
     name: Name | None = None
 
 
-class Move(_Command):
+class Move(Message):
     """Nodes to new places. `drag`: moves with the same number are one step of undo."""
 
     do: Literal["move"]
@@ -60,7 +55,7 @@ class Move(_Command):
     drag: int | None = None
 
 
-class Set(_Command):
+class Set(Message):
     """Set the value at a path of the data, e.g. bars, b1, length; null removes it."""
 
     do: Literal["set"]
@@ -68,7 +63,7 @@ class Set(_Command):
     value: Any = None
 
 
-class Rename(_Command):
+class Rename(Message):
     """Another name for an entry of a table; what refers to it follows."""
 
     do: Literal["rename"]
@@ -77,7 +72,7 @@ class Rename(_Command):
     new: Name
 
 
-class Delete(_Command):
+class Delete(Message):
     """Remove nodes and members, and what depends on them."""
 
     do: Literal["delete"]
@@ -85,7 +80,7 @@ class Delete(_Command):
     members: Names = []
 
 
-class Copy(_Command):
+class Copy(Message):
     """Copies of nodes and of the members among them, each shifted by a vector from the last, m."""
 
     do: Literal["copy"]
@@ -94,7 +89,7 @@ class Copy(_Command):
     count: Annotated[int, Field(ge=1, le=200)] = 1
 
 
-class Mirror(_Command):
+class Mirror(Message):
     """Mirrored copies of nodes and of the members among them; nodes in the plane are shared."""
 
     do: Literal["mirror"]
@@ -103,7 +98,7 @@ class Mirror(_Command):
     at: Typed = 0.0
 
 
-class Stack(_Command):
+class Stack(Message):
     """A stack of cells of the library, e.g. three octahedra, added to the drawing."""
 
     do: Literal["stack"]
@@ -112,32 +107,32 @@ class Stack(_Command):
     arguments: dict[Name, Any] = {}
 
 
-class Text(_Command):
+class Text(Message):
     """The drawing of a model text."""
 
     do: Literal["text"]
     text: Annotated[str, Field(max_length=MOST)]
 
 
-class Undo(_Command):
+class Undo(Message):
     """Back by one step."""
 
     do: Literal["undo"]
 
 
-class Redo(_Command):
+class Redo(Message):
     """Forward again by one step."""
 
     do: Literal["redo"]
 
 
-class Show(_Command):
+class Show(Message):
     """The drawing as it is, everything computed."""
 
     do: Literal["show"]
 
 
-class Curve(_Command):
+class Curve(Message):
     """The path of a node and the force of a drive along the range of that drive, m or rad."""
 
     do: Literal["curve"]
@@ -147,27 +142,27 @@ class Curve(_Command):
     high: Finite | None = None
 
 
-class Draft(_Command):
+class Draft(Message):
     """Take up the autosaved drawing of an earlier studio, or remove it."""
 
     do: Literal["draft"]
     keep: bool
 
 
-class Versions(_Command):
+class Versions(Message):
     """The list of saved states."""
 
     do: Literal["versions"]
 
 
-class Restore(_Command):
+class Restore(Message):
     """Back to a saved state of the list; it can be undone."""
 
     do: Literal["restore"]
     number: Annotated[int, Field(ge=1)]
 
 
-class Save(_Command):
+class Save(Message):
     """Write the file. `replace`: also over another file."""
 
     do: Literal["save"]
@@ -175,7 +170,7 @@ class Save(_Command):
     replace: bool = False
 
 
-class Keep(_Command):
+class Keep(Message):
     """Put the present state into the list of versions."""
 
     do: Literal["keep"]
@@ -197,13 +192,4 @@ def command_of(text: str | bytes) -> Any:
     ------
     InputError : too long, not JSON, or not a known command.
     """
-    if len(text) > MOST:
-        raise InputError(f"A message of {len(text)} bytes is refused. Send at most {MOST}.")
-    try:
-        return _ADAPTER.validate_python(json.loads(text))
-    except ValidationError as error:
-        first = error.errors(include_url=False, include_input=False)[0]
-        where = ".".join(str(part) for part in first["loc"])
-        raise InputError(f"This message is not understood. {where or 'message'}: {first['msg']}.") from None
-    except (ValueError, RecursionError):
-        raise InputError("This message is not JSON.") from None
+    return read_message(text, _ADAPTER, MOST)
