@@ -118,8 +118,9 @@ def _raise(table: NDArray[np.float64], own: Sequence[int], found: tuple[NDArray[
 def drives_of(model: Model, found: DriveEnvelope, labels: Sequence[str]) -> dict[str, xr.Dataset]:
     """``drives`` over (drive, quantity) and, where there are trains, ``trains`` over (active, quantity)."""
     tables = {"drives": _table(found.drives, "drive", list(model.all_drives), DRIVE, labels)}
-    units = np.array([[_unit(turns(drive), what) for what in DRIVE] for drive in model.all_drives.values()], dtype=object)
-    tables["drives"]["unit"] = variable(("drive", "quantity"), units.astype(str), "", "unit of value and limit")
+    units = [_unit(turns(drive), what) for drive in model.all_drives.values() for what in DRIVE]
+    shaped = np.array(units, dtype=str).reshape(-1, len(DRIVE))  # also (0, quantities): a structure without drives
+    tables["drives"]["unit"] = variable(("drive", "quantity"), shaped, "", "unit of value and limit")
     if not np.isnan(found.trains).all():
         tables["trains"] = _table(found.trains, "active", list(model.actuators), TRAIN, labels)
     return tables
