@@ -2,8 +2,8 @@
 
 PYTHON wheel_check.py [core] [missing] [extras]
 
-core: the work of a first hour, with the dependencies of the wheel alone. missing: what needs an extra says which. extras: what the
-extras add.
+core: the work of a first hour, with the dependencies of the wheel alone. missing: what needs an extra says which one.
+extras: what the extras add.
 """
 
 import json
@@ -108,7 +108,7 @@ def extras() -> None:
         assert Path(name).stat().st_size > 500, name
     do("import", "beam.dxf", "-o", "lines.yaml")
     do("render", "beam.yaml", "-o", "beam.png", "--size", "320x240")
-    do("render", "run2", "-o", "beam.gif", "--size", "160x120", "--fps", "4")
+    do("render", "run2", "-o", "beam.gif", "--size", "240x180", "--fps", "4")
     from kinetruss import notebook
 
     assert notebook.live(kinetruss.read("beam.yaml")) is not None
