@@ -48,7 +48,7 @@ class Pip:
     """
 
     def __init__(self, count: int) -> None:
-        self.count, self.fetched, self.now, self.unpacks = count, 0, "", False
+        self.count, self.fetched, self.had, self.now, self.unpacks = count, 0, 0, "", False
         self.began, self.over = time.monotonic(), threading.Event()
         self.before = self.there()
 
@@ -56,6 +56,7 @@ class Pip:
         """A line that pip prints."""
         if found := re.match(r"(?:Collecting|Processing|Requirement already satisfied:) (?:\S*/)?(\w[\w.]*?)[-= ]", line):
             self.fetched, self.now = min(self.fetched + 1, self.count), found[1]
+            self.had += line.startswith("Requirement")
         self.unpacks |= line.startswith("Installing")
 
     def there(self) -> int:
@@ -66,7 +67,7 @@ class Pip:
         """How far it is."""
         seconds = f"{time.monotonic() - self.began:.0f} s"
         if self.unpacks:
-            return f"  packages: unpacked {self.there() - self.before} of {self.count}, {seconds}"
+            return f"  packages: unpacked {self.had + self.there() - self.before} of {self.count}, {seconds}"
         return f"  packages: {self.fetched} of {self.count} ({self.now or 'pip starts'}), {seconds}"
 
     def tell(self) -> None:
