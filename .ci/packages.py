@@ -31,10 +31,10 @@ def main() -> int:
     options = ["--disable-pip-version-check", "--progress-bar", "off", "--require-hashes", "-r", lock]
     with subprocess.Popen([sys.executable, "-m", "pip", "install", *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True) as process:  # fmt: skip
-        threading.Thread(target=pip.tell, daemon=True).start()
+        threading.Thread(target=pip.show, daemon=True).start()
         for line in process.stdout:
             said.append(line)
-            pip.hear(line)
+            pip.read(line)
     pip.end()
     if process.returncode:
         sys.stderr.writelines(said)
@@ -52,7 +52,7 @@ class Pip:
         self.began, self.over = time.monotonic(), threading.Event()
         self.before = self.there()
 
-    def hear(self, line: str) -> None:
+    def read(self, line: str) -> None:
         """A line that pip prints."""
         if found := re.match(r"(?:Collecting|Processing|Requirement already satisfied:) (?:\S*/)?(\w[\w.]*?)[-= ]", line):
             self.fetched, self.now = min(self.fetched + 1, self.count), found[1]
@@ -70,7 +70,7 @@ class Pip:
             return f"  packages: unpacked {self.had + self.there() - self.before} of {self.count}, {seconds}"
         return f"  packages: {self.fetched} of {self.count} ({self.now or 'pip starts'}), {seconds}"
 
-    def tell(self) -> None:
+    def show(self) -> None:
         """A line that stays in its place on a terminal; elsewhere one now and then."""
         terminal = sys.stdout.isatty()
         while not self.over.wait(0.5 if terminal else EVERY):
