@@ -21,10 +21,12 @@ from typing import Any
 
 __all__ = [
     "AnalysisError",
+    "ArgumentError",
     "Fault",
     "FrozenError",
     "InputError",
     "Interrupted",
+    "KernelCacheWarning",
     "KinetrussError",
     "ModelError",
     "StoreError",

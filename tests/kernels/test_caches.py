@@ -235,6 +235,7 @@ def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path):
     before = tuple(bound())
     assert start(image, own, before=before) == GOOD | {"hits": FORMS - 1}
     assert len(files(own)) == 1
+    assert Keeper({}, [image, own, tmp_path / "unused"]).folders() == [place / caches.FOLDER for place in (image, own)]
     assert start(image, own, before=before) == GOOD
 
 

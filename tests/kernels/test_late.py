@@ -8,16 +8,18 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
-from typing import NamedTuple
+from types import GenericAlias
+from typing import Annotated, NamedTuple
 
 import numpy as np
 import pytest
+from numba import float64
 from numba.core.errors import TypingError
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I0, Record, record
-from kinetruss.kernels.compiled.words import U1
+from kinetruss.kernels.compiled.words import U1, kind_of
 
 
 @record
@@ -98,6 +100,16 @@ def test_named_tuples_and_whole_numbers_without_sign():
     x = np.zeros(2)
     through(numbers(), np.array([2, 1], np.uint32), x)
     assert x.tolist() == [2.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    "array",
+    [np.ndarray[tuple[int, ...], np.dtype[np.float64]], GenericAlias(np.ndarray, np.float64)],
+    ids=["NumPy 2.4", "NumPy 2.5"],
+)
+def test_arrays_are_known_by_their_scalar_in_any_numpy(array):
+    kind = kind_of(Annotated[array, None, 2])
+    assert (kind.dtype, kind.axes) == (float64, 2)
 
 
 @pytest.mark.parametrize(

@@ -47,6 +47,7 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
     Exit code 0: done; 1: compiled kernels cannot be kept on disk.
     """
     from kinetruss.errors import KernelCacheWarning, StoreError
+    from kinetruss.kernels.compiled import jit
 
     began = time.perf_counter()
     with bar(quiet or as_json, "kernels", first="") as seen:
@@ -60,12 +61,15 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
         except KernelCacheWarning as error:
             raise StoreError(str(error)) from None
     seconds = time.perf_counter() - began
+    folders = [str(folder) for folder in jit.keeper.folders()]
     if as_json:
-        print_json("compile", {"compiled": len(compiled), "seconds": seconds})
+        print_json("compile", {"compiled": len(compiled), "seconds": seconds, "folders": folders})
     elif not quiet:
         click.echo(
             f"{len(compiled)} kernels compiled in {seconds:.0f} s. Other kernels are compiled by the runs that need them."
         )
+        if folders:
+            click.echo(f"They are kept in {' and '.join(folders)}")
 
 
 def _run_all(look: Callable[[], None]) -> None:

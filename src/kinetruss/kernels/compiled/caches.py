@@ -132,6 +132,10 @@ class Keeper:
         files = (file.name for place in self.places for file in (place / FOLDER).glob("*.kernel"))
         return {name.rsplit(".", 3)[0] for name in files if self._current(name)}
 
+    def folders(self) -> list[Path]:
+        """Where kernels are kept."""
+        return [place / FOLDER for place in self.places if any((place / FOLDER).glob("*.kernel"))]
+
     def name(self, stem: str, key: str) -> str:
         """The name of a file. stem : MODULE.FUNCTION-LINE."""
         return f"{stem}.{self.states[stem.partition('.')[0]]}.{hashlib.sha256(key.encode()).hexdigest()[:16]}.kernel"

@@ -57,8 +57,10 @@ def kind_of(hint: Any) -> Kind:
         return Members(hint, [Array(np.int64, 1), Array(np.float64, 1)])
     if isinstance(hint, type) and hasattr(hint, "_fields"):
         return Members(hint, [kind_of(one) for one in get_type_hints(hint, include_extras=True).values()])
-    array, _, axes = get_args(hint)
-    return Array(get_args(get_args(array)[1])[0], axes)
+    scalar, _, axes = get_args(hint)
+    while within := get_args(scalar):  # NDArray names its scalar in a dtype, from NumPy 2.5 on itself
+        scalar = within[-1]
+    return Array(scalar, axes)
 
 
 def number_of(hint: Any) -> tuple[Any, Any]:
