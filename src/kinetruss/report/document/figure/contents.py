@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import instant, quantity
+from kinetruss.display import instant, number
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
-from kinetruss.report.document.parts.words import named, share_of, value_of
+from kinetruss.report.document.parts.words import cased, share_of, value_of
 from kinetruss.report.document.result.lines import few, governing_entry
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
     when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
     if "pose" in run.motion.data.coords:
         when = f"in pose {run.motion.data['pose'].values[k]}"
-    words = [f"The structure {when}{f', {named(case)}' if case else ''}"]
+    words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if governing:
         words.append(f"the governing part in red ({governing[1]})")
     if model.all_drives:
@@ -102,5 +102,5 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
     if others:
         words.append(f"not drawn: {few(others)}")
     if model.gravity and any(model.gravity):
-        words.append(f"gravity {quantity(float(np.linalg.norm(model.gravity)), 'm/s²')}, grey arrow")
+        words.append(f"gravity {number(float(np.linalg.norm(model.gravity)))} m/s², grey arrow")
     return "; ".join(words) + "."

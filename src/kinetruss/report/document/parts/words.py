@@ -13,12 +13,14 @@ __all__ = [
     "MOST",
     "at",
     "bars_of",
+    "cased",
     "exceeds",
     "is_over",
     "is_single",
     "left_out",
     "margin_of",
     "named",
+    "percents",
     "share_of",
     "value_of",
 ]
@@ -33,6 +35,17 @@ ROUND_OFF = 1e-9
 def named(case: str) -> str:
     """A load case as text."""
     return "all loads" if case == "all" else case
+
+
+def cased(case: str) -> str:
+    """A load case within a sentence."""
+    return "all loads" if case == "all" else f"load case {case}"
+
+
+def percents(rows: Iterable[dict[str, Any]], key: str = "utilisation") -> list[str]:
+    """Utilisations of a column as percentages, all with one decimal."""
+    shares = [value_of(row[key]) for row in rows]
+    return ["-" if math.isnan(one) else "∞" if math.isinf(one) else f"{100 * one:.1f}" for one in shares]
 
 
 def is_single(record: Mapping[str, Any]) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kinetruss.display import counted, instant, quantity
-from kinetruss.report.document.parts.words import is_over, is_single, named, share_of, value_of
+from kinetruss.report.document.parts.words import cased, is_over, is_single, share_of, value_of
 
 __all__ = ["governing_entry", "result_lines", "unverified"]
 
@@ -39,7 +39,9 @@ def _governing(record: Mapping[str, Any]) -> str:
         when = f"pose {worst['pose']}"
     elif worst["time"] is not None and not is_single(record):
         when = f"t = {instant(worst['time'])}"
-    case = named(worst["load_case"]) if worst["load_case"] else ""
+    case = ""
+    if worst["load_case"]:
+        case = f"pair {worst['load_case']}" if count.get("what") == "pairs" else cased(worst["load_case"])
     place = ", ".join(words for words in (when, case) if words)
     amounts = ""
     if worst["unit"]:
