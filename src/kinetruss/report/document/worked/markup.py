@@ -66,6 +66,7 @@ def worked_record(sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
             "part": sheet.row.part,
             "rule": sheet.row.rule,
             "load_case": sheet.row.load_case,
+            "pair": sheet.pair,
             "given": [
                 {"symbol": one.symbol, "meaning": one.meaning, "value": one.value, "unit": one.unit} for one in sheet.given
             ],
