@@ -23,6 +23,8 @@ HIGH = 1.25
 """Height of a line, of its letters."""
 AWAY = (0.05, 0.13, 0.26, 0.42)
 """Distances between a point and its label that are tried, inches."""
+NEAR = 2
+"""How many of them are tried for a label that may be left out: far from its point nobody knows what it names."""
 ASIDE = 0.3
 """Component of a direction from which on a label stands wholly on that side of its point."""
 SPACING = 0.08
@@ -63,7 +65,7 @@ class Labels:
         size = np.array([_width(words, bold), SIZE / 72 * HIGH])
         extent = size * self._scale
         choices = []
-        for far in AWAY:
+        for far in AWAY if np.isinf(most) else AWAY[:NEAR]:
             for angle in np.radians([35, 145, -35, -145, 0, 180, 90, -90]):
                 way = np.array([np.cos(angle), np.sin(angle)])
                 side = np.where(np.abs(way) > ASIDE, np.sign(way), 0.0)

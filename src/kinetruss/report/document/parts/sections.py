@@ -147,7 +147,8 @@ def forces(record: Record) -> list[Markup]:
     single = is_single(record)
     inner = set(record["inner"])
     cases = {case: [one for one in found if one["member"] not in inner] for case, found in record["envelopes"].items()}
-    parts = list(_singles(cases)) if single else [_envelope(case, entries) for case, entries in cases.items()]
+    every = [one[key] for entries in cases.values() for one in entries for key in ("least", "largest")]
+    parts = list(_singles(cases)) if single else [_envelope(case, entries, every) for case, entries in cases.items()]
     if inner:
         words = f"Forces in the {len(inner)} bars that hold bodies and beams together are in the data of this page."
         parts.append(element("p", words, class_="note"))
@@ -207,7 +208,8 @@ def _driven(found: Sequence[Record]) -> list[Markup]:
     return [table.html("Drives without a motor: largest values of the motion, with their signs", left_out(found))]
 
 
-def _envelope(case: str, entries: list[Record]) -> Markup:
+def _envelope(case: str, entries: list[Record], every: list[float]) -> Markup:
+    """The envelope of a load case. every : forces of all of them, which share their unit."""
     least = min((one["least"] for one in entries), default=0.0)
     most = max((one["largest"] for one in entries), default=0.0)
     ends = (min(least, 0.0), max(most, 0.0))
@@ -216,7 +218,7 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     table.words("envelope", [span_bar(one["least"], one["largest"], *ends) for one in shown])
     rest = any(one["at_rest"] is not None for one in shown)
     keys = {"least": "least", "largest": "largest"} | ({"at rest": "at_rest"} if rest else {})
-    table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N")
+    table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N", every)
     table.together(
         ["least at (s)", "largest at (s)"], [[one[key] for one in shown] for key in ("least_time", "largest_time")], ""
     )
