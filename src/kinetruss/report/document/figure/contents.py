@@ -62,7 +62,8 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
     governing = None
     if worst is not None:
         member = worst["part"].rpartition(".")[0] if worst["part"] not in _names(model) else worst["part"]
-        governing = (member, f"{worst['part']}: {worst['rule']} {share_of(worst['utilisation'])}")
+        used = share_of(worst["utilisation"])
+        governing = (member, f"{worst['part']}: {worst['rule']} {'beyond buckling' if '∞' in used else used}")
     return Loaded(
         model=model,
         position=run.motion.data["position"].values[k],

@@ -22,6 +22,7 @@ __all__ = [
     "named",
     "percents",
     "share_of",
+    "used_of",
     "value_of",
 ]
 
@@ -67,6 +68,11 @@ def share_of(value: Any) -> str:
     """A utilisation as text; an infinite one is above the buckling load."""
     share = value_of(value)
     return quantity(0.0 if abs(share) < ROUND_OFF else share, "%")
+
+
+def used_of(value: Any) -> str:
+    """A utilisation within a sentence."""
+    return "beyond its buckling load" if math.isinf(value_of(value)) else f"{share_of(value)} of what is allowed"
 
 
 def margin_of(row: dict[str, Any]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kinetruss.display import counted, instant, quantity
-from kinetruss.report.document.parts.words import cased, is_over, is_single, share_of, value_of
+from kinetruss.report.document.parts.words import cased, is_over, is_single, used_of, value_of
 
 __all__ = ["governing_entry", "result_lines", "unverified"]
 
@@ -47,8 +47,7 @@ def _governing(record: Mapping[str, Any]) -> str:
     if worst["unit"]:
         value, limit = (quantity(value_of(worst[key]), worst["unit"]) for key in ("value", "limit"))
         amounts = f": {value} of {limit}"
-    used = f"{share_of(worst['utilisation'])} of what is allowed"
-    return f"{begin}Governing: {what}, {used}{amounts}{f' ({place})' if place else ''}."
+    return f"{begin}Governing: {what}, {used_of(worst['utilisation'])}{amounts}{f' ({place})' if place else ''}."
 
 
 def _largest(record: Mapping[str, Any]) -> str:

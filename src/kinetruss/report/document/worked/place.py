@@ -19,9 +19,9 @@ __all__ = ["Cut", "constants", "cuts", "largest_shear", "made_of", "only", "samp
 BESIDE = 1e-12
 """Fraction of a part's length to either side of a section, for section forces that jump there."""
 
-ROUND_OFF, FAINT = 1e-11, 1e-9
+ROUND_OFF, FAINT, TINY = 1e-11, 1e-9, 1e-3
 """Share of the largest moment, and of the largest force, up to which a moment and a shear force are round-off: the square of
-a shear force adds to a stress."""
+a shear force adds to a stress. The axial force with an arm of a thousandth of the length counts as a moment there."""
 
 SCAN = 121
 """Stations of a scan along a part."""
@@ -78,7 +78,8 @@ def _cut(data: Any, part: str, length: float) -> Cut:
     M = {str(axis): float(value) for axis, value in zip(data["moment"].values, data["section_M"].values, strict=True)}
     T = float(data["section_T"])
     V2, V3, _ = without_round_off(V.get("2", 0.0), V.get("3", 0.0), T, share=FAINT)
-    M2, M3, torsion = without_round_off(M.get("2", 0.0), M.get("3", 0.0), float(data["torsion"]) if "torsion" in data else 0.0)
+    twist = float(data["torsion"]) if "torsion" in data else 0.0
+    M2, M3, torsion, _ = without_round_off(M.get("2", 0.0), M.get("3", 0.0), twist, TINY * T * length)
     return Cut(part=part, T=T, V2=V2, V3=V3, M2=M2, M3=M3, torsion=torsion, length=length)
 
 
