@@ -47,6 +47,11 @@ def test_a_mission_from_disk(tmp_path):
     worst = found["worked"][0]
     assert worst["utilisation"] == pytest.approx(float(trains["utilisation"].max()), rel=1e-12)  # of the pair, done again
     assert all(one["difference"] < 1e-11 for one in found["worked"])
+    rules = {row.rule: row for row in reversed(mission.verdict.table()) if row.checked and row.utilisation > 1e-9}
+    for rule, row in rules.items():  # the worst entry of each rule over all pairs, from its own pair
+        one = next(one for one in found["worked"] if one["rule"] == rule)
+        assert (one["part"], one["pair"]) == (row.part, row.load_case)
+        assert one["utilisation"] == pytest.approx(row.utilisation, rel=1e-12)
     assert "Platform" in page
     assert "C. Hecker" in page
     assert str(tmp_path) not in page  # reports are mailed

@@ -119,7 +119,7 @@ def test_the_title_block_has_lines_for_what_is_not_known(sheets):
     front = sheets.texts[0].replace("\n", " ")
     for words in ("Tower", "An Author", "2026-01-02", "signature of the checker"):
         assert words in front
-    assert sheets.page.count('class="fill"') == 6  # client, document, revision, checker, two signatures
+    assert sheets.page.count('class="fill"') == 7  # client, document, revision, checker, date of the check, two signatures
 
 
 def test_the_result_is_first(sheets):

@@ -15,7 +15,7 @@ from kinetruss.report.document.worked import shown, worked
 from kinetruss.report.document.worked.chosen import demand_sheet, member_sheet
 from kinetruss.report.document.worked.formulas import evaluate, in_numbers, in_symbols
 from kinetruss.runs import RunResult, run
-from samples import ALUMINIUM, MOTOR, fourbar, tripod
+from samples import ALUMINIUM, MOTOR, SCREW, fourbar, tripod
 
 ROUND_OFF = 1e-11
 PREFIX = {"": 1.0, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6, "G": 1e9}
@@ -65,8 +65,17 @@ def twisted() -> kt.Model:
     )  # fmt: skip
 
 
+def sticking(**gear: object) -> kt.Model:
+    """The tripod with screws that take more torque to start than to run, and motors with a limit of torque."""
+    model = tripod()
+    train = {"screw": SCREW.with_(static_friction=0.16), "motor": MOTOR.with_(max_torque=0.1, friction_torque=2e-4)}
+    train["gear"] = kt.Gear(ratio=5.2, efficiency=0.8, **gear)
+    return model.with_(active={name: leg.with_(**train) for name, leg in model.active.items()})
+
+
 MODELS = {
     "screws": lambda: tripod(),
+    "screws at rest": sticking,
     "torsion": twisted,
     "poses": lambda: tripod(
         safety=kt.Safety(yielding=1.5, buckling=2.0),
@@ -99,7 +108,7 @@ def test_every_entry_can_be_worked_and_agrees(kind):
     assert ("σ_t" in symbols) == (kind == "torsion")
 
 
-@pytest.mark.parametrize("kind", ["screws", "angle behind a gear", "rectangle in the plane"])
+@pytest.mark.parametrize("kind", ["screws", "screws at rest", "angle behind a gear", "rectangle in the plane"])
 def test_printed_numbers_give_the_printed_result(kind):
     """Five digits are printed; differences of nearly equal numbers lose some of them."""
     for sheet in worked(run(MODELS[kind]())):
@@ -111,6 +120,31 @@ def test_printed_numbers_give_the_printed_result(kind):
                     step.symbol,
                     step.numbers,
                 )
+
+
+def test_break_away_by_hand():
+    """Every break-away torque of the run, by the formula of a screw with its static friction."""
+    done = run(sticking())
+    rows = [(row, case) for case, demand in done.demand.items() for row in demand.table() if row.rule == "break-away"]
+    assert len(rows) == 6
+    for row, case in rows:
+        sheet = demand_sheet(done, row, case)
+        assert sheet.difference < ROUND_OFF
+        F, slope = sheet.values["F"], 2 * 2.5266e-4 / 0.0127
+        up, down = (0.00635 * abs(F) * one for one in ((slope + 0.16) / (1 - 0.16 * slope), (0.16 - slope) / (1 + 0.16 * slope)))
+        expected = {up / (5.2 * 0.8) + 2e-4, down / (5.2 * 0.8) + 2e-4}
+        assert min(abs(sheet.demand - one) for one in expected) < 1e-12
+        assert "μ_0" in {one.symbol for one in sheet.given}
+    running = next(sheet for sheet in worked(done) if sheet.row.rule == "voltage")
+    assert "T_0" in {step.symbol for step in running.steps}  # told beside the running torque, where the record has it
+
+
+def test_an_integral_lists_its_samples():
+    done = run(geared(rated_current=2.0))
+    row = next(row for row in done.demand["all"].table() if row.rule == "rms current")
+    (_, _, time), (_, _, current) = demand_sheet(done, row, "all").samples
+    total = sum((b - a) * (p**2 + q**2) / 2 for a, b, p, q in zip(time, time[1:], current, current[1:], strict=False))
+    assert math.sqrt(total / time[-1]) == pytest.approx(row.value, rel=1e-12)
 
 
 def test_a_column_by_hand():

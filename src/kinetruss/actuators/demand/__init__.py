@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.actuators.demand.evaluate import STANDSTILL, columns_of
+    from kinetruss.actuators.demand.evaluate import STANDSTILL, UNMOVED, columns_of
     from kinetruss.actuators.demand.rates import current_rate
     from kinetruss.actuators.demand.summarise import QUANTITIES
 
-__all__ = ["QUANTITIES", "STANDSTILL", "columns_of", "current_rate"]
+__all__ = ["QUANTITIES", "STANDSTILL", "UNMOVED", "columns_of", "current_rate"]
 
-__getattr__, __dir__ = late(__name__, {"rates": "current_rate", "evaluate": "STANDSTILL columns_of", "summarise": "QUANTITIES"})
+__getattr__, __dir__ = late(
+    __name__, {"rates": "current_rate", "evaluate": "STANDSTILL UNMOVED columns_of", "summarise": "QUANTITIES"}
+)

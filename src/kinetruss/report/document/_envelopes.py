@@ -7,7 +7,7 @@ from typing import Any
 
 from kinetruss.errors import one_line
 from kinetruss.report.document.frame import Columns, Part
-from kinetruss.report.document.parts.words import bars_of, left_out, share_of, value_of
+from kinetruss.report.document.parts.words import bars_of, left_out, percents, value_of
 
 __all__ = ["envelopes"]
 
@@ -44,7 +44,7 @@ def _members(rows: Sequence[Record]) -> list[Any]:
 def _held(every: Sequence[Record], what: str, caption: str) -> Any:
     rows = every[:MOST]
     table = Columns().words(what, [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
-    table.words("", bars_of(rows)).words("utilisation (%)", [share_of(row["utilisation"]).removesuffix(" %") for row in rows])
+    table.words("", bars_of(rows)).words("utilisation (%)", percents(rows))
     table.mixed(
         ["demand", "allowed"], [[row[key] for row in rows] for key in ("value", "limit")], [row["unit"] for row in rows]
     )
@@ -57,19 +57,32 @@ def _motors(rows: Sequence[Record]) -> list[Any]:
     found = [_held(held, "motor of", "Demands on the motors against their limits, worst first")] if held else []
     rest = [row for row in rows if row["utilisation"] is None and row["value"]]
     if rest:
-        shown = rest[:MOST]
+        shown = _largest(rest, "rule")
         table = Columns().words("motor of", [row["part"] for row in shown]).words("demand", [row["rule"] for row in shown])
         table.mixed(["largest"], [[row["value"] for row in shown]], [row["unit"] for row in shown])
         table.words("governing pair", [row["load_case"] for row in shown])
-        found.append(table.html("Demands on the motors without a limit", left_out(rest)))
+        found.append(table.html("Demands on the motors without a limit, the largest of each quantity", _more(shown, rest)))
     return found
+
+
+def _largest(rows: Sequence[Record], key: str = "quantity") -> list[Record]:
+    """The largest few rows of each quantity."""
+    found: dict[str, list[Record]] = {}
+    for row in sorted(rows, key=lambda row: -value_of(row["value"])):
+        found.setdefault(row[key], []).append(row)
+    return [row for name in sorted(found) for row in found[name][: max(1, MOST // (2 * len(found)))]]
+
+
+def _more(shown: Sequence[Record], every: Sequence[Record]) -> str:
+    left = len(every) - len(shown)
+    return f"{left} more are in the data of this page." if left else ""
 
 
 def _extremes(every: Sequence[Record], units: Mapping[str, str]) -> list[Any]:
     known = [row for row in every if row["value"] is not None and value_of(row["value"]) > 0]
     if not known:
         return []
-    rows = sorted(known, key=lambda row: (row["quantity"], -value_of(row["value"])))[:MOST]
+    rows = _largest(known)
     table = Columns().words("part", [row["part"] for row in rows]).words("extreme", [row["quantity"] for row in rows])
     table.mixed(["largest"], [[row["value"] for row in rows]], [units[row["quantity"]] for row in rows])
     table.measured("at (s)", [row["time_of"] for row in rows], "").measured(
@@ -77,7 +90,7 @@ def _extremes(every: Sequence[Record], units: Mapping[str, str]) -> list[Any]:
     )
     return [
         table.words("governing pair", [row["label"] for row in rows]).html(
-            "Extremes of members, largest first", left_out(known)
+            "Extremes of members, the largest of each quantity", _more(rows, known)
         )
     ]
 
@@ -86,21 +99,24 @@ def _drives(every: Sequence[Record]) -> list[Any]:
     known = [row for row in every if row["value"] is not None and value_of(row["value"]) > 0]
     if not known:
         return []
-    rows = known[:MOST]
+    rows = _largest(known)
     table = Columns().words("drive", [row["drive"] for row in rows]).words("demand", [row["quantity"] for row in rows])
     table.mixed(["largest"], [[row["value"] for row in rows]], [row["unit"] for row in rows])
     table.measured("at (s)", [row["time_of"] for row in rows], "")
     return [
-        table.words("governing pair", [row["label"] for row in rows]).html("Largest demands on the drives", left_out(known))
+        table.words("governing pair", [row["label"] for row in rows]).html(
+            "Demands on the drives, the largest of each quantity", _more(rows, known)
+        )
     ]
 
 
 def _pairs(every: Sequence[Record]) -> list[Any]:
     rows = sorted(every, key=lambda row: -value_of(row["utilisation"]) if row["utilisation"] is not None else 1.0)[:MOST]
     table = Columns().words("pair", [row["label"] for row in rows])
-    table.words("utilisation (%)", [share_of(row["utilisation"]).removesuffix(" %") for row in rows])
+    table.words("utilisation (%)", percents(rows))
     table.words("part", [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
     table.measured("at (s)", [row["time"] for row in rows], "")
     table.measured("samples", [row["samples"] for row in rows], "")
-    table.words("note", [one_line(row["finding"], LONGEST) for row in rows])
+    if any(row["finding"] for row in rows):
+        table.words("note", [one_line(row["finding"], LONGEST) for row in rows])
     return [table.html("Pairs, by their highest utilisation of a member", left_out(every))]

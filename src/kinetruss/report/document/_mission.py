@@ -6,22 +6,21 @@ import hashlib
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss import runs
-from kinetruss.display import Markup, element
-from kinetruss.errors import KinetrussError
+from kinetruss.display import Markup, Table, counted, element
 from kinetruss.report.document._envelopes import envelopes
 from kinetruss.report.document._record import document_record, model_text
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
 from kinetruss.report.document.frame.title_block import filled
 from kinetruss.report.document.parts.constants import section_constants
-from kinetruss.report.document.parts.inputs import inputs
+from kinetruss.report.document.parts.inputs import inputs, worded
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.recompute import recompute
 from kinetruss.report.document.result.assumptions import assumptions
 from kinetruss.report.document.result.lines import governing_entry, result_lines
-from kinetruss.report.document.worked import shown, worked, worked_record
-from kinetruss.report.missions import TRAIN_UNITS, mission_head, mission_record
+from kinetruss.report.document.result.warnings import checked_words
+from kinetruss.report.document.worked import Pairs, shown, worked_pairs, worked_record
+from kinetruss.report.missions import TRAIN_UNITS, mission_record
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,8 +37,9 @@ def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = Non
     record = mission_record(run)
     told = lined(run, record)
     title = run.model.title or f"Mission {run.name}"
-    pair = _governing(run, told)
-    sheets = [] if pair is None else worked(pair)
+    pairs = Pairs(run)
+    pair = _governing(pairs, told)
+    sheets = worked_pairs(pairs, told)
     record |= {
         "out": None if run.path is None else run.path.resolve().name,
         "worked": worked_record(sheets),
@@ -47,13 +47,14 @@ def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = Non
     }
     mark = "" if run.whole else " (not complete)"
     given = filled(block, run.model.report)
+    version = f"kinetruss {run.provenance.get('kinetruss', '')}".strip()
     return framed(
         title,
         given,
         result_lines(told),
         list(_parts(run, pair, sheets, told, view)),
         kicker="Report of a mission",
-        quiet=" · ".join(word for word in (mission_head(run).splitlines()[1], given.date) if word),
+        quiet=" · ".join(word for word in (f"Mission {run.name}", counted(run.good, "pair"), version, given.date) if word),
         record=record,
         foot=f"{title}, mission {run.name}{mark.upper()}",
         paper=paper,
@@ -99,34 +100,42 @@ def _units(data: xr.Dataset, axis: str) -> dict[str, str]:
     return dict(zip(map(str, data[axis].values), map(str, data["unit"].values), strict=True)) if axis in data else {}
 
 
-def _governing(run: MissionRun, told: dict[str, Any]) -> RunResult | None:
+def _governing(pairs: Pairs, told: dict[str, Any]) -> RunResult | None:
     """The pair of the governing entry as a run; None if it cannot be done again."""
     worst = governing_entry(told)
-    labels = [str(label) for label in run.pairs["label"].values]
-    number = labels.index(worst["load_case"]) if worst is not None and worst["load_case"] in labels else None
-    try:
-        return runs.governing(run, number)
-    except KinetrussError:
-        return None
+    return pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
 
 
 def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], told: dict[str, Any], view: str) -> Iterator[Part]:
     yield Part("result", "Result", "", list(_state(run)))
     if pair is not None:
-        found = assumptions(pair, told)
+        found = assumptions(pair, told, condition=False)
         yield Part("assumed", "Assumptions, and what was not checked", "What the results rest on", found)
         frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
         seen = [element("div", frame, class_="screen")] if view else []
         words = f"Motion, condition and load case: {_label(run, told)}"
         yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, document_record(pair, []))])
-        calculations = "The checks that govern this pair, with the numbers of their instants"
-        yield Part("worked", "Worked calculations", calculations, shown(sheets))
-    yield from envelopes(told, mission_record(run))
+    calculations = "The governing entry of each check over all pairs, with the numbers of its pair at its instant"
+    yield Part("worked", "Worked calculations", calculations, shown(sheets))
+    noted = findings(run)
+    record = mission_record(run)
+    pairs = [one | {"finding": noted.get(one["label"], "")} for one in record["pairs"]]
+    yield from envelopes(told, record | {"pairs": pairs})
     if pair is not None:
-        basis = [*inputs(pair), *section_constants(pair.model)]
+        name = f"mission {run.name}, pair {_label(run, told)}"
+        basis = [*inputs(pair, name), *_conditions(run), *section_constants(pair.model)]
         yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
         yield Part("method", "Method and sources", "", _methods(pair))
     yield Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))
+
+
+def _conditions(run: MissionRun) -> list[Markup]:
+    """The conditions of the mission."""
+    named = run.told.conditions or ()
+    rows = [
+        (name, worded(run.model.conditions[name]) or "the model as it is") for name in named if name in run.model.conditions
+    ]
+    return [Table(("condition", "what changes"), rows, "Conditions of the mission").html] if rows else []
 
 
 def _label(run: MissionRun, told: dict[str, Any]) -> str:
@@ -137,9 +146,20 @@ def _label(run: MissionRun, told: dict[str, Any]) -> str:
 def _state(run: MissionRun) -> Iterator[Markup]:
     count = f"{run.good} of {run.samples} pairs of a motion, a condition and a load case are done."
     yield element("p", " ".join(word for word in (count, run.message) if word))
-    if run.findings:
-        told = [f"{label}: {words}" for label, words in run.findings.items()]
+    found: dict[str, list[str]] = {}
+    for label, words in findings(run).items():
+        found.setdefault(words, []).append(label)
+    if found:
+        told = [
+            f"{'all pairs' if len(labels) == run.good > 1 else '; '.join(labels)}: {words}" for words, labels in found.items()
+        ]
         yield element("div", element("h3", "Findings"), element("ul", [element("li", one) for one in told]), class_="warnings")
+
+
+def findings(run: MissionRun) -> dict[str, str]:
+    """Findings by pair, without what the motion alone did not check of motors, since the mission does."""
+    told = {label: checked_words(words, run.trains is not None) for label, words in run.findings.items()}
+    return {label: words for label, words in told.items() if words}
 
 
 def _methods(pair: RunResult) -> list[Markup]:

@@ -19,7 +19,7 @@ from kinetruss.report.document._document import run_parts
 from kinetruss.report.document._record import document_record
 from kinetruss.report.document.frame import Columns, Part, framed, known_paper
 from kinetruss.report.document.frame.title_block import filled
-from kinetruss.report.document.parts.words import value_of
+from kinetruss.report.document.parts.words import cased, value_of
 from kinetruss.report.document.result.lines import governing_entry, result_lines
 from kinetruss.report.document.worked import worked, worked_record
 
@@ -143,6 +143,9 @@ def _html(run: RunResult, sizing: Record, view: str, block: TitleBlock, paper: s
     )
 
 
+NAMES = "Names of tubes are those of their catalogue; the constants of the sections, below, have their sizes in mm."
+
+
 def _masses(sizing: Record) -> Markup:
     before, after, saved = (quantity(sizing[key], "kg") for key in ("mass_before", "mass_after", "mass_saved"))
     words = f"Mass of all members: {before} before, {after} after sizing; saved {saved}. {' '.join(sizing['notes'])}"
@@ -157,8 +160,10 @@ def _groups(rows: Sequence[Record]) -> Iterator[Markup]:
     table.together(["mass before", "mass"], [[row[key] for row in rows] for key in ("mass_before", "mass")], "kg")
     used = [[_percent(row[key]) for row in rows] for key in ("utilisation_before", "utilisation")]
     table.together(["used before (%)", "used (%)"], used, "")
-    table.words("governed by", [f"{row['part']} {row['rule']} at {instant(row['time'])} ({row['load_case']})" for row in rows])
-    yield table.html("Groups of members: tubes before and after", "Used: highest utilisation of the group's members.")
+    table.words(
+        "governed by", [f"{row['part']} {row['rule']} at {instant(row['time'])} ({cased(row['load_case'])})" for row in rows]
+    )
+    yield table.html("Groups of members: tubes before and after", f"Used: highest utilisation of the group's members. {NAMES}")
     smaller = [row for row in rows if row["smaller"]]
     if smaller:
         proof = Columns().words("group", [row["name"] for row in smaller]).words("tube", [row["tube"] for row in smaller])

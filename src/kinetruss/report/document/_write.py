@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["Written", "write_document", "write_page"]
 
 PAGE, PAPER = "report.html", "report.pdf"
-EMPTY = 0.75
+EMPTY = 0.6
 """Share of the last page that may stay below its text; above it the text is set a little smaller or larger."""
 FITS = (1.0, 0.975, 1.025, 0.95, 1.05)
 """Factors of the size of letters that are tried, in this order."""

@@ -192,7 +192,7 @@ def _bars(figure: Bars) -> Canvas:
     ax.barh(places, factor * figure.values, color=colours, height=0.7)
     texts = aligned([quantity(value, figure.unit) for value in figure.values])
     for place, value, text, note in zip(places, figure.values, texts, figure.notes, strict=True):
-        words = f"{text.replace(DIGIT, '').replace(POINT, '')}  {note}"
+        words = f"{text.replace(DIGIT, '').replace(POINT, '')}{note if note.startswith(',') else f'  {note}'}"
         ax.annotate(words, (factor * value, place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=7.5)
     if np.isfinite(figure.limit):  # up to the limit in any case, so that figures of different runs can be compared
         ax.axvline(factor * figure.limit, color=ALARM, linewidth=1.0, linestyle="--")

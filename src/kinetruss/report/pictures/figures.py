@@ -169,10 +169,15 @@ def _forces(forces: Forces) -> Histories:
     return Histories(name="forces", title=title, time=data["time"].values, panels=(panel,))
 
 
+def _when(run: RunResult, time: float) -> str:
+    """The instant of a value, after it; nothing for a single position."""
+    return f", t = {instant(time)}" if run.good > 1 else ""
+
+
 def _utilisation(run: RunResult) -> Iterator[Figure]:
     rows = worst_rows(run, BARS)
     if rows:
-        notes = tuple(f"{row.rule}, t = {instant(row.time)}" for row in rows)
+        notes = tuple(f"{row.rule}{_when(run, row.time)}" for row in rows)
         yield Bars(
             name="utilisation",
             title="Utilisation of the worst members by their governing rule",
@@ -188,7 +193,7 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
             stressed[row.part] = row
     highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
     if highest:
-        notes = tuple(f"t = {instant(row.time)}{'' if row.checked else '; no yield strength'}" for row in highest)
+        notes = tuple(f"{_when(run, row.time)}{'' if row.checked else ', no yield strength'}" for row in highest)
         yield Bars(
             name="stresses",
             title="Highest stress of each part",

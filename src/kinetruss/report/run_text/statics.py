@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 __all__ = ["LACKS", "statics_lines", "statics_record", "statics_title"]
 
 LACKS = {
-    "statics.linear": "at rest: it has no rates, no powers and no motor demands; the place is that without displacements",
-    "statics.equilibrium": "at rest: it has no rates and no powers",
-    "statics.at_poses": "at rest: it has no rates, no powers and no forces of inertia",
+    "statics.linear": "at rest: no rates, no powers, no motor demands; nodes are drawn where they are without displacements",
+    "statics.equilibrium": "at rest: no rates and no powers",
+    "statics.at_poses": "at rest: no rates, no powers, no inertia forces",
     "flexible.corrected": "forces, strength and drives are those of the rigid motion, with its lengths",
     "flexible.frequencies": "small vibrations with locked actuators; forces, strength and drives are those of the rigid motion",
     "flexible.vibration": "small displacements; strength and drives are those of the rigid motion",
@@ -50,7 +50,8 @@ def _case(run: RunResult, found: Result) -> dict[str, Any]:
     told: dict[str, Any] = {}
     shift = _shift(run, found)
     if shift is not None and shift.size:
-        size = np.linalg.norm(shift, axis=2)
+        seen = [not run.model.nodes[str(name)].director for name in data["node"].values]  # without the frames of beams
+        size = np.where(seen, np.linalg.norm(shift, axis=2), 0.0)
         i, k = np.unravel_index(int(size.argmax()), size.shape)
         told["displacement"] = {
             "node": str(data["node"].values[k]),

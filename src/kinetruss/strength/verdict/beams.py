@@ -21,7 +21,7 @@ __all__ = ["BEAM_QUANTITIES", "beam_histories", "beam_limits", "beam_notes", "be
 SECTIONS = 97
 """Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
 BEAM_QUANTITIES = ("tension", "compression", "bending", "stress")
-STABILITY = "not checked: whether a beam buckles is a question of the whole structure, which statics.buckling answers"
+STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
 UNKNOWN = "not checked: the positions are not those of a structure in balance, so beams have no forces (statics.equilibrium)"
 
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import instant, quantity
+from kinetruss.display import instant, number
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
-from kinetruss.report.document.parts.words import named, share_of, value_of
+from kinetruss.report.document.parts.words import cased, share_of, value_of
 from kinetruss.report.document.result.lines import few, governing_entry
 
 if TYPE_CHECKING:
@@ -62,7 +62,8 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
     governing = None
     if worst is not None:
         member = worst["part"].rpartition(".")[0] if worst["part"] not in _names(model) else worst["part"]
-        governing = (member, f"{worst['part']}: {worst['rule']} {share_of(worst['utilisation'])}")
+        used = share_of(worst["utilisation"])
+        governing = (member, f"{worst['part']}: {worst['rule']} {'beyond buckling' if '∞' in used else used}")
     return Loaded(
         model=model,
         position=run.motion.data["position"].values[k],
@@ -88,7 +89,7 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
     when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
     if "pose" in run.motion.data.coords:
         when = f"in pose {run.motion.data['pose'].values[k]}"
-    words = [f"The structure {when}{f', {named(case)}' if case else ''}"]
+    words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if governing:
         words.append(f"the governing part in red ({governing[1]})")
     if model.all_drives:
@@ -102,5 +103,5 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
     if others:
         words.append(f"not drawn: {few(others)}")
     if model.gravity and any(model.gravity):
-        words.append(f"gravity {quantity(float(np.linalg.norm(model.gravity)), 'm/s²')}, grey arrow")
+        words.append(f"gravity {number(float(np.linalg.norm(model.gravity)))} m/s², grey arrow")
     return "; ".join(words) + "."

@@ -10,9 +10,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import DRIVEN, quantity
+from kinetruss.display import DRIVEN, LOAD, quantity
 from kinetruss.mechanics.structure import skin_of
 from kinetruss.model import HingeDrive
+from kinetruss.model.beams.shown import FRAME, shown_kinds
 from kinetruss.report.document.figure.labels import CROWDED, Labels
 from kinetruss.report.pictures.style import ALARM, INK, PRINT, QUIET, RC
 from kinetruss.report.pictures.view import projected
@@ -26,13 +27,15 @@ if TYPE_CHECKING:
 
 __all__ = ["drawn"]
 
-LOAD, FACE = "#b2005e", "#dde3ea"
+FACE = "#dde3ea"
 WIDTH, TALLEST = 6.9, 4.9
 """Width and largest height of the figure, inches: it takes at most half of a sheet."""
 NAMED = 40
 """Number of nodes up to which their names are shown; above it those of supports and loads only."""
 FEW = 12
 """Number of supports up to which all of them are named."""
+BESIDE = 0.95
+"""Cosine of the angle between an arrow and a member from which on they cover each other."""
 ARROW = 0.13
 """Length of the largest arrow, of the size of the structure."""
 
@@ -62,7 +65,8 @@ def drawn(figure: Loaded) -> Canvas:
         _members(ax, figure, points)
         _supports(ax, figure, points)
         held = [k for k, node in enumerate(figure.model.nodes) if node in figure.model.fixed]
-        labels = Labels(ax, scale, [points[list(pair)] for pair in _ends(figure)], points[held])
+        lines = [points[list(pair)] for pair in _lines(figure).values()] + [np.array([start, end]) for start, end, _ in arrows]
+        labels = Labels(ax, scale, lines, points[held])
         _governing(ax, figure, points, labels)
         for start, end, words in arrows:
             pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
@@ -74,10 +78,13 @@ def drawn(figure: Loaded) -> Canvas:
     return canvas
 
 
-def _ends(figure: Loaded) -> list[tuple[int, int]]:
-    index = {name: k for k, name in enumerate(figure.model.nodes)}
-    members = [one.ends for one in figure.model.members.values()] + [one.ends for one in figure.model.beams.values()]
-    return [(index[a], index[b]) for a, b in members]
+def _lines(figure: Loaded) -> dict[str, tuple[int, int]]:
+    """Members and beams with the indices of their ends; the frames of beams are left out."""
+    model = figure.model
+    index = {name: k for k, name in enumerate(model.nodes)}
+    shown = {name: model.members[name].ends for name, kind in shown_kinds(model).items() if kind != FRAME}
+    shown |= {name: beam.ends for name, beam in model.beams.items()}
+    return {name: (index[a], index[b]) for name, (a, b) in shown.items()}
 
 
 def _members(ax: Any, figure: Loaded, points: Array) -> None:
@@ -87,12 +94,11 @@ def _members(ax: Any, figure: Loaded, points: Array) -> None:
         faces = points[skin.nodes]
         ax.add_collection(PolyCollection(list(faces), facecolors=FACE, edgecolors="#8a8a8a60", linewidths=0.3))
     turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    lines = [points[list(pair)] for pair in _ends(figure)]
-    names = [*model.members, *model.beams]
-    driven = [line for name, line in zip(names, lines, strict=True) if name in model.active or name in turned]
-    ax.add_collection(LineCollection(lines, colors=INK, linewidths=1.0, capstyle="round"))
+    lines = {name: points[list(pair)] for name, pair in _lines(figure).items()}
+    driven = [line for name, line in lines.items() if name in model.active or name in turned]
+    ax.add_collection(LineCollection(list(lines.values()), colors=INK, linewidths=1.0, capstyle="round"))
     ax.add_collection(LineCollection(driven, colors=DRIVEN, linewidths=2.4, capstyle="round"))
-    used = sorted({k for pair in _ends(figure) for k in pair})
+    used = sorted({k for pair in _lines(figure).values() for k in pair})
     ax.plot(*points[used].T, "o", color=INK, markersize=2.4)
     index = {name: k for k, name in enumerate(model.nodes)}
     hinged = [drive.axis for drive in model.all_drives.values() if isinstance(drive, HingeDrive)]
@@ -114,47 +120,60 @@ def _governing(ax: Any, figure: Loaded, points: Array, labels: Labels) -> None:
     if figure.governing is None:
         return
     model, (name, words) = figure.model, figure.governing
-    names = [*model.members, *model.beams]
     bar = getattr(model.all_drives.get(name), "bar", name)
-    if bar not in names:
+    lines = _lines(figure)
+    if bar not in lines:
         return
-    line = points[list(_ends(figure)[names.index(bar)])]
+    line = points[list(lines[bar])]
     ax.add_collection(LineCollection([line], colors=ALARM, linewidths=3.2, capstyle="round"))
     labels.put(words, line.mean(axis=0), ALARM, bold=True)
 
 
 def _arrows(figure: Loaded) -> list[tuple[Array, Array, str]]:
-    """Start and end on paper of each force, and its value; it ends away from its node, so that it pulls."""
+    """Start and end on paper of each force, and its value: it ends away from its node, or at it where it would else lie on a
+    member.
+    """
     if not figure.loads:
         return []
     size = float(np.linalg.norm(np.ptp(figure.position, axis=0)))
     largest = max(float(np.linalg.norm(force)) for _, force in figure.loads)
     found = []
     for node, force in figure.loads:
-        start = figure.position[node]
-        end = start + force * (ARROW * size / largest)
+        way = force * (ARROW * size / largest)
+        start = figure.position[node] - (way if _along_member(figure, node, way) else 0.0)
+        end = start + way
         words = f"{list(figure.model.nodes)[node]}: {quantity(float(np.linalg.norm(force)), 'N')}"
         found.append((projected(start[None])[0], projected(end[None])[0], words))
     return found[:NAMED]
 
 
+def _along_member(figure: Loaded, node: int, way: Array) -> bool:
+    """True if a member leaves a node in a direction on paper, and none in the opposite one."""
+    points = projected(np.vstack([figure.position, figure.position[node] + way]))
+    sides = [points[b if a == node else a] - points[node] for a, b in _lines(figure).values() if node in (a, b)]
+    pointed = points[-1] - points[node]
+    size = np.linalg.norm(pointed) or 1.0
+    cosines = [float(one @ pointed) / (float(np.linalg.norm(one)) or 1.0) / size for one in sides]
+    return any(one > BESIDE for one in cosines) and not any(one < -BESIDE for one in cosines)
+
+
 def _drives(figure: Loaded, points: Array, labels: Labels) -> None:
     """Names of driven members at their middle."""
     model = figure.model
-    names, ends = [*model.members, *model.beams], _ends(figure)
+    lines = _lines(figure)
     told = figure.governing[0] if figure.governing else ""
     shown = 0
     for name, drive in model.all_drives.items():
         bar = getattr(drive, "bar", "")
-        if bar in names and told not in (name, bar) and shown < NAMED // 2:
+        if bar in lines and told not in (name, bar) and shown < NAMED // 2:
             shown += 1
-            labels.put(name, points[list(ends[names.index(bar)])].mean(axis=0), DRIVEN, most=CROWDED)
+            labels.put(name, points[list(lines[bar])].mean(axis=0), DRIVEN, most=CROWDED)
 
 
 def _names(figure: Loaded, points: Array, labels: Labels) -> None:
     model = figure.model
     loaded = {node for node, _ in figure.loads}
-    used, held = {k for pair in _ends(figure) for k in pair}, model.fixed
+    used, held = {k for pair in _lines(figure).values() for k in pair}, model.fixed
     for k, node in enumerate(model.nodes):
         important = node in model.fixed and len(model.fixed) <= NAMED
         if k not in loaded and k in used and (len(used) <= NAMED or important):

@@ -38,10 +38,14 @@ class Columns:
         """A column of numbers in one unit, which stands in its head."""
         return self.together([head], [values], unit)
 
-    def together(self, heads: Sequence[str], columns: Sequence[Iterable[float | None]], unit: str) -> Columns:
-        """Columns of one quantity: they share their unit and number of decimals."""
+    def together(
+        self, heads: Sequence[str], columns: Sequence[Iterable[float | None]], unit: str, like: Iterable[float | None] = ()
+    ) -> Columns:
+        """Columns of one quantity: they share their unit and number of decimals. like : values of the same quantity in other
+        tables, which share the unit.
+        """
         known = [_numbers(one) for one in columns]
-        factor, name = _scaled([value for one in known for value in one], unit)
+        factor, name = _scaled([value for one in (*known, _numbers(like)) for value in one], unit)
         decimals = _decimals([value for one in known for value in one], factor, unit)
         for head, values in zip(heads, known, strict=True):
             self.heads.append(f"{head} ({_solid(name)})" if name else head)

@@ -121,5 +121,6 @@ def with_pages(page: str, pages: Mapping[str, int]) -> str:
 
 def _sheet(words: str, paper: str) -> str:
     """Size of the paper and footer of printed pages; every character of the title is escaped."""
-    text = "".join(sign if sign.isascii() and sign.isalnum() else f"\\{ord(sign):x} " for sign in words[:LONGEST])
+    shown = words if len(words) <= LONGEST else f"{words[: LONGEST - 1].rstrip()}…"
+    text = "".join(sign if sign.isascii() and sign.isalnum() else f"\\{ord(sign):x} " for sign in shown)
     return f'@page {{ size: {PAPERS[paper]}; @bottom-left {{ content: "{text}"; }} }}\n'

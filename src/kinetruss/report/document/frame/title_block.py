@@ -7,8 +7,8 @@ from kinetruss.model import TitleBlock
 
 __all__ = ["filled", "title_block"]
 
-ROWS = (("project", "client"), ("number", "revision"), ("author", "date"), ("checker", ""))
-WORDS = {"number": "document"}
+ROWS = (("project", "client"), ("number", "revision"), ("author", "date"), ("checker", "checked"))
+WORDS = {"number": "document", "checked": "date of the check"}
 SIGNED = ("author", "checker")
 
 
@@ -29,9 +29,7 @@ def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> 
 
 
 def _cells(block: TitleBlock, name: str) -> Markup:
-    if not name:
-        return Markup(f"{element('th')}{element('td')}")
-    said = getattr(block, name)
+    said = getattr(block, name, "")
     if not said:
         return _line(WORDS.get(name, name))
     return Markup(f"{element('th', WORDS.get(name, name), scope='row')}{element('td', said)}")

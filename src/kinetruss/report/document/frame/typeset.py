@@ -1,4 +1,4 @@
-"""The last pass over the text of a page: true minus signs, dashes for cells without a value."""
+"""The last pass over the text of a page: true minus signs, powers of ten, raised exponents, dashes for empty cells."""
 
 from __future__ import annotations
 
@@ -11,15 +11,31 @@ KEPT = re.compile(r"(<(script|style|pre|code)\b.*?</\2>|<[^>]*>)", re.DOTALL)
 MINUS = re.compile(r"(?:(?<![\w.)\]-])|(?<=\d[eE]))-(?=[\d∞.])")
 """A hyphen before a number, and not within a word, a date or a name; or in the exponent of a number."""
 
+TEN = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e(−?\d{1,3})(?![\w…]|\.\d)")
+"""A number with an exponent."""
+SQUARE = re.compile(r"(?<=[A-Za-z])\^(-?\d)(?!\d)")
+"""A unit with an exponent."""
+OHM = re.compile(r"(?<=\d)([ \u00a0][nµmkM]?)ohm\b")
+RAISED = str.maketrans("−-0123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def typeset(page: str) -> str:
-    """The page with minus signs in place of hyphens before numbers; model text and data stay as they are.
+    """The page with minus signs in place of hyphens before numbers, powers of ten, raised exponents of units, and Ω; model text
+    and data stay as they are.
 
     >>> typeset("<td>-3 N</td><td>-</td><p>7e-15, EN 1999-1-1, 2026-11-21</p><code>-3</code>")
-    '<td>−3 N</td><td>–</td><p>7e−15, EN 1999-1-1, 2026-11-21</p><code>-3</code>'
+    '<td>−3 N</td><td>–</td><p>7·10⁻¹⁵, EN 1999-1-1, 2026-11-21</p><code>-3</code>'
+    >>> typeset("<p>1e6 kN/m^3, 2 ohm</p>")
+    '<p>1·10⁶ kN/m³, 2 Ω</p>'
     """
     parts = KEPT.split(page)
     # the pattern has two groups: text, an element or tag, its name, text, ..
     for k in range(0, len(parts), 3):
-        parts[k] = "–" if parts[k] == "-" else MINUS.sub("−", parts[k])
+        parts[k] = "–" if parts[k] == "-" else _prose(parts[k])
     return "".join(text for k, text in enumerate(parts) if k % 3 != 2 and text is not None)
+
+
+def _prose(text: str) -> str:
+    text = MINUS.sub("−", text)
+    text = TEN.sub(lambda found: f"{found[1]}·10{found[2].translate(RAISED)}", text)
+    return OHM.sub(r"\1Ω", SQUARE.sub(lambda found: found[1].translate(RAISED), text))

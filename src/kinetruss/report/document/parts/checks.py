@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.model import LengthDrive
+from kinetruss.errors import KinetrussError
+from kinetruss.model import Bar, LengthDrive
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,9 +22,24 @@ LARGEST = 300
 
 
 def mobility_record(model: Model) -> dict[str, Any] | None:
-    """Degrees of freedom, mechanisms and states of self-stress of the model in its own pose; None for larger models."""
+    """Degrees of freedom, mechanisms and states of self-stress of the model in its own pose; None for larger models.
+
+    ``elastic``: True if elastic bars or beams hold it besides; ``elastic_as_rigid``: the same with elastic bars as rigid ones.
+    """
     if len(model.nodes) > LARGEST:
         return None
+    elastic = [name for name, bar in model.bars.items() if bar.kind == "elastic"]
+    stiff = None
+    if elastic and not model.beams:
+        bars = {name: Bar(ends=bar.ends, mass=0.0) if name in elastic else bar for name, bar in model.bars.items()}
+        try:
+            stiff = _mobility(model.with_(bars=bars))
+        except (KinetrussError, ValueError):  # another record needs the bar to be elastic
+            stiff = None
+    return _mobility(model) | {"elastic": bool(elastic or model.beams), "elastic_as_rigid": stiff}
+
+
+def _mobility(model: Model) -> dict[str, Any]:
     from kinetruss.kinematics import mobility
 
     found = mobility(model)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table
 from kinetruss.report.document.frame import Columns
-from kinetruss.report.document.parts.words import MOST, bars_of, is_single, left_out, margin_of, named, share_of
+from kinetruss.report.document.parts.words import MOST, bars_of, is_single, left_out, margin_of, named, percents
 
 if TYPE_CHECKING:
     Record = dict[str, Any]
@@ -97,7 +97,8 @@ def _trains(found: Sequence[Record]) -> list[Markup]:
     more = Columns().words("motor of", names)
     energies = [[one[key] for one in shown] for key in ("drawn_energy", "returned_energy")]
     more.together(["energy drawn", "returned"], energies, "J")
-    more.measured("gear ratio for top speed", [one["gear_ratio"] for one in shown], "")
+    if any(one["gear_ratio"] is not None for one in shown):
+        more.measured("gear ratio for top speed", [one["gear_ratio"] for one in shown], "")
     leads = [[None if one[key] is None else 1e3 * one[key] for one in shown] for key in ("lead", "largest_self_locking_lead")]
     more.together(["lead (mm/rad)", "self-locking up to (mm/rad)"], leads, "")
     return [
@@ -116,7 +117,7 @@ def _exceeded(found: Sequence[Record]) -> list[Markup]:
 def _held(table: Columns, what: str, rows: Sequence[Record]) -> Columns:
     """Demands and limits: part, rule, bar of utilisation, value, limit, margin."""
     table.words(what, [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
-    table.words("", bars_of(rows)).words("utilisation (%)", [share_of(row["utilisation"]).removesuffix(" %") for row in rows])
+    table.words("", bars_of(rows)).words("utilisation (%)", percents(rows))
     values = [[row[key] for row in rows] for key in ("value", "limit")]
     table.mixed(["demand", "allowed"], values, [row["unit"] for row in rows])
     return table.words("margin", [margin_of(row) for row in rows])

@@ -13,13 +13,30 @@ from kinetruss.units import EITHER, unit_of
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-__all__ = ["inputs", "listed", "sources", "worded"]
+__all__ = ["WORDS", "inputs", "listed", "sources", "worded"]
 
 MOST = 30
 """Largest number of rows of an input table; the page includes the whole model."""
 NAMES = 8
 DIGITS = 6
 """Significant digits of the model's numbers."""
+WORDS = {
+    "poisson": "Poisson's ratio",
+    "emf_constant": "back-emf constant",
+    "rtol": "relative tolerance",
+    "atol": "absolute tolerance",
+    "max_steps": "at most this many steps:",
+    "max_voltage": "highest voltage",
+    "max_current": "highest current",
+    "max_speed": "highest speed",
+    "max_torque": "largest torque",
+    "flank": "half-angle of the thread",
+    "source": "source:",
+    "taylor": "Taylor series",
+}
+"""Names of fields and kinds that are not words."""
+UNITLESS = {"thermal_expansion": "1/K"}
+"""Units that fields do not carry."""
 ANALYSES = {
     "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
     "kinematics.follow": "kinematics: a given motion, without forces",
@@ -35,11 +52,11 @@ ANALYSES = {
 }
 
 
-def inputs(run: RunResult) -> list[Markup]:
-    """The tables that are not empty."""
+def inputs(run: RunResult, name: str = "") -> list[Markup]:
+    """The tables that are not empty. name : of the run, if it has another one for readers."""
     model = run.model
     found = [
-        Table(("", ""), _run_rows(run), "What was computed").html,
+        Table(("", ""), _run_rows(run, name or run.name), "What was computed").html,
         Table(("", ""), _structure_rows(model), "The structure").html,
     ]
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
@@ -57,10 +74,10 @@ def inputs(run: RunResult) -> list[Markup]:
     return found
 
 
-def _run_rows(run: RunResult) -> Iterator[tuple[str, str]]:
+def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:
     told = run.told
-    yield "run", run.name
-    yield "analysis", f"{told.analysis}; {ANALYSES[told.analysis]}"
+    yield "run", name
+    yield "analysis", f"{ANALYSES[told.analysis]} (in the model file: {told.analysis})"
     if told.motion is not None:
         yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
     elif told.targets is not None:
@@ -156,12 +173,17 @@ def worded(record: Any, whole: bool = False) -> str:
     >>> worded(kt.Tube(outer=0.019, inner=0.016))
     'tube, outer 19 mm, inner 16 mm'
     """
-    parts = [str(record.kind)] if "kind" in type(record).model_fields else []
+    parts = [_spaced(str(record.kind))] if "kind" in type(record).model_fields else []
     for name, field in type(record).model_fields.items():
         value = getattr(record, name)
         if name != "kind" and (whole or field.is_required() or value != field.get_default()) and value is not None:
-            parts.append(f"{name.replace('_', ' ')} {_valued(value, _unit(field.metadata, field.annotation))}".strip())
+            unit = _unit(field.metadata, field.annotation) or UNITLESS.get(name, "")
+            parts.append(f"{_spaced(name)} {_valued(value, unit)}".strip())
     return ", ".join(parts)
+
+
+def _spaced(name: str) -> str:
+    return WORDS.get(name) or name.replace("_", " ")
 
 
 def _unit(metadata: Iterable[Any], annotation: Any) -> str:

@@ -37,7 +37,7 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
         Table(("", ""), rows, "Provenance").html,
         element(
             "p",
-            "The file report.html holds the model, byte by byte. ",
+            "The file report.html holds the model, byte by byte; save it as model.json. ",
             saved,
             " Then, with the versions above:",
             class_="where",

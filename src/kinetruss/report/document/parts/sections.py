@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.display import Markup, Table, counted, element, number, quantity
 from kinetruss.report.document._bars import span_bar
 from kinetruss.report.document.frame import Columns
-from kinetruss.report.document.parts.inputs import sources
+from kinetruss.report.document.parts.inputs import WORDS, sources
 from kinetruss.report.document.parts.methods import methods
-from kinetruss.report.document.parts.words import MOST, at, is_single, left_out, named
-from kinetruss.report.run_text.statics import statics_lines, statics_title
+from kinetruss.report.document.parts.words import MOST, at, cased, is_single, left_out, named
+from kinetruss.report.run_text.statics import statics_lines, statics_record, statics_title
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -21,29 +21,46 @@ if TYPE_CHECKING:
 __all__ = ["checked", "forces", "method", "mobility", "motion", "simulated", "standing"]
 
 
+BESIDE = 6
+"""Number of load cases beside each other in a table."""
+SOLVERS = {
+    "dense": "equations of motion solved with a dense matrix",
+    "sparse": "equations of motion solved with a sparse matrix",
+    "sweep": "equations of motion solved along the chain",
+}
 UNSURE = "† Not unique: depends on stiffness or convention."
 
 
 def mobility(record: Record) -> list[Markup]:
-    """Mechanisms and states of self-stress of the model in its own pose."""
+    """Mechanisms and states of self-stress of the model in its own pose, with and without elastic bars as rigid ones."""
     found = record["mobility"]
     if found is None:
         words = "The model has too many nodes for a rank decision in a report; use kinetruss info on the model file."
         return [element("p", words)]
-    rows = [
-        ("coordinates", f"{found['coordinates']}, of them {found['fixed']} fixed"),
-        ("rigid bars", f"{found['bars']}, of rank {found['rank']}"),
-        ("degrees of freedom", f"{found['degrees_of_freedom']}; {counted(found['drives'], 'drive')}"),
-        (
-            "with the drives held",
-            f"{counted(found['undriven'], 'mechanism')}, {counted(found['self_stress'], 'state')} of "
-            f"self-stress (Calladine's count {found['maxwell']} = {found['undriven']} − {found['self_stress']})",
-        ),
-        ("smallest singular value", number(found["smallest_singular_value"], 3)),
-    ]
-    rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
-    rows += [(f"self-stress {k + 1}", text) for k, text in enumerate(found["self_stress_states"][:8])]
+    rows = list(_counts(found, "rigid bars"))
+    held = found["elastic_as_rigid"]
+    if held is not None:
+        rows += [(f"elastic bars as rigid: {name}", words) for name, words in list(_counts(held, "bars"))[1:]]
+    if found["elastic"]:
+        rows.append(
+            ("meaning", "elastic members and beams fix no length: they hold the mechanisms of the rigid bars by stiffness")
+        )
+    else:
+        rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
+    rows += [(f"self-stress {k + 1}", text) for k, text in enumerate((held or found)["self_stress_states"][:8])]
     return [Table(("", ""), rows, "Mobility of the model as it stands, decided by rank").html]
+
+
+def _counts(found: Record, bars: str) -> Iterator[tuple[str, str]]:
+    yield "coordinates", f"{found['coordinates']}, of them {found['fixed']} fixed"
+    yield bars, f"{found['bars']}, of rank {found['rank']}"
+    yield "degrees of freedom", f"{found['degrees_of_freedom']}; {counted(found['drives'], 'drive')}"
+    yield (
+        "with the drives held" if found["drives"] else "without drives",
+        f"{counted(found['undriven'], 'mechanism')}, {counted(found['self_stress'], 'state')} of "
+        f"self-stress (Calladine's count {found['maxwell']} = {found['undriven']} − {found['self_stress']})",
+    )
+    yield "smallest singular value", number(found["smallest_singular_value"], 3)
 
 
 def motion(record: Record) -> list[Markup]:
@@ -74,7 +91,7 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
         return []
     energy = found["energy"]
     rows = [
-        ("method", f"{found['method']}, equations by {found['solver']}"),
+        ("method", f"{WORDS.get(found['method'], found['method'])}; {SOLVERS.get(found['solver'], found['solver'])}"),
         ("steps", f"{found['steps']}, {found['rejected']} rejected, {found['evaluations']} evaluations"),
         (
             "energy",
@@ -101,26 +118,67 @@ def simulated(run: RunResult, record: Record) -> list[Markup]:
 
 def standing(run: RunResult) -> list[Markup]:
     """Displacements, energies and stability of a static analysis; what elastic members do along a motion."""
-    rows = list(statics_lines(run))
-    return [Table(("", ""), rows, statics_title(run)).html] if rows else []
+    record = statics_record(run)
+    if record is None:
+        return []
+    moved = {case: one for case, one in record["cases"].items() if "displacement" in one}
+    told = ("displacement,", "strain energy,") if moved else ()
+    rows = [row for row in statics_lines(run) if not row[0].startswith(told)]
+    lines = [Table(("", ""), rows, statics_title(run)).html] if rows else []
+    return [*lines, *([_displaced(run, moved)] if moved else [])]
+
+
+def _displaced(run: RunResult, cases: dict[str, Record]) -> Markup:
+    """The largest displacement of each load case, with its components."""
+    far = [one["displacement"] for one in cases.values()]
+    table = Columns().words("load case", [named(case) for case in cases]).words("node", [one["node"] for one in far])
+    axes = [f"along {axis}" for axis in "xyz"[: run.model.dim]]
+    sides = [[one["vector"][k] for one in far] for k in range(run.model.dim)]
+    table.together(["largest", *axes], [[one["size"] for one in far], *sides], "m")
+    if run.good > 1:
+        table.measured("at (s)", [one["time"] for one in far], "")
+    if all("strain_energy" in one for one in cases.values()):
+        table.measured("strain energy", [one["strain_energy"] for one in cases.values()], "J")
+    return table.html("Largest displacement of a node, with its components")
 
 
 def forces(record: Record) -> list[Markup]:
     """The envelope of every member, the supports, and drives that have no motor."""
     single = is_single(record)
-    parts = [(_single if single else _envelope)(case, entries) for case, entries in record["envelopes"].items()]
+    inner = set(record["inner"])
+    cases = {case: [one for one in found if one["member"] not in inner] for case, found in record["envelopes"].items()}
+    every = [one[key] for entries in cases.values() for one in entries for key in ("least", "largest")]
+    parts = list(_singles(cases)) if single else [_envelope(case, entries, every) for case, entries in cases.items()]
+    if inner:
+        words = f"Forces in the {len(inner)} bars that hold bodies and beams together are in the data of this page."
+        parts.append(element("p", words, class_="note"))
     return [*parts, *_reactions(record["reactions"], single), *_driven(record["drive_loads"])]
 
 
-def _single(case: str, entries: list[Record]) -> Markup:
-    """The forces of one position."""
-    shown = entries[:MOST]
-    forces = [one["largest"] for one in shown]
-    ends = (min(*forces, 0.0), max(*forces, 0.0)) if forces else (0.0, 0.0)
-    table = Columns().words("member", [one["member"] + ("" if one["unique"] else " †") for one in shown])
-    table.words("", [span_bar(min(force, 0.0), max(force, 0.0), *ends) for force in forces]).measured("force", forces, "N")
-    note = left_out(entries) + ("" if all(one["unique"] for one in entries) else UNSURE)
-    return table.html(f"Member forces, {named(case)}: mean axial force, tension positive", note)
+def _singles(cases: dict[str, list[Record]]) -> Iterator[Markup]:
+    """The forces of one position: load cases beside each other, the largest member of any first."""
+    names = list(cases)
+    for k in range(0, len(names), BESIDE):
+        yield _single({name: cases[name] for name in names[k : k + BESIDE]})
+
+
+def _single(cases: dict[str, list[Record]]) -> Markup:
+    by_case = {case: {one["member"]: one for one in entries} for case, entries in cases.items()}
+    first = next(iter(by_case.values()))
+    order = sorted(first, key=lambda name: -max(abs(one[name]["largest"]) for one in by_case.values()))
+    shown = order[:MOST]
+    unsure = {name for name in shown if not all(one[name]["unique"] for one in by_case.values())}
+    columns = [[one[name]["largest"] for name in shown] for one in by_case.values()]
+    worst = [max(values, key=abs) for values in zip(*columns, strict=True)]
+    ends = (min(*worst, 0.0), max(*worst, 0.0)) if worst else (0.0, 0.0)
+    table = Columns().words("member", [name + (" †" if name in unsure else "") for name in shown])
+    table.words("" if len(cases) == 1 else "largest", [span_bar(min(one, 0.0), max(one, 0.0), *ends) for one in worst])
+    table.together(["force"] if len(cases) == 1 else list(cases), columns, "N")
+    if len(cases) == 1:
+        table.words("", ["tension" if one > 0 else "compression" if one < 0 else "" for one in worst])
+    words = cased(next(iter(cases))) if len(cases) == 1 else f"load cases {', '.join(cases)}"
+    note = left_out(order) + (UNSURE if unsure else "")
+    return table.html(f"Member forces, {words}: mean axial force, tension positive", note)
 
 
 def _reactions(found: Sequence[Record], single: bool) -> list[Markup]:
@@ -150,7 +208,8 @@ def _driven(found: Sequence[Record]) -> list[Markup]:
     return [table.html("Drives without a motor: largest values of the motion, with their signs", left_out(found))]
 
 
-def _envelope(case: str, entries: list[Record]) -> Markup:
+def _envelope(case: str, entries: list[Record], every: list[float]) -> Markup:
+    """The envelope of a load case. every : forces of all of them, which share their unit."""
     least = min((one["least"] for one in entries), default=0.0)
     most = max((one["largest"] for one in entries), default=0.0)
     ends = (min(least, 0.0), max(most, 0.0))
@@ -159,7 +218,7 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
     table.words("envelope", [span_bar(one["least"], one["largest"], *ends) for one in shown])
     rest = any(one["at_rest"] is not None for one in shown)
     keys = {"least": "least", "largest": "largest"} | ({"at rest": "at_rest"} if rest else {})
-    table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N")
+    table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N", every)
     table.together(
         ["least at (s)", "largest at (s)"], [[one[key] for one in shown] for key in ("least_time", "largest_time")], ""
     )
@@ -167,7 +226,7 @@ def _envelope(case: str, entries: list[Record]) -> Markup:
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
         f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: in the pose of the larger one."
     ) + ("" if all(one["unique"] for one in entries) else f" {UNSURE}")
-    return table.html(f"Envelope of member forces, {named(case)}: mean axial force, tension positive", note)
+    return table.html(f"Envelope of member forces, {cased(case)}: mean axial force, tension positive", note)
 
 
 def checked(run: RunResult, record: Record) -> list[Markup]:

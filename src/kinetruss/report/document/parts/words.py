@@ -13,13 +13,16 @@ __all__ = [
     "MOST",
     "at",
     "bars_of",
+    "cased",
     "exceeds",
     "is_over",
     "is_single",
     "left_out",
     "margin_of",
     "named",
+    "percents",
     "share_of",
+    "used_of",
     "value_of",
 ]
 
@@ -33,6 +36,17 @@ ROUND_OFF = 1e-9
 def named(case: str) -> str:
     """A load case as text."""
     return "all loads" if case == "all" else case
+
+
+def cased(case: str) -> str:
+    """A load case within a sentence."""
+    return "all loads" if case == "all" else f"load case {case}"
+
+
+def percents(rows: Iterable[dict[str, Any]], key: str = "utilisation") -> list[str]:
+    """Utilisations of a column as percentages, all with one decimal."""
+    shares = [value_of(row[key]) for row in rows]
+    return ["-" if math.isnan(one) else "∞" if math.isinf(one) else f"{100 * one:.1f}" for one in shares]
 
 
 def is_single(record: Mapping[str, Any]) -> bool:
@@ -54,6 +68,11 @@ def share_of(value: Any) -> str:
     """A utilisation as text; an infinite one is above the buckling load."""
     share = value_of(value)
     return quantity(0.0 if abs(share) < ROUND_OFF else share, "%")
+
+
+def used_of(value: Any) -> str:
+    """A utilisation within a sentence."""
+    return "beyond its buckling load" if math.isinf(value_of(value)) else f"{share_of(value)} of what is allowed"
 
 
 def margin_of(row: dict[str, Any]) -> str:

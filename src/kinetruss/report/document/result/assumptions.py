@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, element
 from kinetruss.report.document.result.lines import few, unverified
+from kinetruss.report.document.result.warnings import checked_words, not_held
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -23,14 +24,19 @@ NEVER = (
 """Subjects that the checks do not contain."""
 
 
-def assumptions(run: RunResult, record: dict[str, Any]) -> list[Markup]:
-    """What was assumed, and what was not checked, headed by the strength that was not verified."""
-    found = [element("ul", [element("li", words) for words in _assumed(run)])]
+def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = True) -> list[Markup]:
+    """What was assumed, and what was not checked, headed by the strength that was not verified.
+
+    condition : with that of the run; a mission has several.
+    """
+    found = [element("ul", [element("li", words) for words in _assumed(run, condition=condition)])]
     left, count = unverified(record)
     if left:
         head = f"Strength not verified: {len(left)} of {count} parts."
         found.append(element("p", element("strong", head), class_="headline"))
-        rows = [(what, str(len(parts)), few(parts)) for what, parts in record["not_checked"].items()]
+        rows = [
+            (checked_words(what, demands=False), str(len(parts)), few(parts)) for what, parts in record["not_checked"].items()
+        ]
         found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
     elif not count:
         found.append(
@@ -42,7 +48,7 @@ def assumptions(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     return found
 
 
-def _assumed(run: RunResult) -> Iterator[str]:
+def _assumed(run: RunResult, *, condition: bool) -> Iterator[str]:
     model = run.model
     if run.forces:
         yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
@@ -52,6 +58,8 @@ def _assumed(run: RunResult) -> Iterator[str]:
         yield "Parts are straight and prismatic; strains are small; materials are linear up to their yield strength."
         yielding, buckling = model.safety.yielding, model.safety.buckling
         yield f"Safety factors: {yielding:g} on yielding, {buckling:g} on buckling; the moment factor of beam-columns is 1."
+        if min(yielding, buckling) <= 1:
+            yield "A safety factor of 1 leaves no reserve: 100 % is the limit of the material or of stability itself."
         if model.active:
             yield "An active member buckles as its weaker part, base or tube, over its whole length of that instant."
     if run.good > 1:
@@ -62,6 +70,6 @@ def _assumed(run: RunResult) -> Iterator[str]:
     if names:
         yield f"The forces of {few(list(dict.fromkeys(names)))} are not unique: they depend on stiffness or convention."
     if run.verdict is not None:
-        yield from run.verdict.data.attrs.get("not_held", [])
-    if run.told.condition is not None:
+        yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
+    if condition and run.told.condition is not None:
         yield f"Operating condition: {run.told.condition}."

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kinetruss.display import counted, instant, quantity
-from kinetruss.report.document.parts.words import is_over, is_single, named, share_of, value_of
+from kinetruss.report.document.parts.words import cased, is_over, is_single, used_of, value_of
 
 __all__ = ["governing_entry", "result_lines", "unverified"]
 
@@ -39,14 +39,15 @@ def _governing(record: Mapping[str, Any]) -> str:
         when = f"pose {worst['pose']}"
     elif worst["time"] is not None and not is_single(record):
         when = f"t = {instant(worst['time'])}"
-    case = named(worst["load_case"]) if worst["load_case"] else ""
+    case = ""
+    if worst["load_case"]:
+        case = f"pair {worst['load_case']}" if count.get("what") == "pairs" else cased(worst["load_case"])
     place = ", ".join(words for words in (when, case) if words)
     amounts = ""
     if worst["unit"]:
         value, limit = (quantity(value_of(worst[key]), worst["unit"]) for key in ("value", "limit"))
         amounts = f": {value} of {limit}"
-    used = f"{share_of(worst['utilisation'])} of what is allowed"
-    return f"{begin}Governing: {what}, {used}{amounts}{f' ({place})' if place else ''}."
+    return f"{begin}Governing: {what}, {used_of(worst['utilisation'])}{amounts}{f' ({place})' if place else ''}."
 
 
 def _largest(record: Mapping[str, Any]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, element, instant, number, quantity
-from kinetruss.report.document.parts.words import at, is_over, is_single, named, share_of
+from kinetruss.report.document.parts.words import at, cased, is_over, is_single, share_of
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -61,7 +61,7 @@ def _tiles(record: Record) -> Iterator[Markup]:
     held = [one for one in record["limits"] if one["utilisation"] is not None]
     for one in held[:1]:
         value = share_of(one["utilisation"])
-        words = f"{one['rule']} of {one['part']}, {named(one['load_case'])}"
+        words = f"{one['rule']} of {one['part']}, {cased(one['load_case'])}"
         yield _tile("Highest utilisation of a drive", value, words, is_over(one))
     for one in record["largest_forces"][:1]:
         words = f"{'tension' if one['force'] > 0 else 'compression'}, {one['member']}{_when(one, record)}"

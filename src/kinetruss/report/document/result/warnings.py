@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kinetruss.display import instant, number, quantity
-from kinetruss.report.document.parts.words import exceeds
+from kinetruss.report.document.parts.words import cased, exceeds
 from kinetruss.report.run_text.summary import checks
 from kinetruss.report.run_text.trains import exceeded
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-__all__ = ["warnings"]
+__all__ = ["checked_words", "not_held", "warnings"]
 
 POOR_BALANCE = 1e-6
 """Largest relative error of the energy balance without a warning; for computed motions it is near round-off."""
 NEAR_SINGULAR = 0.01
 MOST = 12
+UNCHECKED = re.compile(r"\s*Not checked without forces: [^.]* of the motors(?: \([a-z_.]+\))?\.")
+INNER = re.compile(r" \((?:[a-z_]+\.)+[a-z_]+\)")
+"""What a motion says of motors before its forces are known; the name of a function in brackets."""
 
 
 def warnings(run: RunResult) -> list[str]:
@@ -29,7 +33,22 @@ def warnings(run: RunResult) -> list[str]:
 
 def _ending(run: RunResult) -> Iterator[str]:
     if run.whole and run.message:  # the top of the report says it if a run is not complete
-        yield run.message
+        yield from [told] if (told := checked_words(run.message, bool(run.demand))) else []
+
+
+def checked_words(message: str, demands: bool) -> str:
+    """A message of a motion without names of functions; with demands, without that it did not check the motors: they are.
+
+    >>> checked_words("Not checked without forces: voltage of the motors (dynamics.limits_kept).", demands=False)
+    'Not checked without forces: voltage of the motors.'
+    """
+    text = UNCHECKED.sub("", message) if demands else message
+    return INNER.sub("", text).strip()
+
+
+def not_held(words: str) -> str:
+    """What the strength check leaves out, as a reader of a report needs it."""
+    return words.replace("Not held: ", "Not included in the strength check: ", 1)
 
 
 def _limits(run: RunResult) -> Iterator[str]:
@@ -40,12 +59,13 @@ def _limits(run: RunResult) -> Iterator[str]:
             if math.isfinite(row.utilisation)
             else "beyond its buckling load"
         )
-        yield f"{row.part}: {row.rule} is {share}, at t = {instant(row.time)}, load case {row.load_case}."
+        when = f" at t = {instant(row.time)}" if run.good > 1 else ""
+        yield f"{row.part}: {row.rule} is {share}{when} ({cased(row.load_case)})."
     if len(rows) > MOST:
         yield f"{len(rows) - MOST} more entries of the strength table are above 100 %."
     found = exceeded(run)
     for one in found[:MOST]:
-        yield f"{one['sentence']} (load case {one['load_case']})"
+        yield f"{one['sentence'].rstrip('.')} ({cased(one['load_case'])})."
     if len(found) > MOST:
         yield f"Limits of drives are exceeded in {len(found) - MOST} more intervals."
 
@@ -77,7 +97,7 @@ def _incomplete(run: RunResult) -> Iterator[str]:
     if run.good and run.forces and run.verdict is None:
         yield "Strength was not checked: utilisation is known only when a run has ended."
     if run.verdict is not None:
-        yield from run.verdict.data.attrs.get("not_held", [])
+        yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
         parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)
         if parts:
             names = ", ".join(list(parts)[:MOST]) + (f" and {len(parts) - MOST} more" if len(parts) > MOST else "")

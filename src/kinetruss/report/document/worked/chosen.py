@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kinetruss.report.document.worked.columns import beam_column_sheet, buckling_sheet
@@ -67,4 +68,4 @@ def member_sheet(run: RunResult, row: Row) -> Sheet | None:
 
 def demand_sheet(run: RunResult, row: Row, case: str) -> Sheet | None:
     """The calculation of an entry of a demand table."""
-    return drive_sheet(run.model, run.forces[case].motion, run.demand[case], row)
+    return drive_sheet(run.model, run.forces[case].motion, run.demand[case], replace(row, load_case=case))

@@ -39,7 +39,7 @@ def beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     squeezed = [one for part in _parts(model, row.part) for one in cuts(model, forces, part, float(push["position"]))]
     cut = max(squeezed, key=lambda one: -one.T)
     sheet.give("P", "largest compression along the member", -cut.T, "N", "section force of the run, minus the tension")
-    _critical(sheet, model, row.part, cut.length)
+    _critical(sheet, model, row.part, cut.length, bends=True)
     sheet.give("C_m", "moment factor", 1.0, "", "loads across a member with pinned ends")
     sheet.give("n_y", "safety factor on yielding", model.safety.yielding, "", "safety of the model")
     choices = [
@@ -84,17 +84,17 @@ def _known(model: Model, part: str) -> bool:
     return None not in made_of(model, part)
 
 
-def _critical(sheet: Sheet, model: Model, member: str, length: float) -> None:
-    """The critical load of a member: of the weaker of its parts that have a section."""
+def _critical(sheet: Sheet, model: Model, member: str, length: float, *, bends: bool = False) -> None:
+    """The critical load of a member: of the weaker of its parts that have a section. bends : section moduli are needed."""
     known = [part for part in _parts(model, member) if _known(model, part)]
     ends = model.members[member].buckling
-    sheet.give("l", "length of the member at this instant", length, "m", "pose of the run")
+    sheet.give("L", "length of the member at this instant", length, "m", "pose of the run")
     sheet.give("C", "end-condition constant", strength.end_condition(ends), "", f"ends: {ends}")
     sheet.give("n_b", "safety factor on buckling", model.safety.buckling, "", "safety of the model")
     loads = []
     for part in known:
         mark = _mark(model, member, part)
-        constants(sheet, model, part, mark)
+        constants(sheet, model, part, mark, bends=bends, axes="3" if bends and model.dim == 2 else "23")
         loads.append(_load(sheet, model, part, mark))
     if len(known) == 1:
         return
@@ -113,14 +113,14 @@ def _load(sheet: Sheet, model: Model, part: str, mark: str) -> str:
         I, euler = f"I{mark}", f"P_e{mark}"
     else:
         for axis in "23":
-            formula = f"C*pi**2*E{mark}*I_{axis}{mark}/l**2"
+            formula = f"C*pi**2*E{mark}*I_{axis}{mark}/L**2"
             sheet.step(f"P_e{axis}{mark}", f"Euler's load, bending about axis {axis}{of}", formula, "N", EULER)
         weak = "2" if section.second_moments[0] <= section.second_moments[1] else "3"
         I, euler = f"I_{weak}{mark}", f"P_e{weak}{mark}"
     sheet.step(f"r{mark}", f"radius of gyration{of}", f"sqrt({I}/A{mark})", "m")
-    slender = sheet.step(f"lambda{mark}", f"slenderness{of}", f"l/r{mark}", "")
+    slender = sheet.step(f"lambda{mark}", f"slenderness{of}", f"L/r{mark}", "")
     if section.round:
-        sheet.step(euler, f"Euler's load{of}", f"C*pi**2*E{mark}*{I}/l**2", "N", EULER)
+        sheet.step(euler, f"Euler's load{of}", f"C*pi**2*E{mark}*{I}/L**2", "N", EULER)
     load = f"P_cr{mark}"
     if f"S_y{mark}" in sheet.values:
         limit = sheet.step(

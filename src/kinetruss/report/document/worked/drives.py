@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators
-from kinetruss.actuators.demand import STANDSTILL, current_rate
+from kinetruss.actuators.demand import STANDSTILL, UNMOVED, current_rate
 from kinetruss.report.document.worked.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -18,9 +18,13 @@ if TYPE_CHECKING:
 __all__ = ["drive_sheet"]
 
 SCREW = "Shigley, Mechanical Engineering Design, power screws; Lacy (1991), eq. 2.36 to 2.38"
+LISTED = 121
+"""Number of samples up to which those of an integral are listed."""
 MOTOR = "Lacy (1991), eq. 2.40 and 4.78"
 ENGINE = "of the run at this instant"
 TRAIN = "drive train of the model"
+RAISED, LOWERED = "d/2*abs(F)*(t + f)/(1 - f*t)", "d/2*abs(F)*(f - t)/(1 + f*t)"
+"""Torque on a screw that raises, and that lowers its load."""
 RESULTS = {
     "speed": ("omega", "rad/s"),
     "torque": ("T_m", "N m"),
@@ -43,11 +47,10 @@ def drive_sheet(model: Model, motion: Motion, demand: Demand, row: Row) -> Sheet
     symbol, unit = RESULTS[row.rule]
     if row.rule.startswith("rms "):
         _rms(sheet, column, row.rule, symbol, unit)
+    elif row.rule == "break-away":
+        _from_rest(sheet, model, motion, column, column.sample(row.time), row.part)
     else:
-        k = column.sample(row.time)
-        _chain(sheet, model, motion, column, k, row.part)
-        if row.rule == "break-away":
-            _break_away(sheet, column, k)
+        _chain(sheet, model, motion, column, column.sample(row.time), row.part)
         if row.rule == "input":
             _input(sheet, model, row.part)
     limit = symbol.partition("_")[0] + "_max"
@@ -86,12 +89,7 @@ def _chain(sheet: Sheet, model: Model, motion: Motion, column: _Column, k: int, 
     train = actuators.train_of(model, name)
     linear = name in model.active
     moving, change = _rates(model, motion, column, k, name)
-    if linear:
-        load = _screw(sheet, train.screw, float(column.of("thrust")[k]), moving)
-    else:
-        load = sheet.give(
-            "T_a", "torque on the angle, positive when it turns it on", column.of("drive_torque")[k], "N m", ENGINE
-        )
+    load = _screw(sheet, train.screw, float(column.of("thrust")[k]), moving) if linear else _torque(sheet, column, k)
     rate = "v" if linear else "omega_a"
     unit = "m/s" if linear else "rad/s"
     lead = "/lead" if linear else ""
@@ -105,6 +103,8 @@ def _chain(sheet: Sheet, model: Model, motion: Motion, column: _Column, k: int, 
     sheet.give("J_m", "inertia of motor and gear at the motor", motor.inertia + gear.inertia, "kg m²", motor.source or TRAIN)
     sheet.give("T_f", "friction torque of the motor", motor.friction_torque, "N m", motor.source or TRAIN)
     sheet.step("T_m", "torque of the motor", "T_g + J_m*omega_dot + T_f*sign(omega)", "N m", MOTOR)
+    if linear and train.screw.static_friction is not None:
+        _break_away(sheet, train, _heading(moving, change, float(column.of("thrust")[k])))
     sheet.give("K_t", "torque constant", motor.torque_constant, "N m/A", motor.source or TRAIN)
     sheet.give("K_b", "back-emf constant", motor.emf_constant, "V s/rad", motor.source or TRAIN)
     sheet.give("R", "resistance of the winding", motor.resistance, "ohm", motor.source or TRAIN)
@@ -136,24 +136,32 @@ def _signs(model: Model, column: _Column, name: str) -> tuple[Any, Any]:
     return np.where(np.abs(rate) < STANDSTILL, 0.0, rate), column.of("thrust" if name in model.active else "drive_torque")
 
 
-def _screw(sheet: Sheet, screw: Any, thrust: float, moving: float) -> float:
-    """Torque on the screw; its efficiency where it raises its load."""
+def _torque(sheet: Sheet, column: _Column, k: int) -> float:
+    """Torque on a driven angle."""
+    return sheet.give("T_a", "torque on the angle, positive when it turns it on", column.of("drive_torque")[k], "N m", ENGINE)
+
+
+def _thread(sheet: Sheet, screw: Any, thrust: float) -> None:
+    """Thrust, and the data of the thread."""
     sheet.give("F", "thrust, positive pushing the ends apart", thrust, "N", "minus the tension of the member at this instant")
     sheet.give("lead", "lead of the screw", screw.lead, "m/rad", TRAIN)
     sheet.give("d", "mean diameter of the thread", screw.mean_diameter, "m", TRAIN)
-    sheet.give("mu", "friction coefficient", screw.friction, "", TRAIN)
     sheet.give("alpha", "half-angle of the thread", screw.flank, "rad", TRAIN)
     sheet.step("t", "slope of the thread", "2*lead/d", "", SCREW)
+
+
+def _screw(sheet: Sheet, screw: Any, thrust: float, moving: float) -> float:
+    """Torque on the screw; its efficiency where it raises its load."""
+    _thread(sheet, screw, thrust)
+    sheet.give("mu", "friction coefficient", screw.friction, "", TRAIN)
     sheet.step("f", "friction at its flank", "mu*sec(alpha)", "", SCREW)
-    raised = "d/2*abs(F)*(t + f)/(1 - f*t)"
-    lowered = "d/2*abs(F)*(f - t)/(1 + f*t)"
     if moving == 0:
-        held = "0*F" if screw.lead <= screw.mean_diameter / 2 * sheet.values["f"] * (1 + 1e-12) else f"-sign(F)*{lowered}"
+        held = "0*F" if screw.lead <= screw.mean_diameter / 2 * sheet.values["f"] * (1 + 1e-12) else f"-sign(F)*{LOWERED}"
         return sheet.step("T_s", "torque that holds the screw", held, "N m", SCREW)
     raises = thrust * moving >= 0
     sign = "" if moving > 0 else "-"
     words = "raises its load" if raises else "lowers its load"
-    found = sheet.step("T_s", f"torque on the screw, which {words}", sign + (raised if raises else lowered), "N m", SCREW)
+    found = sheet.step("T_s", f"torque on the screw, which {words}", sign + (RAISED if raises else LOWERED), "N m", SCREW)
     if raises and thrust:
         sheet.step("eta_s", "efficiency of the screw", "abs(F)*lead/abs(T_s)", "%", SCREW)
     return found
@@ -163,20 +171,54 @@ def _at_motor(sheet: Sheet, gear: Any, load: float, moving: float, behind: str, 
     """A torque behind the gear at the motor."""
     power = load * moving
     if power > 0:
-        sheet.give("eta", "efficiency of the gear, towards the load", gear.efficiency, "", TRAIN)
+        if "eta" not in sheet.values:
+            sheet.give("eta", "efficiency of the gear, towards the load", gear.efficiency, "", TRAIN)
         sheet.step(symbol, words, f"{behind}/(G*eta)", "N m", MOTOR)
     elif power < 0:
-        sheet.give("eta", "efficiency of the gear, back to the motor", gear.backwards, "", TRAIN)
-        sheet.step(symbol, words, f"{behind}*eta/G", "N m", MOTOR)
+        if "eta_b" not in sheet.values:
+            sheet.give("eta_b", "efficiency of the gear, back to the motor", gear.backwards, "", TRAIN)
+        sheet.step(symbol, words, f"{behind}*eta_b/G", "N m", MOTOR)
     else:
         holds = gear.self_locking
         sheet.step(symbol, f"{words}, held by the gear" if holds else words, f"{'0*' if holds else ''}{behind}/G", "N m", MOTOR)
 
 
-def _break_away(sheet: Sheet, column: _Column, k: int) -> None:
-    """The torque of the engine that starts the drive from rest, without steps."""
-    sheet.notes.append("The break-away torque repeats these steps with the static friction of the screw.")
-    sheet.give("T_0", "break-away torque at the motor", float(column.of("breakaway_torque")[k]), "N m", ENGINE)
+def _from_rest(sheet: Sheet, model: Model, motion: Motion, column: _Column, k: int, name: str) -> None:
+    """The torque at the motor that starts the drive from rest in the pose of a sample."""
+    train = actuators.train_of(model, name)
+    linear = name in model.active
+    heading = _heading(*_rates(model, motion, column, k, name), float(column.of("thrust" if linear else "drive_torque")[k]))
+    if linear:
+        _thread(sheet, train.screw, float(column.of("thrust")[k]))
+    else:
+        _torque(sheet, column, k)
+    sheet.give("G", "gear ratio", train.gear.ratio, "", TRAIN)
+    sheet.give("T_f", "friction torque of the motor", train.motor.friction_torque, "N m", train.motor.source or TRAIN)
+    _break_away(sheet, train, heading)
+
+
+def _heading(moving: float, change: float, load: float) -> float:
+    """Direction in which a drive starts: that of the motion, of the acceleration, or against the load."""
+    way = moving or (change if abs(change) >= UNMOVED else 0.0) or load
+    return -1.0 if way < 0 else 1.0
+
+
+def _break_away(sheet: Sheet, train: Any, heading: float) -> None:
+    """From thrust, or torque on the angle, to the torque at the motor that starts the drive from rest."""
+    behind, load = "T_a", sheet.values.get("T_a", 0.0)
+    if train.screw is not None:
+        at_rest = train.screw.static_friction
+        words = "friction coefficient at rest" + (", that of the running screw" if at_rest is None else "")
+        sheet.give("mu_0", words, train.screw.friction if at_rest is None else at_rest, "", TRAIN)
+        sheet.step("f_0", "friction at the flank, at rest", "mu_0*sec(alpha)", "", SCREW)
+        raises = sheet.values["F"] * heading >= 0
+        torque = RAISED.replace("f", "f_0") if raises else LOWERED.replace("f", "f_0")
+        sign, behind = "" if heading > 0 else "-", "T_s0"
+        words = f"torque that starts the screw, which {'raises' if raises else 'lowers'} its load"
+        load = sheet.step(behind, words, sign + torque, "N m", SCREW)
+    _at_motor(sheet, train.gear, load, heading, behind, "T_g0", "the same at the motor")
+    sign = "+" if heading > 0 else "-"
+    sheet.step("T_0", "break-away torque at the motor", f"T_g0 {sign} T_f", "N m", MOTOR)
 
 
 def _input(sheet: Sheet, model: Model, name: str) -> None:
@@ -194,4 +236,9 @@ def _rms(sheet: Sheet, column: _Column, rule: str, symbol: str, unit: str) -> No
     letter = "i" if rule == "rms current" else "T_m"
     sheet.give("Q", f"integral of {letter}² over the run, trapezoidal rule", total, f"{unit.replace(' ', '·')}² s", ENGINE)
     sheet.give("t_e", "duration of the run", span or 1.0, "s", ENGINE)
+    if len(values) <= LISTED:
+        sheet.samples = [
+            ("t", "s", list(column.time)),
+            (letter, unit, list(column.of("current" if letter == "i" else "motor_torque"))),
+        ]
     sheet.step(symbol, f"root mean square of {'the current' if letter == 'i' else 'the motor torque'}", "sqrt(Q/t_e)", unit)

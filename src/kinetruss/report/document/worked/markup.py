@@ -8,12 +8,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from kinetruss.display import Markup, Table, element, instant, quantity
-from kinetruss.report.document.parts.words import exceeds, named
+from kinetruss.report.document.frame import Columns
+from kinetruss.report.document.parts.words import cased, exceeds
 from kinetruss.report.document.worked.formulas import valued
 from kinetruss.report.document.worked.sheet import Sheet
 
 __all__ = ["shown", "worked_record"]
 
+BESIDE = 6
+"""Columns of samples beside each other."""
 RESULT = 5
 """Significant digits of a result."""
 
@@ -29,7 +32,7 @@ def shown(sheets: Sequence[Sheet]) -> list[Markup]:
     for k, sheet in enumerate(sheets, 1):
         name = element("h3", f"Calculation {k}. {sheet.title}")
         when = element("p", _where(sheet), class_="where")
-        found += [name, when, _given(sheet, sources), _steps(sheet, sources), *_notes(sheet), _outcome(sheet)]
+        found += [name, when, _given(sheet, sources), *_samples(sheet), _steps(sheet, sources), *_notes(sheet), _outcome(sheet)]
     return [*found, *sources.listed()]
 
 
@@ -63,6 +66,7 @@ def worked_record(sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
             "part": sheet.row.part,
             "rule": sheet.row.rule,
             "load_case": sheet.row.load_case,
+            "pair": sheet.pair,
             "given": [
                 {"symbol": one.symbol, "meaning": one.meaning, "value": one.value, "unit": one.unit} for one in sheet.given
             ],
@@ -82,15 +86,15 @@ def worked_record(sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
 def _where(sheet: Sheet) -> str:
     """Instant or pose, load case and place of an entry."""
     row = sheet.row
-    words = []
+    words = [f"pair {sheet.pair}"] if sheet.pair else []
     if row.pose:
         words.append(f"pose {row.pose}")
     elif math.isnan(row.time):
         words.append("over the whole run")
     elif sheet.timed:
         words.append(f"at t = {instant(row.time)}")
-    if row.load_case:
-        words.append(named(row.load_case))
+    if row.load_case and not sheet.pair:
+        words.append(cased(row.load_case))
     if not math.isnan(row.position):
         words.append(f"{quantity(row.position, 'm')} from end A of the member")
     text = ", ".join(words)
@@ -103,6 +107,23 @@ def _given(sheet: Sheet, sources: _Sources) -> Markup:
         for one in sheet.given
     ]
     return _worked(Table(("symbol", "what is given", "value", "from"), rows, f"{sheet.title}: what is given").html, "given")
+
+
+def _samples(sheet: Sheet) -> list[Markup]:
+    """The samples of an integral, in columns beside each other."""
+    if not sheet.samples:
+        return []
+    rows = -(-len(sheet.samples[0][2]) // BESIDE)
+    parts = []
+    for name, unit, values in sheet.samples:
+        pieces = [values[k : k + rows] for k in range(0, len(values), rows)]
+        full = [[*piece, *[None] * (rows - len(piece))] for piece in pieces]
+        parts.append(Columns().together([name] * len(full), full, unit))
+    table = Columns()
+    for k in range(len(parts[0].columns)):
+        for one in parts:
+            table.words(one.heads[k], one.columns[k])
+    return [table.html(f"{sheet.title}: the samples of the integral")]
 
 
 def _steps(sheet: Sheet, sources: _Sources) -> Markup:

@@ -14,10 +14,14 @@ if TYPE_CHECKING:
     from kinetruss.report.document.worked.sheet import Sheet
     from kinetruss.results import Forces, Row
 
-__all__ = ["Cut", "constants", "cuts", "largest_shear", "made_of", "only", "sample_of"]
+__all__ = ["Cut", "constants", "cuts", "largest_shear", "made_of", "only", "sample_of", "without_round_off"]
 
 BESIDE = 1e-12
 """Fraction of a part's length to either side of a section, for section forces that jump there."""
+
+ROUND_OFF, FAINT, TINY = 1e-11, 1e-9, 1e-3
+"""Share of the largest moment, and of the largest force, up to which a moment and a shear force are round-off: the square of
+a shear force adds to a stress. The axial force with an arm of a thousandth of the length counts as a moment there."""
 
 SCAN = 121
 """Stations of a scan along a part."""
@@ -72,16 +76,21 @@ def cuts(model: Model, forces: Forces, part: str, position: float) -> list[Cut]:
 def _cut(data: Any, part: str, length: float) -> Cut:
     V = {str(axis): float(value) for axis, value in zip(data["transverse"].values, data["section_V"].values, strict=True)}
     M = {str(axis): float(value) for axis, value in zip(data["moment"].values, data["section_M"].values, strict=True)}
-    return Cut(
-        part=part,
-        T=float(data["section_T"]),
-        V2=V.get("2", 0.0),
-        V3=V.get("3", 0.0),
-        M2=M.get("2", 0.0),
-        M3=M.get("3", 0.0),
-        torsion=float(data["torsion"]) if "torsion" in data else 0.0,
-        length=length,
-    )
+    T = float(data["section_T"])
+    V2, V3, _ = without_round_off(V.get("2", 0.0), V.get("3", 0.0), T, share=FAINT)
+    twist = float(data["torsion"]) if "torsion" in data else 0.0
+    M2, M3, torsion, _ = without_round_off(M.get("2", 0.0), M.get("3", 0.0), twist, TINY * T * length)
+    return Cut(part=part, T=T, V2=V2, V3=V3, M2=M2, M3=M3, torsion=torsion, length=length)
+
+
+def without_round_off(*values: float, share: float = ROUND_OFF) -> tuple[float, ...]:
+    """The values, 0 for those of at most a share of the largest one.
+
+    >>> without_round_off(22.9, -6.8e-11, 0.5)
+    (22.9, 0.0, 0.5)
+    """
+    largest = max(map(abs, values))
+    return tuple(0.0 if abs(value) <= share * largest else value for value in values)
 
 
 def largest_shear(model: Model, forces: Forces, part: str) -> float:
@@ -112,26 +121,31 @@ def made_of(model: Model, part: str) -> tuple[Any, Any]:
     return model.section_of(own), model.material_of(own)
 
 
-def constants(sheet: Sheet, model: Model, part: str, mark: str = "") -> None:
-    """Enter the constants of a part's section and material that its record has; mark : suffix of the symbols."""
+def constants(
+    sheet: Sheet, model: Model, part: str, mark: str = "", *, bends: bool = True, stretches: bool = True, axes: str = "23"
+) -> None:
+    """Enter the constants of a part's section and material that its record has.
+
+    mark : suffix of the symbols. bends : with the section moduli, of the axes about which it bends. stretches : with E.
+    """
     section, material = made_of(model, part)
     of = f" of {part}" if mark else ""
     if section is not None:
         words = _dimensions(section)
         (I2, I3), (c2, c3) = section.second_moments, section.extreme_fibres
         sheet.give(f"A{mark}", f"area{of}", section.area, "m^2", words)
-        if section.round:
-            sheet.give(f"I{mark}", f"second moment of area{of}", I2, "m^4", words)
-            sheet.give(f"c{mark}", f"extreme fibre{of}", c2, "m", words)
-            sheet.step(f"W{mark}", f"section modulus{of}", f"I{mark}/c{mark}", "m^3")
-        else:
-            for axis, I, c in (("2", I2, c3), ("3", I3, c2)):
-                sheet.give(f"I_{axis}{mark}", f"second moment of area about axis {axis}{of}", I, "m^4", words)
-                sheet.give(f"c_{axis}{mark}", f"extreme fibre for bending about axis {axis}{of}", c, "m", words)
-                sheet.step(f"W_{axis}{mark}", f"section modulus about axis {axis}{of}", f"I_{axis}{mark}/c_{axis}{mark}", "m^3")
+        for axis, I, c in (("", I2, c2),) if section.round else (("_2", I2, c3), ("_3", I3, c2)):
+            about = f" about axis {axis[1:]}" if axis else ""
+            modulus = bends and (not axis or axis[1:] in axes)
+            if modulus or stretches:
+                sheet.give(f"I{axis}{mark}", f"second moment of area{about}{of}", I, "m^4", words)
+            if modulus:
+                sheet.give(f"c{axis}{mark}", f"extreme fibre{' for bending' if axis else ''}{about}{of}", c, "m", words)
+                sheet.step(f"W{axis}{mark}", f"section modulus{about}{of}", f"I{axis}{mark}/c{axis}{mark}", "m^3")
     if material is not None:
         source = material.source or "material of the model"
-        sheet.give(f"E{mark}", f"modulus of elasticity{of}", material.E, "Pa", source)
+        if stretches:
+            sheet.give(f"E{mark}", f"modulus of elasticity{of}", material.E, "Pa", source)
         if material.yield_strength is not None:
             sheet.give(f"S_y{mark}", f"yield strength{of}", material.yield_strength, "Pa", source)
 

@@ -46,7 +46,8 @@ class Sheet:
     """A worked calculation of one entry of a verdict or a demand.
 
     row : the entry. result, allowed : symbols of demand and capacity. `values` and `units` hold every symbol.
-    timed : the entry belongs to an instant of a run over time.
+    timed : the entry belongs to an instant of a run over time. pair : label of its pair, in a mission.
+    samples : symbol, unit and values of the histories of which an integral is taken.
     """
 
     title: str
@@ -59,6 +60,8 @@ class Sheet:
     result: str = ""
     allowed: str = ""
     timed: bool = True
+    pair: str = ""
+    samples: list[tuple[str, str, list[float]]] = field(default_factory=list)
 
     def give(self, symbol: str, meaning: str, value: float, unit: str, source: str = "") -> float:
         """Enter a quantity."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import strength
-from kinetruss.report.document.worked.place import Cut, constants, cuts, largest_shear, made_of
+from kinetruss.report.document.worked.place import Cut, constants, cuts, largest_shear, made_of, without_round_off
 from kinetruss.report.document.worked.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ MECHANICS = "Timoshenko and Gere, Mechanics of Materials"
 MISES = "von Mises: √(σ² + 3 τ²)"
 POINTS = 721
 PASSES = 40
+WORST = "where the equivalent stress is largest"
 LEVEL = 1e-6
 """Angle, rad, below which the worst point is that of the most bending: the stress differs by less than round-off."""
 
@@ -34,7 +35,7 @@ LEVEL = 1e-6
 def yield_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     """Yielding of a bar or rod; forces : of the entry's sample."""
     sheet = Sheet(title=f"{row.part}: yield", row=row)
-    constants(sheet, model, row.part)
+    constants(sheet, model, row.part, stretches=False, axes="23" if model.dim == 3 else "3")
     section, _ = made_of(model, row.part)
     there = cuts(model, forces, row.part, row.position)
     found = [_stress(model, row.part, cut) for cut in there]
@@ -108,7 +109,7 @@ def _round(sheet: Sheet, cut: Cut, factor: float) -> None:
     )
     if abs(psi) < LEVEL:
         psi = 0.0
-    sheet.give("psi", "angle from the point of most bending to the worst point", psi, "rad", "largest σ_v on the circumference")
+    sheet.give("psi", "angle from the point of most bending to the worst point", psi, "rad", WORST)
     sheet.step("sigma", "normal stress there", "abs(sigma_a) + sigma_b*cos(psi)", "Pa", MECHANICS)
     sheet.step("tau", "shear stress there", "tau_p*sin(psi) + tau_q*cos(psi)", "Pa", MECHANICS)
     sheet.step("sigma_v", "equivalent stress", "sqrt(sigma**2 + 3*tau**2)", "Pa", MISES)
@@ -128,9 +129,9 @@ def _box(sheet: Sheet) -> None:
             y = _highest(lambda x, z=z: equivalent(x, z), 0.0, 1.0)  # type: ignore[misc]
             z = _highest(lambda x, y=y: equivalent(y, x), 0.0, 1.0)  # type: ignore[misc]
         best = max(best, (float(equivalent(y, z)), y, z))
-    sheet.give("y", "place of the worst point along axis 2, of the half side", best[1], "", "largest σ_v in the section")
+    sheet.give("y", "place of the worst point along axis 2, of the half side", best[1], "", WORST)
     if sheet.values.get("M_2") is not None:
-        sheet.give("z", "the same along axis 3", best[2], "", "largest σ_v in the section")
+        sheet.give("z", "the same along axis 3", best[2], "", WORST)
         sheet.step("sigma", "normal stress there", "abs(sigma_a) + sigma_b3*y + sigma_b2*z", "Pa", MECHANICS)
         sheet.step("tau", "shear stress there", "sqrt((tau_2*(1 - y**2))**2 + (tau_3*(1 - z**2))**2)", "Pa", MECHANICS)
     else:
@@ -173,12 +174,14 @@ def _highest(function: Callable[[Array], Array], low: float, high: float) -> flo
 def beam_yield_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     """Yielding of an elastic beam: all shear at the point of the largest normal stress, a bound."""
     sheet = Sheet(title=f"{row.part}: yield", row=row)
-    constants(sheet, model, row.part)
+    constants(sheet, model, row.part, stretches=False, axes="23" if model.dim == 3 else "3")
     section, _ = made_of(model, row.part)
     found = strength.beams(model, forces, stations=[row.station]).sel(beam=row.part).isel(station=0, time=0)
     where = "section force of the run"
     V = float(np.linalg.norm(np.atleast_1d(found["section_V"].values)))
-    moment = {str(axis): float(value) for axis, value in zip(found["moment"].values, found["section_M"].values, strict=True)}
+    twist = float(found["torsion"]) if "torsion" in found else 0.0
+    *bending, twist = without_round_off(*map(float, found["section_M"].values), twist)
+    moment = dict(zip(map(str, found["moment"].values), bending, strict=True))
     sheet.give("T", "axial force, tension positive", float(found["section_T"]), "N", where)
     sheet.give("V", "shear force, resultant", V, "N", where)
     sheet.give("k", "largest over mean shear stress", section.shear_factor, "", "shape of the section")
@@ -195,7 +198,7 @@ def beam_yield_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     sheet.step("sigma", "largest normal stress", normal, "Pa", MECHANICS)
     shear = "k*V/A"
     if "torsion" in found:
-        sheet.give("T_t", "torque about the beam's axis", float(found["torsion"]), "N m", where)
+        sheet.give("T_t", "torque about the beam's axis", twist, "N m", where)
         sheet.give("J", "torsion constant", float(section.torsion_constant or math.nan), "m^4", "shape of the section")
         sheet.give("r_t", "arm of the largest shear stress of torsion", float(section.torsion_arm or math.nan), "m", "shape")
         shear += " + abs(T_t)*r_t/J"
