@@ -1,4 +1,5 @@
-"""Rank and null spaces of Jacobians: by singular values for small matrices, by inverse iteration for large ones.
+"""Rank and null spaces of Jacobians: by elimination where it leaves no doubt, else by singular values for small matrices and
+by inverse iteration for large ones.
 
 For large J, all right singular vectors of small singular values are found by subspace iteration with the sparse factors of
 J^T J + s I (Golub & Van Loan, Matrix Computations, 2013, section 8.2), and the singular values of J on this space decide
@@ -16,12 +17,14 @@ from scipy.sparse.csgraph import structural_rank
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics import RANK_TOLERANCE
+from kinetruss.mechanics.constraints.elimination import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
+
+    from kinetruss.mechanics.constraints.elimination import Elimination
 
 __all__ = ["Spaces", "outside", "tidy"]
 
@@ -60,12 +63,15 @@ class Spaces:
     """Rank of a sparse matrix J (rows, columns) and bases of its null spaces.
 
     near : decides whether a change of coordinates with a small effect counts as a null vector; None: it does.
+    sure : the elimination of J, if there is one that leaves no doubt of the rank.
     """
 
-    def __init__(self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None) -> None:
+    def __init__(
+        self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None, sure: Elimination | None = None
+    ) -> None:
         J = csr_array(J)
         J.eliminate_zeros()
-        self.shape, self.near = J.shape, near
+        self.shape, self.near, self.sure = J.shape, near, sure
         self._rows, self._columns = (np.unique(places) for places in J.nonzero())
         small = max(J.shape) <= DENSE
         self._J = J if small else csr_array(J[self._rows][:, self._columns])
@@ -79,6 +85,8 @@ class Spaces:
     @cached_property
     def rank(self) -> int:
         """Number of singular values above RANK_TOLERANCE of the largest; for large structures see `near`."""
+        if self.sure is not None:
+            return self.sure.rank
         if self._small:
             if _surely_full(self._J.toarray()):
                 return int(min(self.shape))
@@ -146,6 +154,8 @@ class Spaces:
             raise InputError(f"{count} vectors of {size} numbers are too many to list. Look at a part of the model.")
         if not count:
             return np.zeros((size, 0))
+        if self.sure is not None:
+            return tidy((self.sure.free if side else self.sure.self_stress).T)
         if self._svd is not None:
             U, _, Vt = self._svd
             return tidy((Vt.T if side else U)[:, self.rank :])

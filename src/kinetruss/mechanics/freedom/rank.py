@@ -11,7 +11,16 @@ import numpy as np
 from kinetruss.display import counted
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
-from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_directions, row_ends
+from kinetruss.mechanics import (
+    RANK_TOLERANCE,
+    System,
+    compile,
+    constraint_jacobian,
+    eliminated,
+    ends_of,
+    row_directions,
+    row_ends,
+)
 from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.constraints.moves import moves_text, self_stress_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
@@ -146,9 +155,13 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
 def mobility_at(system: System, x: NDArray[np.float64]) -> Mobility:
     """`mobility` of a compiled system at positions x (n, 3)."""
     J = constraint_jacobian(system, x)[:, system.free]
-    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change))
+    sure = eliminated(system, x)
+    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change), sure)
     own = system.row_drive < 0
-    rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
+    if sure is not None:
+        rank = sure.first
+    else:
+        rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
     rows, columns = J.shape
     dim = system.dim
     idle = (dim - 1) * sum(node.scalar for node in system.model.nodes.values())
