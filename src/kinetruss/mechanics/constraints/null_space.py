@@ -293,14 +293,14 @@ def _tidied(basis: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
         return basis, np.zeros(0, np.int64)
     left = np.linalg.qr(basis)[0]
     reach = np.sum(left**2, axis=1)
-    pivots = []
-    for _ in range(left.shape[1]):
+    pivots, ways = [], np.zeros((left.shape[1], left.shape[1]))
+    for k, way in enumerate(ways):
         row = int(np.argmax(reach >= (1 - TIE) * reach.max()))
         pivots.append(row)
-        across = left[row] / np.linalg.norm(left[row])
-        along = left @ across
-        left -= np.outer(along, across)
-        reach -= along**2
+        # Gram-Schmidt: what is left of the row beside those chosen before
+        way[:] = left[row] - ways[:k].T @ (ways[:k] @ left[row])
+        way /= np.linalg.norm(way)
+        reach -= (left @ way) ** 2
     pivots.sort()
     places = np.array(pivots, np.int64)
     found = np.linalg.solve(basis[places].T, basis.T).T
