@@ -7,6 +7,8 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 import kinetruss as kt
+from kinetruss.kinematics.limited.holding import holding, holding_rates
+from kinetruss.mechanics import compile
 
 TOP = ("B2.N7", "B2.N9", "B2.N8")
 LIMITS = ("1.0 m", "1.35 m")
@@ -104,3 +106,22 @@ def test_drives_without_limits_that_would_run_off_are_named():
     assert q.values.min() >= 1.0 - 1e-9
     assert q.values.max() <= 1.35 + 1e-9
     assert np.ptp(q.sel(drive="B2.M9").values) < 1e-14
+
+
+def test_derivatives_of_holding_forces_are_differences_of_them():
+    system = compile(mast(gravity=(1.0, 2.0, -9.81)))
+    at, rates = holding(system), holding_rates(system)
+    rng, q = np.random.default_rng(0), system.drive_start
+    q = q * (1.0 + 0.03 * rng.standard_normal(len(q)))
+
+    def forces(values):
+        return at(kt.kinematics.assemble(system.model, dict(zip(system.drives, values.tolist(), strict=True))).reshape(1, -1))[
+            0
+        ]
+
+    x = kt.kinematics.assemble(system.model, dict(zip(system.drives, q.tolist(), strict=True)))
+    F, change = rates(x.reshape(-1))
+    assert pytest.approx(forces(q), rel=1e-12) == F
+    step = 1e-5
+    differences = np.stack([(forces(q + step * e) - forces(q - step * e)) / (2 * step) for e in np.eye(len(q))], axis=1)
+    np.testing.assert_allclose(change, differences, atol=1e-9 * np.abs(change).max())

@@ -3,7 +3,7 @@
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.mechanics.beams import BeamElements
 from kinetruss.mechanics.kept import kept
-from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, plan_of, rearrange
+from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, eliminated, plan_of, rearrange
 from kinetruss.mechanics.structure.blocks import block_triangular
 from kinetruss.mechanics.structure.constraint_gradients import (
     constraint_curvature,
@@ -49,6 +49,7 @@ __all__ = [
     "coordinate_derivatives",
     "direction_rates",
     "element_points",
+    "eliminated",
     "ends_of",
     "flats_of",
     "gradients",

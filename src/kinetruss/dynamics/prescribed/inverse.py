@@ -178,22 +178,29 @@ def _pieces(
     for i in range(count):
         if pieces and _least(jacobian(system, x[i].reshape(-1, 3), values[i])[kept]) >= 0.1 * best:
             continue
-        found, kept, best = _chosen(system, x[i].tobytes(), values[i].tobytes())
+        found = _chosen(system, x[i].tobytes(), values[i].tobytes())
         pieces.append((i, found))
+        if i + 1 < count:
+            kept, best = _conditioned(system, x[i].tobytes(), values[i].tobytes())
     ends = [*(i for i, _ in pieces[1:]), count]
     return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
 
 
 @kept(16)
-def _chosen(system: System, x: bytes, values: bytes) -> tuple[Arrangement, NDArray[np.int64], float]:
-    """Arrangement at one sample, its independent constraints and their smallest singular value; equal for all load cases."""
+def _chosen(system: System, x: bytes, values: bytes) -> Arrangement:
+    """Arrangement at one sample; equal for all load cases."""
     place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
     start = np.array_equal(place, system.x0) and np.array_equal(drives, system.drive_start)
     found = arrange(system) if start else rearrange(system, place, drives)
-    found = found if found.plan is not None else arrange(system)
-    J = jacobian(system, place, drives)
-    kept = np.setdiff1d(np.arange(len(J)), found.redundant)
-    return found, kept, _least(J[kept])
+    return found if found.plan is not None else arrange(system)
+
+
+@kept(16)
+def _conditioned(system: System, x: bytes, values: bytes) -> tuple[NDArray[np.int64], float]:
+    """The independent constraints at one sample, and their smallest singular value."""
+    J = jacobian(system, np.frombuffer(x).reshape(-1, 3), np.frombuffer(values))
+    kept = np.setdiff1d(np.arange(len(J)), _chosen(system, x, values).redundant)
+    return kept, _least(J[kept])
 
 
 def _least(J: NDArray[np.float64]) -> float:

@@ -16,7 +16,7 @@ import numpy as np
 from kinetruss.kernels.motion.profiles import spline
 from kinetruss.kernels.tasks import track as warm
 from kinetruss.kernels.tasks.sweeps import Drives
-from kinetruss.kinematics.limited.quadratic import least
+from kinetruss.kinematics.limited.quadratic import Rows, least
 from kinetruss.kinematics.limited.uses import Limits, motion_uses
 
 if TYPE_CHECKING:
@@ -181,29 +181,31 @@ def _change(
     own: _Task, course: _Course, basis: tuple[NDArray[np.float64], ...], inset: float
 ) -> list[NDArray[np.float64]] | None:
     """Change of drives, rates and accelerations (times, d) of least objective within the limits, to first order."""
-    given, n, d = own.given, *course.drive[0].shape
+    given, d = own.given, course.drive[0].shape[1]
     k = basis[0].shape[1]
     P, Pd, Pdd = _projectors(own, course)
     B, Bd, Bdd = basis
-    at = np.arange(0, n, EVERY)
+    at = np.arange(0, len(own.t), EVERY)
+    first, near = _near(basis, at)
 
     def rows(*terms: tuple[Any, Any]) -> NDArray[np.float64]:
-        # sum of P_i b_ik over the terms, at the instants of the problem
-        found = [np.einsum("iab,ik->iakb", p[at], b[at]) for p, b in terms]
-        return np.asarray(np.sum(found, axis=0).reshape(len(at), d, k * d))
+        # sum of P_i b_ik over the terms, at the instants of the problem, of the splines that are not zero there
+        found = [np.einsum("iab,ik->iakb", p[at], b) for p, b in terms]
+        return np.asarray(np.sum(found, axis=0).reshape(len(at), d, -1))
 
-    maps = rows((P, B)), rows((P, Bd), (Pd, B)), rows((P, Bdd), (2.0 * Pd, Bd), (Pdd, B))
+    maps = rows((P, near[0])), rows((P, near[1]), (Pd, near[0])), rows((P, near[2]), (2.0 * Pd, near[1]), (Pdd, near[0]))
     w, scale = given.drives.weight, given.scale
-    unit = float(np.mean(w)) * len(at)
-    H, g, weight = np.zeros((k * d, k * d)), np.zeros(k * d), np.tile(w, len(at)) / unit
-    for share, rows_of, off in ((1.0, maps[0], course.drive[0] - own.goal), (own.smooth, maps[2], course.drive[2] - own.bend)):
-        flat = rows_of.reshape(len(at) * d, k * d)
-        H += share * flat.T @ (weight[:, None] * flat)
-        g += share * flat.T @ (weight * off[at].reshape(-1)) / scale
+    H, g = np.zeros((k * d, k * d)), np.zeros(k * d)
+    weight = np.tile(w / (float(np.mean(w)) * len(at)), len(at))
+    for share, part, off in ((1.0, maps[0], course.drive[0] - own.goal), (own.smooth, maps[2], course.drive[2] - own.bend)):
+        drawn = _grouped(part, d * first, k * d)
+        H += share * drawn.normal(weight)
+        g += share * drawn.transposed(weight * off[at].reshape(-1)) / scale
+    H = np.triu(H) + np.triu(H, 1).T
     # motions that the task sees have no effect; damping makes them none and does not change where the rounds end
     H += DAMPING * float(np.abs(np.diag(H)).max()) * np.eye(k * d)
-    G, h = _limit_rows(own, course, maps, at, inset)
-    c = _within(H, g, G, h)
+    G, *rooms = _limit_rows(own, course, maps, at, inset)
+    c = _within(H, g, *_limited(_grouped(G, d * first, k * d), rooms))
     if c is None:
         return None
     r = (scale * c).reshape(k, d)
@@ -214,37 +216,70 @@ def _change(
     return [applied((P, B)), applied((P, Bd), (Pd, B)), applied((P, Bdd), (2.0 * Pd, Bd), (Pdd, B))]
 
 
+def _near(basis: tuple[NDArray[np.float64], ...], at: NDArray[np.int64]) -> tuple[NDArray[np.int64], list[NDArray[np.float64]]]:
+    """The first of the four splines (instants,) that are not zero at an instant, and these with their derivatives."""
+    found = [one[at] for one in basis]
+    count = found[0].shape[1]
+    wide = min(4, count)
+    first = np.minimum(np.argmax(np.any(np.array(found) != 0.0, axis=0), axis=1), count - wide)
+    places = first[:, None] + np.arange(wide)
+    return first, [np.take_along_axis(one, places, axis=1) for one in found]
+
+
+def _grouped(blocks: NDArray[np.float64], first: NDArray[np.int64], size: int) -> Rows:
+    """Rows (instants, m, b) of unknowns (size,), each of `first` (instants,) and those behind it."""
+    starts = np.flatnonzero(np.diff(first, prepend=-1))
+    n, m, b = blocks.shape
+    return Rows(
+        blocks=[one.reshape(-1, b) for one in np.split(blocks, starts[1:])],
+        first=first[starts].tolist(),
+        pick=np.arange(n * m),
+        sign=np.ones(n * m),
+        size=size,
+    )
+
+
+def _limited(rows: Rows, rooms: list[NDArray[np.float64]]) -> tuple[Rows, NDArray[np.float64]]:
+    """Rows y <= rooms[0] and -y <= rooms[1], those without a limit left out, and their limits."""
+    pick = [np.flatnonzero(np.isfinite(one)) for one in rooms]
+    sign = np.repeat([1.0, -1.0], [len(one) for one in pick])
+    most = np.concatenate([one.reshape(-1)[some] for one, some in zip(rooms, pick, strict=True)])
+    return replace(rows, pick=np.concatenate(pick), sign=sign), most
+
+
 def _limit_rows(
     own: _Task, course: _Course, maps: Any, at: NDArray[np.int64], inset: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """G c <= h of all limits, in units of each, drives in units of the shortest bar."""
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Blocks (instants, m, b) of rows G, and the largest values (instants, m) of G c and of -G c, infinite without a limit.
+
+    In units of each limit, drives in units of the shortest bar.
+    """
     scale, drives = own.given.scale, own.given.drives
-    G, h = [], []
-    for k, most in ((1, own.limits.rate), (2, own.limits.acceleration)):
-        for d in np.flatnonzero(np.isfinite(most)):
-            row, now = maps[k][:, d] * scale / most[d], course.drive[k][at, d] / most[d]
-            G += [row, -row]
-            h += [1.0 - inset - now, 1.0 - inset + now]
-    for sign, bound in ((1.0, drives.upper), (-1.0, drives.lower)):
-        for d in np.flatnonzero(np.isfinite(bound)):
-            room = sign * (bound[d] - course.drive[0][at, d]) / scale
-            G.append(sign * maps[0][:, d])
-            h.append(room - min(EDGE, max(0.0, float(room[0]))))
-    return np.concatenate(G), np.concatenate(h)
+    G, most, least_room = [], [], []
+    for k, limit in ((1, own.limits.rate), (2, own.limits.acceleration)):
+        some = np.isfinite(limit)
+        now = course.drive[k][np.ix_(at, some)] / limit[some]
+        G.append(maps[k][:, some] * (scale / limit[some])[:, None])
+        most.append(1.0 - inset - now)
+        least_room.append(1.0 - inset + now)
+    G.append(maps[0])
+    for sign, bound, found in ((1.0, drives.upper, most), (-1.0, drives.lower, least_room)):
+        room = sign * (bound - course.drive[0][at]) / scale
+        found.append(room - np.clip(room[0], 0.0, EDGE))
+    return np.concatenate(G, axis=1), np.concatenate(most, axis=1), np.concatenate(least_room, axis=1)
 
 
-def _within(H: Any, g: Any, G: Any, h: Any) -> NDArray[np.float64] | None:
+def _within(H: Any, g: Any, rows: Rows, h: Any) -> NDArray[np.float64] | None:
     """The least of the quadratic function with G c <= h, or with the least common excess u of all rows."""
     n = len(g)
     # least u >= 0 with G c - u <= h; a small multiple of H makes c unique
     wider = np.zeros((n + 1, n + 1))
     wider[:n, :n], wider[n, n] = 1e-6 * H + 1e-12 * np.eye(n), 1e-9
-    rows = np.hstack([np.vstack([G, np.zeros(n)]), -np.ones((len(G) + 1, 1))])
-    first = least(wider, np.append(np.zeros(n), 1.0), rows, np.append(h, 0.0))[0][:n]
+    first = least(wider, np.append(np.zeros(n), 1.0), replace(rows, eased=True), np.append(h, 0.0))[0][:n]
     if not np.isfinite(first).all():
         return None
-    excess = max(0.0, float((G @ first - h).max()))
-    found, good = least(H, g, G, h + excess + 0.1 * EDGE)
+    excess = max(0.0, float((rows.apply(first) - h).max()))
+    found, good = least(H, g, rows, h + excess + 0.1 * EDGE)
     return found if good else first
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.motion.profiles import spline
-from kinetruss.kinematics.limited.holding import holding
+from kinetruss.kinematics.limited.holding import holding, holding_rates
 from kinetruss.kinematics.targets.solve import MET, Problem, State, drive_path
 
 if TYPE_CHECKING:
@@ -81,10 +81,11 @@ def best_state(given: Problem, parameters: NDArray[np.float64], state: State, ob
     ------
     InputError : it still falls where a drive without limits is farthest from its own value (`ROOM`), so it has no minimum.
     """
-    cost, box = _costs(given, objective, parameters), FAR
+    costs, box = _costs(given, objective, parameters), FAR
+    cost = costs[0]
     value = cost([state])[0]
     for _ in range(STEPS):
-        found = _stepped(given, parameters, state, cost, box)
+        found = _stepped(given, parameters, state, costs, box)
         lower = value if found is None else cost([found])[0]
         if found is None or not lower < value:
             box *= 0.25
@@ -99,12 +100,13 @@ def best_state(given: Problem, parameters: NDArray[np.float64], state: State, ob
     return state
 
 
-def _stepped(given: Problem, parameters: NDArray[np.float64], start: State, cost: Any, box: float) -> State | None:
+def _stepped(given: Problem, parameters: NDArray[np.float64], start: State, costs: Any, box: float) -> State | None:
     """Drives of least objective that meet the tasks, no farther from given ones than a box; None where none is found."""
     from scipy.optimize import minimize
 
     free, scale = np.flatnonzero(given.drives.held != 3), given.scale
     units, last = given.units[free], [start]
+    cost, exact = costs
 
     def at(u: NDArray[np.float64]) -> State:
         q = start.q.copy()
@@ -115,6 +117,8 @@ def _stepped(given: Problem, parameters: NDArray[np.float64], start: State, cost
 
     def slope(u: NDArray[np.float64]) -> NDArray[np.float64]:
         here, shifts = at(u), np.vstack([np.diag(units), -np.diag(units)]) * STEP
+        if exact is not None:
+            return np.asarray(units * exact(here)[free])
         pairs = np.tile(here.q, (len(shifts), 1))
         pairs[:, free] += shifts
         values = cost([_moved(given, here, q, parameters) for q in pairs])
@@ -176,7 +180,7 @@ def _moved(given: Problem, near: State, q: NDArray[np.float64], parameters: NDAr
 
 
 def _costs(given: Problem, objective: str, parameters: NDArray[np.float64]) -> Any:
-    """The objective (k,) as a function of k states; of order one at the start."""
+    """The objective (k,) as a function of k states, of order one at the start; and its derivatives (d,) at a state, or None."""
     system, weight = given.system, given.drives.weight
     free = given.drives.held != 3
     if objective == "conditioning":
@@ -186,8 +190,8 @@ def _costs(given: Problem, objective: str, parameters: NDArray[np.float64]) -> A
             A = [given.linear(one, parameters)[1][:, free] / np.sqrt(weight[free]) for one in states]
             return np.asarray(-np.log(np.maximum(np.linalg.svd(np.stack(A), compute_uv=False), 1e-300)).sum(axis=1))
 
-        return shape
-    forces = holding(system)
+        return shape, None
+    forces, rates = holding(system), holding_rates(system)
 
     def effort(states: list[State]) -> NDArray[np.float64]:
         F = forces(np.stack([one.x for one in states]))
@@ -196,4 +200,10 @@ def _costs(given: Problem, objective: str, parameters: NDArray[np.float64]) -> A
     unit = float(effort([given.begin])[0])
     if not unit > 0:
         raise InputError("No forces act on the drives, so there is no effort to keep small. Give gravity or loads.")
-    return lambda states: effort(states) / unit
+
+    def slope(state: State) -> NDArray[np.float64]:
+        # d(sum of w F^2)/dq_j = 2 sum of w F_i dF_i/dq_j
+        F, change = rates(state.x) if rates is not None else (np.zeros(0), np.zeros((0, 0)))
+        return np.asarray(2.0 * (weight * F * free) @ change) / unit
+
+    return lambda states: effort(states) / unit, slope if rates is not None else None

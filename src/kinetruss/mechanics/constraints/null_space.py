@@ -1,4 +1,5 @@
-"""Rank and null spaces of Jacobians: by singular values for small matrices, by inverse iteration for large ones.
+"""Rank and null spaces of Jacobians: by elimination where it leaves no doubt, else by singular values for small matrices and
+by inverse iteration for large ones.
 
 For large J, all right singular vectors of small singular values are found by subspace iteration with the sparse factors of
 J^T J + s I (Golub & Van Loan, Matrix Computations, 2013, section 8.2), and the singular values of J on this space decide
@@ -16,12 +17,14 @@ from scipy.sparse.csgraph import structural_rank
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics import RANK_TOLERANCE
+from kinetruss.mechanics.constraints.elimination import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
+
+    from kinetruss.mechanics.constraints.elimination import Elimination
 
 __all__ = ["Spaces", "outside", "tidy"]
 
@@ -60,12 +63,15 @@ class Spaces:
     """Rank of a sparse matrix J (rows, columns) and bases of its null spaces.
 
     near : decides whether a change of coordinates with a small effect counts as a null vector; None: it does.
+    sure : the elimination of J, if there is one that leaves no doubt of the rank.
     """
 
-    def __init__(self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None) -> None:
+    def __init__(
+        self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None, sure: Elimination | None = None
+    ) -> None:
         J = csr_array(J)
         J.eliminate_zeros()
-        self.shape, self.near = J.shape, near
+        self.shape, self.near, self.sure = J.shape, near, sure
         self._rows, self._columns = (np.unique(places) for places in J.nonzero())
         small = max(J.shape) <= DENSE
         self._J = J if small else csr_array(J[self._rows][:, self._columns])
@@ -79,6 +85,8 @@ class Spaces:
     @cached_property
     def rank(self) -> int:
         """Number of singular values above RANK_TOLERANCE of the largest; for large structures see `near`."""
+        if self.sure is not None:
+            return self.sure.rank
         if self._small:
             if _surely_full(self._J.toarray()):
                 return int(min(self.shape))
@@ -146,6 +154,8 @@ class Spaces:
             raise InputError(f"{count} vectors of {size} numbers are too many to list. Look at a part of the model.")
         if not count:
             return np.zeros((size, 0))
+        if self.sure is not None:
+            return tidy((self.sure.free if side else self.sure.self_stress).T)
         if self._svd is not None:
             U, _, Vt = self._svd
             return tidy((Vt.T if side else U)[:, self.rank :])
@@ -283,14 +293,14 @@ def _tidied(basis: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
         return basis, np.zeros(0, np.int64)
     left = np.linalg.qr(basis)[0]
     reach = np.sum(left**2, axis=1)
-    pivots = []
-    for _ in range(left.shape[1]):
+    pivots, ways = [], np.zeros((left.shape[1], left.shape[1]))
+    for k, way in enumerate(ways):
         row = int(np.argmax(reach >= (1 - TIE) * reach.max()))
         pivots.append(row)
-        across = left[row] / np.linalg.norm(left[row])
-        along = left @ across
-        left -= np.outer(along, across)
-        reach -= along**2
+        # Gram-Schmidt: what is left of the row beside those chosen before
+        way[:] = left[row] - ways[:k].T @ (ways[:k] @ left[row])
+        way /= np.linalg.norm(way)
+        reach -= (left @ way) ** 2
     pivots.sort()
     places = np.array(pivots, np.int64)
     found = np.linalg.solve(basis[places].T, basis.T).T

@@ -11,7 +11,16 @@ import numpy as np
 from kinetruss.display import counted
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
-from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_directions, row_ends
+from kinetruss.mechanics import (
+    RANK_TOLERANCE,
+    System,
+    compile,
+    constraint_jacobian,
+    eliminated,
+    ends_of,
+    row_directions,
+    row_ends,
+)
 from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.constraints.moves import moves_text, self_stress_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
@@ -22,6 +31,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Mobility", "mobility", "mobility_at", "underdriven"]
 
+QUICK = 600
+"""Rows and columns up to which an elimination is faster than inverse iteration."""
 LINES = 40
 """Largest number of mechanisms, and of states of self-stress, that are printed."""
 
@@ -127,7 +138,8 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
     Notes
     -----
     Decided by the singular values of the Jacobian of lengths and angles with unit rows; values below 1e-9 of the largest
-    count as zero. By rank, never by count. Of more than 300 rows or coordinates only the lowest are found, with sparse
+    count as zero. By rank, never by count. Up to 600 rows and coordinates an elimination finds the rank where bounds of the
+    singular values leave no doubt. Of more than 300 else only the lowest are found, with sparse
     factors, in little more than proportion to the size; a long truss with a small bending stiffness then does not count as
     a mechanism: its bars rotate as little as they elongate. The vectors are computed at first use.
 
@@ -146,9 +158,13 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
 def mobility_at(system: System, x: NDArray[np.float64]) -> Mobility:
     """`mobility` of a compiled system at positions x (n, 3)."""
     J = constraint_jacobian(system, x)[:, system.free]
-    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change))
+    sure = eliminated(system, x) if max(J.shape) <= QUICK else None
+    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change), sure)
     own = system.row_drive < 0
-    rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
+    if sure is not None:
+        rank = sure.first
+    else:
+        rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
     rows, columns = J.shape
     dim = system.dim
     idle = (dim - 1) * sum(node.scalar for node in system.model.nodes.values())

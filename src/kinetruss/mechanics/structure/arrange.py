@@ -15,9 +15,10 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
+from kinetruss.mechanics.constraints.elimination import RANK_TOLERANCE, Elimination
 from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
-from kinetruss.mechanics.structure.constraint_gradients import jacobian
+from kinetruss.mechanics.structure.constraint_gradients import constraint_gradients, jacobian
 from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
 
 if TYPE_CHECKING:
@@ -25,10 +26,10 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics.structure.system import System
 
-__all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "entries_of", "plan_of", "rearrange"]
+__all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "eliminated", "entries_of", "plan_of", "rearrange"]
 
-RANK_TOLERANCE = 1e-9
-"""Singular values of the row-normalised Jacobian below this fraction of the largest count as zero."""
+FEW, MOST = 40, 1500
+"""Rows and columns from which on, and up to which, an elimination is faster than singular values."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -59,14 +60,37 @@ def arrange(system: System) -> Arrangement:
 
 def rearrange(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None) -> Arrangement:
     """Choose independent rows by rank at a configuration, for systems whose Jacobian is not square or not regular."""
-    J = jacobian(system, x, values)
-    independent = _independent(J, system.row_drive >= 0)
-    redundant = np.setdiff1d(np.arange(len(J)), independent)
-    plan = plan_of(system, independent) if len(independent) == J.shape[1] else None
-    states = _self_stress(J, independent, redundant)
+    found = eliminated(system, x, system.drive_start if values is None else values)
+    if found is not None:
+        independent, redundant, states = found.independent, found.redundant, found.self_stress
+    else:
+        J = jacobian(system, x, values)
+        independent = _independent(J, system.row_drive >= 0)
+        redundant = np.setdiff1d(np.arange(len(J)), independent)
+        states = _self_stress(J, independent, redundant)
+    plan = plan_of(system, independent) if len(independent) == len(system.free) else None
     return Arrangement(
         plan=plan, redundant=redundant, not_unique=np.any(np.abs(states) > 1e-9, axis=0), weight=_weights(system, states)
     )
+
+
+def eliminated(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None = None) -> Elimination | None:
+    """The elimination of the Jacobian at positions x (n, 3), those of drives last, angles at drive `values` if given.
+
+    None for a small system, for a very large one, and where its rank is in doubt.
+    """
+    if not FEW < max(len(system.row_member), len(system.free)) <= MOST:
+        return None
+    angles = values is not None and (system.row_kind == ANGLE).any()
+    return _eliminated(system, x.tobytes(), values.tobytes() if values is not None and angles else b"")
+
+
+@kept(4)
+def _eliminated(system: System, x: bytes, values: bytes) -> Elimination | None:
+    place = np.frombuffer(x).reshape(1, -1, 3)
+    J = constraint_gradients(system, place, np.frombuffer(values)[None] if values else None)[0][:, system.free]
+    found = Elimination(J, system.row_drive >= 0)
+    return found if found.sure else None
 
 
 def _independent(J: NDArray[np.float64], driven: NDArray[np.bool_]) -> NDArray[np.int64]:
@@ -105,7 +129,8 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
         return weight
     touched = np.abs(states) > 1e-9
     # states of self-stress that share bars belong together
-    _, group = connected_components(csr_array((touched.astype(int) @ touched.T.astype(int)) > 0), directed=False)
+    shared = csr_array(touched.astype(float))
+    _, group = connected_components(shared @ shared.T, directed=False)
     soft = system.compliance[system.row_member] * system.length0[system.row_member] + system.yielding[system.row_member]
     soft[system.row_kind != LENGTH] = np.nan
     # w = l/(E A), scaled to a mean of 1, where all bars of the group have one
