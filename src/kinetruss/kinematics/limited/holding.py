@@ -40,7 +40,7 @@ def holding_rates(
 ) -> Callable[[NDArray[np.float64]], tuple[NDArray[np.float64], NDArray[np.float64]]] | None:
     """Drive forces F (d,) as by `holding`, and their derivatives dF_i/dq_j (d, d) by the drives, at positions x (3 n,).
 
-    dF/dq = (dx/dq)^T K dx/dq with the stiffness K of loads and row forces N, J^T N = f: from f = J^T N and J dx/dq_i = e_i along
+    dF/dq = (dx/dq)^T K dx/dq with the stiffness K of loads and row forces N, J^T N = f: from f = J^T N and J dx/dq_i = e_i in
     all configurations. None for redundant structures, springs, membranes, solids and driven angles of bars.
     """
     angles = system.row_kind == ANGLE
@@ -51,7 +51,7 @@ def holding_rates(
     def at(x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         place = x.reshape(-1, 3)
         f, columns = balance.applied(place), sensitivities(system, x[None], drives)[0]
-        N = np.linalg.solve(jacobian(system, place).T, f[system.free])
+        N: NDArray[np.float64] = np.linalg.solve(jacobian(system, place).T, f[system.free])
         return -columns.T @ f, columns.T @ (balance.stiffness(place, N) @ columns)
 
     return at
