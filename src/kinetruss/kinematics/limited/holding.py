@@ -51,7 +51,7 @@ def holding_rates(
     def at(x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         place = x.reshape(-1, 3)
         f, columns = balance.applied(place), sensitivities(system, x[None], drives)[0]
-        N: NDArray[np.float64] = np.linalg.solve(jacobian(system, place).T, f[system.free])
+        N = np.asarray(np.linalg.solve(jacobian(system, place).T, f[system.free]), np.float64)
         return -columns.T @ f, columns.T @ (balance.stiffness(place, N) @ columns)
 
     return at
