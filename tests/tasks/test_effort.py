@@ -114,13 +114,13 @@ def test_derivatives_of_holding_forces_are_differences_of_them():
     rng, q = np.random.default_rng(0), system.drive_start
     q = q * (1.0 + 0.03 * rng.standard_normal(len(q)))
 
-    def forces(values):
-        return at(kt.kinematics.assemble(system.model, dict(zip(system.drives, values.tolist(), strict=True))).reshape(1, -1))[
-            0
-        ]
+    def place(values):
+        return kt.kinematics.assemble(system.model, dict(zip(system.drives, values.tolist(), strict=True))).reshape(1, -1)
 
-    x = kt.kinematics.assemble(system.model, dict(zip(system.drives, q.tolist(), strict=True)))
-    F, change = rates(x.reshape(-1))
+    def forces(values):
+        return at(place(values))[0]
+
+    F, change = rates(place(q)[0])
     assert pytest.approx(forces(q), rel=1e-12) == F
     step = 1e-5
     differences = np.stack([(forces(q + step * e) - forces(q - step * e)) / (2 * step) for e in np.eye(len(q))], axis=1)
