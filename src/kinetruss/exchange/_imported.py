@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from kinetruss.display.numbers import counted
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.model import Model
 
@@ -49,18 +50,18 @@ class Imported:
     def lines(self) -> list[str]:
         """The import in words: contents, loops, freedoms, drives, and all that was left out."""
         model, found = self.model, self.mobility
-        tables: dict[str, Mapping[str, Any]] = {
-            "nodes": model.nodes,
-            "bars": model.bars,
-            "bodies": model.bodies,
-            "membranes": model.membranes,
-        }
-        tables |= {"solids": model.solids, "drives": model.all_drives}
+        tables: dict[str, Mapping[str, Any]] = {"node": model.nodes, "bar": model.bars, "body": model.bodies}
+        tables |= {"membrane": model.membranes, "solid": model.solids, "drive": model.all_drives}
+        tables |= {"spring": model.springs, "coupling": model.couplings}
+        several = {"body": "bodies"}
         lines = [
-            f"{self.source}: " + ", ".join(f"{len(table)} {word}" for word, table in tables.items() if table or word == "bars"),
+            f"{self.source}: "
+            + ", ".join(
+                counted(len(table), word, several.get(word, "")) for word, table in tables.items() if table or word == "bar"
+            ),
             *self._loops(),
-            f"{found.degrees_of_freedom} degrees of freedom before drives, {found.undriven} after; "
-            f"{found.self_stress} states of self-stress",
+            f"{counted(found.degrees_of_freedom, 'degree')} of freedom, {found.undriven} with the drives held; "
+            f"{counted(found.self_stress, 'state')} of self-stress",
         ]
         lines += [f"  with the drives held, {text}" for text in found.mechanism_texts(5)]
         if model.membranes or model.solids:
@@ -77,10 +78,14 @@ class Imported:
     def _loops(self) -> list[str]:
         if self.freedoms is None:
             return []
-        spare = {name: count for name, count in self.closures.items() if count}
-        text = f"{len(self.closures)} loops; {self.freedoms} freedoms of joints and closures by rank"
-        lines = [text if self.closures else f"no loops; {self.freedoms} freedoms of joints"]
-        lines += [f"  closure {name}: {count} of its conditions are redundant" for name, count in spare.items()]
+        loops = counted(len(self.closures), "loop") if self.closures else "no loops"
+        lines = [f"{loops}; joints and closures leave {counted(self.freedoms, 'freedom')} (by rank)"]
+        for name, count in self.closures.items():
+            if count:
+                text = f"{counted(count, 'condition')} of it {'is' if count == 1 else 'are'} redundant"
+                lines.append(f"  closure {name}: {text}: the rest of the robot implies {'it' if count == 1 else 'them'}")
+        if any(self.closures.values()):
+            lines.append("  so forces within these loops are not unique; drive forces are")
         if self.gap:
             lines.append(f"  the loops of the file close only to {self.gap:.2g} (m, rad); places are taken in the middle")
         return lines

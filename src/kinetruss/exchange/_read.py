@@ -52,6 +52,10 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
     path = Path(path)
     suffix = path.suffix.lower()
     reader = READERS.get(suffix)
+    if suffix == ".xacro":
+        raise InputError(
+            f"{path} holds macros of xacro, which are not read. Expand them first: xacro {path.name} -o robot.urdf."
+        )
     if reader is None:
         raise InputError(f"{path} has the suffix {path.suffix!r}. Files that are read: {', '.join(READERS)}.")
     unknown = [name for name, value in options.items() if name not in reader.options and value not in (None, (), {}, [], False)]

@@ -48,7 +48,18 @@ class Connection:
     drive: str | None = None
     limits: tuple[float, float] | None = None
     spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    coupled: bool = False
     where: str = ""
+
+    @property
+    def measured(self) -> bool:
+        """True if a drive, a spring or a coupling acts on its value."""
+        return self.drive is not None or self.coupled or self.sprung
+
+    @property
+    def sprung(self) -> bool:
+        """True if it has stiffness or damping."""
+        return bool(self.spring[0] or self.spring[2])
 
 
 def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[LeftOut]]:
@@ -110,6 +121,7 @@ def _groups(robot: Robot) -> dict[str, str]:
 
 def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list[Connection]:
     found = []
+    coupled = {name for one in posed.robot.couplings for name in one.factors}
     for pivot in posed.robot.pivots:
         parts = group[pivot.parent], group[pivot.child]
         if pivot.kind == "weld" or pivot.kind == "free":
@@ -124,7 +136,7 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
         found.append(
             Connection(
                 name=pivot.name, kind=pivot.kind, parts=parts, place=place, axis=axis / np.linalg.norm(axis), value=value,
-                drive=pivot.drive, limits=pivot.limits, spring=pivot.spring, where=pivot.where,
+                drive=pivot.drive, limits=pivot.limits, spring=pivot.spring, coupled=pivot.name in coupled, where=pivot.where,
             )
         )  # fmt: skip
     return found
