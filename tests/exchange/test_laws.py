@@ -129,3 +129,80 @@ def test_faults_of_followers(tmp_path, old, new, message):
 def test_faults_of_laws(tmp_path, old, new, message):
     with pytest.raises(kt.InputError, match=message):
         kt.exchange.read(geared(tmp_path, GEARED.replace(old, new, 1)))
+
+
+def four_bar() -> kt.Model:
+    """Springs on the crank, between two bars and on a diagonal; a second crank geared to the first."""
+    nodes = {"A": (0, 0), "B": (1, 0), "C": (0.1, 0.4), "D": (0.9, 0.7), "E": (0, -0.5), "F": (0.3, -0.6), "G": (-1, 0)}
+    bars = {"crank": ("A", "C"), "coupler": ("C", "D"), "rocker": ("B", "D"), "second": ("E", "F")}
+    elbow = kt.HingeDrive(axis="D", start="C", end="B")
+    gears = ((kt.HingeDrive(axis="A", start="G", end="C"), 2.0), (kt.AngleDrive("second"), 3.0))
+    diagonal = kt.Bar(ends=("C", "B"), kind="free", mass=0)
+    return kt.Model(
+        nodes=nodes, fixed=["A", "B", "E", "G"], gravity=(0, -9.81),
+        bars={name: kt.Bar(ends=ends, mass=1.5) for name, ends in bars.items()} | {"diagonal": diagonal},
+        drives={"motor": kt.AngleDrive("crank")}, couplings={"gears": kt.Coupling(terms=gears)},
+        springs={
+            "wound": kt.Spring(coordinate=kt.AngleDrive("crank"), stiffness=5.0, rest="50 deg", damping=0.3),
+            "elbow": kt.Spring(coordinate=elbow, stiffness=4.0, preload=0.8),
+            "strap": kt.Spring(coordinate=kt.LengthDrive("diagonal"), stiffness=70.0, rest=0.7, damping=2.0),
+            "geared": kt.Spring(coordinate=kt.AngleDrive("second"), stiffness=2.0, rest=0.4),
+        },
+    )  # fmt: skip
+
+
+def piston(dim: int) -> kt.Model:
+    """A crank, a rod and a mass on a guide with a spring and a damper along it."""
+    places = {"O": (0, 0, 0), "P": (0.1, 0.3, 0), "Q": (0.9, 0, 0)}
+    nodes = {name: kt.Node(at=at[:dim], mass=2.0 * (name == "Q")) for name, at in places.items()}
+    bars = {"crank": kt.Bar(ends=("O", "P"), mass=1.0), "rod": kt.Bar(ends=("P", "Q"), mass=0.8)}
+    along = kt.Spring(coordinate=kt.CoordinateDrive(node="Q", axis="x"), stiffness=80.0, rest=0.8, damping=5.0)
+    model = kt.Model(
+        nodes=nodes,
+        fixed={"O": "xyz"[:dim], "Q": "yz"[: dim - 1]} | ({"P": "z"} if dim == 3 else {}), bars=bars,
+        gravity=(0, -9.81, 0)[:dim], springs={"along": along},
+    )  # fmt: skip
+    return model.with_(drives={"motor": kt.AngleDrive("crank") if dim == 2 else kt.CoordinateDrive(node="Q", axis="x")})
+
+
+@pytest.mark.parametrize(
+    ("make", "step", "lost"),
+    [(four_bar, 0.3, set()), (lambda: piston(2), 0.5, set()), (lambda: piston(3), 0.07, {"mass"})],
+    ids=["springs_and_gears", "piston", "piston_in_space"],
+)
+def test_what_acts_and_what_is_guided_in_mujoco_and_back(tmp_path, make, step, lost):
+    model = make()
+    written = kt.exchange.write(model, tmp_path / "out.xml")
+    assert {one.what for one in written.left_out} == lost
+    start = written.offsets["motor"]
+    force, given = moved(model, {"motor": (start, start + step)})
+    given[0] = given[0] - start
+    agree(force, MujocoTree(written.files[0], ["motor"]).torques(*given), 1e-8 if lost else 1e-10)
+    back = kt.exchange.read(written.files[0])
+    assert back.freedoms == 1
+    again, _ = moved(back.model, {"motor": (0.0, step)}, back.offsets)
+    agree(again, force, 1e-8 if lost else 1e-10)
+
+
+def test_what_follows_in_urdf(tmp_path):
+    model = four_bar().with_(springs={})
+    damped = model.with_(springs={"brake": kt.Spring(coordinate=kt.AngleDrive("crank"), damping=0.4)})
+    written = kt.exchange.write(damped, tmp_path / "out.urdf")
+    assert {one.what for one in written.left_out} == {"gravity"}
+    back = kt.exchange.read(written.files[0], closures=written.files[1])
+    assert (back.freedoms, list(back.model.couplings)) == (1, ["second.E.mimic"])
+    start = written.offsets["motor"]
+    force, _ = moved(damped, {"motor": (start, start + 0.3)})
+    again, _ = moved(back.model.with_(gravity=(0, -9.81, 0)), {"motor": (0.0, 0.3)})
+    agree(again, force)
+
+
+def test_tendons_of_a_hexapod_come_back(tmp_path):
+    model = kt.library.mechanisms.stewart(platform_mass=12.0)
+    legs = [f"leg{k}" for k in range(1, 7)]
+    written = kt.exchange.write(model, tmp_path / "hexapod.xml")
+    back = kt.exchange.read(written.files[0])
+    assert set(back.model.driven_members) == set(legs)
+    assert (back.freedoms, back.mobility.undriven) == (6, 0)
+    forces = [kt.statics.at_poses(one, [{}]).drive_force.sel(drive=legs).values for one in (model, back.model)]
+    agree(forces[1], forces[0], 1e-8)

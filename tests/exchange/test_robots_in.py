@@ -193,3 +193,17 @@ def test_a_link_with_mass_and_no_inertia(tmp_path):
     assert {one.what for one in found.left_out} == {"mass", "inertia"}
     forces, (angle, _, acceleration) = torques(found.model, {"pin": (0.2, 1.3)})
     np.testing.assert_allclose(forces, 2 * 9.81 * 0.5 * np.sin(angle) + 2 * 0.25 * acceleration, atol=1e-10)
+
+
+def test_a_uniform_rod_hung_at_its_end(tmp_path):
+    """Its mass is carried near its ends, where its joint is: moment m g l/2 cos t + m l^2/3 times the acceleration."""
+    m, length, path = 1.2, 0.8, tmp_path / "rod.urdf"
+    j = m * length**2 / 12
+    path.write_text(
+        f'<robot name="r"><link name="base"/><link name="rod"><inertial><origin xyz="{length / 2} 0 0"/><mass value="{m}"/>'
+        f'<inertia ixx="0" iyy="{j!r}" izz="{j!r}"/></inertial></link><joint name="pin" type="revolute">'
+        '<parent link="base"/><child link="rod"/><axis xyz="0 -1 0"/></joint></robot>'
+    )
+    forces, (angle, _, acceleration) = torques(kt.exchange.read(path).model, {"pin": (0.2, 1.3)})
+    wanted = m * 9.81 * length / 2 * np.cos(angle) + m * length**2 / 3 * acceleration
+    np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())

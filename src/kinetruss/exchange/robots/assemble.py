@@ -37,6 +37,8 @@ THIN = 1e-9
 """A body is a rod or a plate if a second moment is below this fraction of the largest."""
 WIDE, GOOD = 0.5, 0.05
 """Least distance of its carriers, relative to the radius of gyration, and least normalised area or volume."""
+APART, FACTORS = 0.01, (1.0, 1.25, 0.8, 1.4, 0.7)
+"""Least distance of a carrier from other nodes, over the radius of gyration, and factors of its distance from the centre."""
 ALONE = "(alone)"
 """Name of the node of a model without nodes, which every model needs."""
 SPARE = 1.15
@@ -103,7 +105,7 @@ def _with_bodies(draft: Draft, posed: Posed, parts: Mapping[str, Part], slides: 
             own = {name: nodes[name] for name in draft.own[part.name]}
             made = _with_body(Model(nodes=own or {ALONE: Node(at=(0, 0, 0))}), draft, part, part.name in slides)
             names = {name: name if name in own else _free(name, nodes) for name in made.nodes if name != ALONE}
-            nodes |= {names[name]: node for name, node in made.nodes.items() if name in names}
+            nodes |= {names[name]: node.with_(coincident=True) for name, node in made.nodes.items() if name in names}
             bodies |= {key: _renamed(body, names) for key, body in made.bodies.items()}
     return Model(title=posed.robot.title, nodes=nodes, fixed=tuple(ground), gravity=posed.robot.gravity, bodies=bodies)
 
@@ -133,7 +135,8 @@ def _with_body(model: Model, draft: Draft, part: Part, slides: bool) -> Model:
             draft.left.append(LeftOut("spin", part.where, text))
             return model.with_(bodies=model.bodies | {part.name: rod})
         points = _thin_carriers(draft, names, given)
-        return rigid(model, part.name, given, nodes=[name for name in names if name not in points], points=points or None)
+        made = rigid(model, part.name, given, nodes=[name for name in names if name not in points], points=points or None)
+        return made if points else _apart(made, model, draft, part)
     except InputError as error:
         faults = error.faults if isinstance(error, ModelError) else [Fault((), str(error), "")]
         words = " ".join(str(one) for one in faults)
@@ -188,6 +191,24 @@ def _spanning(places: Mapping[str, Any]) -> tuple[str, ...]:
         if len(rows) == 3:
             break
     return tuple(chosen)
+
+
+def _apart(made: Model, model: Model, draft: Draft, part: Part) -> Model:
+    """The model with the carriers of a body farther from its centre if one is almost at another node of the body.
+
+    That of a uniform rod is at the end of the rod, where its joint is; a bar between the two would have no direction.
+    """
+    given = part.properties
+    at = {name: np.array(made.nodes[name].at) for name in made.bodies[part.name].carriers or ()}
+    others = [draft.places[name] for name in draft.own[part.name]]
+    if given is None or not others or not at.keys().isdisjoint(draft.own[part.name]):
+        return made
+    for factor in FACTORS:
+        points = {name: given.center + factor * (place - given.center) for name, place in at.items()}
+        least = min(float(np.linalg.norm(place - other)) for place in points.values() for other in others)
+        if least > APART * gyration(part):
+            break
+    return made if factor == 1.0 else rigid(model, part.name, given, nodes=draft.own[part.name], points=points)
 
 
 def _thin_carriers(draft: Draft, names: Sequence[str], given: MassProperties) -> dict[str, Any]:

@@ -147,9 +147,9 @@ class Robot:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DrivenLength:
-    """A driven length: a force along the line between points of two links, (3,) m in their frames.
+    """A length with a force: along the line between points of two links, (3,) m in their frames.
 
-    properties : of the rods at both ends, None without mass.
+    properties : of the rods at both ends, None without mass. driven : it is a drive. spring : as of a `Span`.
     """
 
     name: str
@@ -157,6 +157,8 @@ class DrivenLength:
     points: tuple[NDArray[np.float64], NDArray[np.float64]]
     length: float
     properties: tuple[MassProperties | None, MassProperties | None] | None = None
+    driven: bool = True
+    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
