@@ -56,6 +56,7 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 @click.option("--floating", is_flag=True, help="URDF: the base floats; by default the ground holds it.")
 @click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
+@click.option("--arcs", type=int, metavar="N", help="DXF: circles, arcs and splines become N bars for a whole turn.")
 @click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) are active members.")
 @click.option("--fixed", multiple=True, metavar="NAME", help="Layers of supports (DXF), or names of fixed nodes (others).")
 @click.option("--thickness", help="Meshes: of the membrane of the triangles, e.g. '2 mm'.")
