@@ -17,7 +17,11 @@ if TYPE_CHECKING:
 __all__ = ["Imported"]
 
 MOST = 40
-"""Largest number of things left out that are printed one by one."""
+"""Largest number of reasons why something is left out that are printed."""
+PLACES = 4
+"""Largest number of places that are printed for each."""
+ROUND = 1e-12
+"""Offset of a drive, rad or m, that is round-off."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -66,14 +70,24 @@ class Imported:
         lines += [f"  with the drives held, {text}" for text in found.mechanism_texts(5)]
         if model.membranes or model.solids:
             lines.append("  counted by rigid bars alone; membranes and solids hold their nodes elastically")
-        lines += [f"drive {name} = joint value {offset:+.9g}" for name, offset in self.offsets.items() if offset]
+        lines += [f"drive {name} = joint value {offset:+.9g}" for name, offset in self.offsets.items() if abs(offset) > ROUND]
         lines += [f"note: {text}" for text in self.notes]
         if self.left_out:
             kinds = Counter(one.what for one in self.left_out).most_common()
             lines.append(f"left out ({len(self.left_out)}): " + ", ".join(f"{n} {what}" for what, n in kinds))
-            lines += [f"  {one}" for one in self.left_out[:MOST]]
-            lines += [f"  and {len(self.left_out) - MOST} more (--json lists all)"] * (len(self.left_out) > MOST)
+            lines += self._lost()
         return lines
+
+    def _lost(self) -> list[str]:
+        """What was left out, one line for each kind and reason, with the places."""
+        places: dict[tuple[str, str], list[str]] = {}
+        for one in self.left_out:
+            places.setdefault((one.what, one.why), []).append(one.where)
+        lines = []
+        for (what, why), where in list(places.items())[:MOST]:
+            more = f" and {len(where) - PLACES} more (--json lists all)" if len(where) > PLACES else ""
+            lines.append(f"  {what}: {why}: {', '.join(where[:PLACES])}{more}")
+        return lines + [f"  and {len(places) - MOST} more (--json lists all)"] * (len(places) > MOST)
 
     def _loops(self) -> list[str]:
         if self.freedoms is None:

@@ -39,8 +39,9 @@ SINGLE = ("revolute", "continuous", "prismatic")
 WHY = {
     "visual": "shapes are not carried; mass and places are",
     "collision": "contacts are not part of a model",
-    "limit": "a model has no limits of effort and speed at joints; those of position size the guides of sliders",
+    "limit": "a model has no limits at joints; those of sliders size their guides",
     "dynamics": "friction is not carried, damping is that of hinges and sliders only; add a spring with friction",
+    "joint_properties": "friction is not carried; add a spring with friction",
     "calibration": "has no meaning in a model",
     "safety_controller": "controllers are not carried",
     "transmission": "gears and motors are not carried; give them to the drive",
@@ -250,16 +251,21 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
     parent, child, origin = links[_parent(joint)].name, links[_child(joint)].name, _pose(joint.one("origin"))
     axis = joint.one("axis")
     along = np.array([1.0, 0.0, 0.0]) if axis is None else axis.numbers("xyz", 3, (1, 0, 0))
-    if other == "CARDAN":
+    if other == "CARDAN" or (other or "").startswith("UJOINT_"):
+        first, second = tuple("XY" if other == "CARDAN" else str(other)[-2:])
         middle = Link(name=names.of(f"{name}_cross", joint.where), where=joint.where)
-        yield (
-            Pivot(name=f"{name}_X", kind="revolute", parent=parent, child=middle.name, origin=origin, axis=np.eye(3)[0]),
-            middle,
-        )
-        yield (
-            Pivot(name=f"{name}_Y", kind="revolute", parent=middle.name, child=child, origin=np.eye(4), axis=np.eye(3)[1]),
-            None,
-        )
+        for word, ends, frame, link in (
+            (first, (parent, middle.name), origin, middle),
+            (second, (middle.name, child), np.eye(4), None),
+        ):
+            turning = np.eye(3)["XYZ".index(word)]
+            yield (
+                Pivot(
+                    name=f"{name}_{word}", kind="revolute", parent=ends[0], child=ends[1], origin=frame, axis=turning,
+                    where=joint.where,
+                ),
+                link,
+            )  # fmt: skip
         return
     found: JointKind = "ball" if other == "SPHERICAL" else "weld" if other == "FIXED" else KINDS[kind]
     if found in ("revolute", "prismatic"):
