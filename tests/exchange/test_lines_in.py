@@ -78,10 +78,39 @@ def test_dxf_blocks_curves_and_crossings(tmp_path):
     np.testing.assert_allclose(np.linalg.norm(rim - (0, 5), axis=1), 1.0, atol=1e-12)
     assert [text.strip() for text in found.notes[1:3]] == ["row.1 and tee.1 at (0.5, 0, 0) m", "x.1 and x.2 at (0.5, 3.5, 0) m"]
     assert [(one.what, one.why) for one in found.left_out] == [("INSERT", "the block 'LOST' is not in the file")]
+    bare = kt.exchange.read(path, skip=["x", "R*"])
+    assert not {name[0] for name in bare.model.bars} & {"x", "r"}
+    assert sum(one.why == "its layer is skipped" for one in bare.left_out) == 4
     plain = kt.exchange.read(path)
     assert "give --arcs N" in next(one.why for one in plain.left_out if one.what == "ARC")
     with pytest.raises(kt.InputError, match="arcs is 2. Give 3 to 360"):
         kt.exchange.read(path, arcs=2)
+
+
+def test_a_six_bar_sketched_in_cad(tmp_path):
+    """A crank on a layer of motors, a closed triangle, pivots as circles, a centre line, a dimension; it turns and closes."""
+    document = ezdxf.new(units=4, setup=True)
+    space = document.modelspace()
+    a, b, c, d, e, f, g = (0, 0), (400, 0), (-60, 150), (330, 260), (180, 380), (650, 40), (520, 330)
+    for start, end, layer in ((a, c, "Motor crank"), (b, d, "rocker"), (e, g, "rod"), (f, (520.0002, 330.0001), "arm")):
+        space.add_line(start, end, dxfattribs={"layer": layer})
+    space.add_lwpolyline([c, d, e], close=True, dxfattribs={"layer": "plate"})
+    for place in (a, b, f):
+        space.add_circle(place, 12, dxfattribs={"layer": "Fixed pivots"})
+    space.add_line((-100, 0), (700, 0), dxfattribs={"layer": "CENTER"})
+    space.add_linear_dim(base=(0, -100), p1=a, p2=b).render()
+    document.saveas(tmp_path / "six.dxf")
+    found = kt.exchange.read(tmp_path / "six.dxf", skip=["center"])
+    assert (found.mobility.degrees_of_freedom, found.mobility.undriven) == (1, 0)
+    assert sorted(one.what for one in found.left_out) == ["DIMENSION", "LINE", "name"]
+    assert list(found.model.drives) == ["Motor_crank.1.motor"]
+    start = float(np.arctan2(150, -60))
+    motion = kt.kinematics.follow(
+        found.model, kt.Quintic(moves={"Motor_crank.1.motor": (start, start - 0.5)}, duration=1.0), samples=5
+    )
+    tip = motion.position.sel(node="n2").values
+    np.testing.assert_allclose(tip[-1], np.hypot(0.06, 0.15) * np.array([np.cos(start - 0.5), np.sin(start - 0.5)]), atol=1e-12)
+    assert "n2 and" not in " ".join(found.notes)
 
 
 def test_dxf_without_unit(tmp_path):

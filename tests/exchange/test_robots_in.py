@@ -217,7 +217,7 @@ def cad_five_bar(folder: Path) -> tuple[Path, Path]:
         "frame": mass.format("0 0 0.05", 0.02, *bar), "crank1": mass.format("0 0.05 0.001", 0.2, *bar),
         "crank2": mass.format("0 0.05 0.001", 0.2, *bar), "rod1": mass.format("0 -0.1 0.001", 0.25, *rod),
         "rod2": mass.format("0 0.1 0.001", 0.25, *rod), "eff": mass.format("0 0 0", "1e-9", 0, 0, 0, 0),
-        "ball1": mass.format("0 0 0", 0.02, "2e-6", "2e-6", 0, "1e-20"), 
+        "ball1": mass.format("0 0 0", 0.02, "2e-6", "2e-6", 0, "1e-20"),
         "ball2": mass.format("0 0 0", 0.03, "3e-6", "3e-6", 0, "1e-20"),
     }  # fmt: skip
     limit = '<limit effort="1" velocity="20"/><joint_properties friction="0.0"/>'

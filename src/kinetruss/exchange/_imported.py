@@ -63,11 +63,14 @@ class Imported:
             + ", ".join(
                 counted(len(table), word, several.get(word, "")) for word, table in tables.items() if table or word == "bar"
             ),
-            *self._loops(),
+            *self._loops(found.self_stress),
             f"{counted(found.degrees_of_freedom, 'degree')} of freedom, {found.undriven} with the drives held; "
             f"{counted(found.self_stress, 'state')} of self-stress",
         ]
-        lines += [f"  with the drives held, {text}" for text in found.mechanism_texts(5)]
+        if found.undriven and found.undriven == self._floating():
+            lines.append(f"  these {found.undriven} move the whole, which nothing holds: it floats")
+        else:
+            lines += [f"  with the drives held, {text}" for text in found.mechanism_texts(5)]
         if model.membranes or model.solids:
             lines.append("  counted by rigid bars alone; membranes and solids hold their nodes elastically")
         lines += [f"drive {name} = joint value {offset:+.9g}" for name, offset in self.offsets.items() if abs(offset) > ROUND]
@@ -77,6 +80,10 @@ class Imported:
             lines.append(f"left out ({len(self.left_out)}): " + ", ".join(f"{n} {what}" for what, n in kinds))
             lines += self._lost()
         return lines
+
+    def _floating(self) -> int:
+        """Freedoms of the whole as one rigid body: those of a model that nothing holds."""
+        return 0 if self.model.fixed else 3 if self.model.dim == 2 else 6
 
     def _lost(self) -> list[str]:
         """What was left out, one line for each kind and reason, with the places."""
@@ -89,7 +96,7 @@ class Imported:
             lines.append(f"  {what}: {why}: {', '.join(where[:PLACES])}{more}")
         return lines + [f"  and {len(places) - MOST} more (--json lists all)"] * (len(places) > MOST)
 
-    def _loops(self) -> list[str]:
+    def _loops(self, self_stress: int) -> list[str]:
         if self.freedoms is None:
             return []
         loops = counted(len(self.closures), "loop") if self.closures else "no loops"
@@ -98,7 +105,7 @@ class Imported:
             if count:
                 text = f"{counted(count, 'condition')} of it {'is' if count == 1 else 'are'} redundant"
                 lines.append(f"  closure {name}: {text}: the rest of the robot implies {'it' if count == 1 else 'them'}")
-        if any(self.closures.values()):
+        if any(self.closures.values()) and self_stress:
             lines.append("  so forces within these loops are not unique; drive forces are")
         if self.gap:
             lines.append(f"  the loops of the file close only to {self.gap:.2g} (m, rad); places are taken in the middle")

@@ -57,7 +57,11 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 @click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
 @click.option("--arcs", type=int, metavar="N", help="DXF: circles, arcs and splines become N bars for a whole turn.")
-@click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) are active members.")
+@click.option("--skip", multiple=True, metavar="LAYER", help="DXF: leave these layers out, e.g. centre lines.")
+@click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) change their length.")
+@click.option(
+    "--motor", multiple=True, metavar="LAYER", help="DXF: lines on these layers are turned by a motor (in the plane)."
+)
 @click.option("--fixed", multiple=True, metavar="NAME", help="Layers of supports (DXF), or names of fixed nodes (others).")
 @click.option("--thickness", help="Meshes: of the membrane of the triangles, e.g. '2 mm'.")
 @click.option("--material", help="Meshes: of membranes and solids, a name of the library.")

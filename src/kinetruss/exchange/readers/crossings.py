@@ -34,7 +34,7 @@ def unjoined(places: Mapping[str, Any], bars: Mapping[str, Bar], near: float) ->
             if j <= i or set(bars[name].ends) & set(bars[names[j]].ends):
                 continue
             if (place := _crossing(a[i], b[i], a[j], b[j], near)) is not None:
-                found.append(f"{name} and {names[j]} at ({', '.join(f'{x:.6g}' for x in place)}) m")
+                found.append(f"{name} and {names[j]} at ({', '.join(f'{round(float(x), 12) + 0.0:.6g}' for x in place)}) m")
         if len(found) > MOST:
             break
     if not found:

@@ -21,7 +21,7 @@ from kinetruss.exchange.readers.naming import Names
 from kinetruss.exchange.readers.trusses import joined, length_of, matches, model_of
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.limits import MOST_ENTRIES, hold
-from kinetruss.model import Bar
+from kinetruss.model import AngleDrive, Bar
 
 __all__ = ["dxf"]
 
@@ -33,7 +33,7 @@ UNITS: Mapping[int, float] = {
 NEAR = 1e-6
 """Default tolerance of nodes, relative to the size of the drawing."""
 FIXED = ("*support*", "*fixed*")
-ACTIVE = ("*active*",)
+ACTIVE, MOTOR = ("*active*",), ("*motor*",)
 LABEL = 0.25
 """Largest distance of a text from the middle of its line, relative to the length of the line."""
 CURVES = ("ARC", "CIRCLE", "ELLIPSE", "SPLINE")
@@ -50,15 +50,18 @@ BROKEN = (
 class _Drawing:
     """Lines with layer and place in the file, places of supports, texts; in the unit of the drawing.
 
-    arcs : number of straight bars of a whole turn of a curve; 0: curves are left out.
+    arcs : straight bars of a whole turn of a curve; 0: curves are left out. skip : patterns of layers that are left out.
     """
 
     path: Path
     arcs: int = 0
+    skip: Sequence[str] = ()
     lines: list[tuple[str, Any, Any, str]] = field(default_factory=list)
     supports: list[tuple[Any, str]] = field(default_factory=list)
     texts: list[tuple[Any, str, str]] = field(default_factory=list)
     left: list[LeftOut] = field(default_factory=list)
+    layers: dict[str, str] = field(default_factory=dict)
+    """Bar -> layer."""
 
     def fault(self, message: str, mend: str) -> ModelError:
         return ModelError([Fault((), message, mend, file=str(self.path))])
@@ -66,18 +69,19 @@ class _Drawing:
 
 def dxf(
     path: Path, *, max_size: int, unit: str | None = None, tolerance: str | float | None = None, active: Sequence[str] = (),
-    fixed: Sequence[str] = (), arcs: int = 0,
+    fixed: Sequence[str] = (), motor: Sequence[str] = (), skip: Sequence[str] = (), arcs: int = 0,
 ) -> Imported:  # fmt: skip
     """The model of the lines and polylines in the model space of a drawing, and in the blocks that are inserted there.
 
-    Bars are called ``LAYER.1``, ... by their layer, or after a text at their middle. active : patterns of layers whose lines
-    become driven bars, by default ``*active*``. fixed : patterns of layers whose points, circles and inserted symbols mark
-    supports, by default ``*support*`` and ``*fixed*``. arcs : straight bars of a whole turn of arcs, circles, ellipses, and
-    of each piece of a spline; by default curves are left out.
+    Bars are called ``LAYER.1``, ... by their layer, or after a text at their middle. Patterns of layers: active, whose lines
+    become driven bars, which change their length, by default ``*active*``; motor, whose lines are bars that motors turn in the
+    plane, by default ``*motor*``; fixed, whose points, circles and inserted symbols mark supports, by default ``*support*`` and
+    ``*fixed*``; skip, which are left out, e.g. centre lines. arcs : straight bars of a whole turn of arcs, circles, ellipses,
+    and of each piece of a spline; by default curves are left out.
     """
     if arcs and not 3 <= arcs <= MOST_ARCS:
         raise InputError(f"arcs is {arcs}. Give 3 to {MOST_ARCS} bars for a whole turn, or leave it out.")
-    drawing, code = _drawn(path, max_size, fixed or FIXED, arcs)
+    drawing, code = _drawn(path, max_size, fixed or FIXED, skip, arcs)
     scale, notes = _scale(drawing, code, unit)
     if not drawing.lines:
         kinds = ", ".join(dict.fromkeys(one.what for one in drawing.left)) or "nothing"
@@ -93,15 +97,22 @@ def dxf(
     held = _held(drawing, places, scale, max(near, 1e-3 * size))
     if not held:
         notes.append("no supports: put points or circles on a layer called support, or add fixed: to the model")
+    turned = [name for name in bars if matches(drawing.layers[name], motor or MOTOR)]
     model = model_of(str(path), places, bars, held, title=path.stem)
+    if turned and model.dim == 2:
+        model = model.with_(drives={f"{name}.motor": AngleDrive(name) for name in turned})
+    elif turned:
+        drawing.left += [
+            LeftOut("motor", name, "in space an angle needs an axis; add the drive to the model") for name in turned
+        ]
     notes.append("bars have no section and no material: give section: and material: in the model")
     return Imported(model=model, source=str(path), left_out=drawing.left, notes=notes)
 
 
-def _drawn(path: Path, max_size: int, fixed: Sequence[str], arcs: int) -> tuple[_Drawing, int]:
+def _drawn(path: Path, max_size: int, fixed: Sequence[str], skip: Sequence[str], arcs: int) -> tuple[_Drawing, int]:
     """The drawing, and the number of its unit."""
     ezdxf = needed("ezdxf", "exchange")
-    drawing = _Drawing(path, arcs)
+    drawing = _Drawing(path, arcs, skip)
     if not path.is_file():
         raise drawing.fault("there is no such file.", "Check the name.")
     if path.stat().st_size > max_size:
@@ -141,7 +152,9 @@ def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[st
     if within is not None:
         where = f"{within[1]}, {kind}"
         layer = within[0] if layer == "0" else layer  # entities of a block on layer 0 are on that of the insertion
-    if kind in ("POINT", "CIRCLE", "INSERT") and matches(layer, fixed):
+    if matches(layer, drawing.skip):
+        drawing.left.append(LeftOut(kind, where, "its layer is skipped"))
+    elif kind in ("POINT", "CIRCLE", "INSERT") and matches(layer, fixed):
         place = entity.dxf.insert if kind == "INSERT" else entity.dxf.center if kind == "CIRCLE" else entity.dxf.location
         drawing.supports.append((_xyz(place if kind == "POINT" else entity.ocs().to_wcs(place)), where))
     elif kind == "LINE":
@@ -242,6 +255,7 @@ def _bars(
             seen.add(frozenset(ends))
             count[layer] = count.get(layer, 0) + 1
             name = names.of(labels.get(index, f"{layer}.{count[layer]}"), where, "bar")
+            drawing.layers[name] = layer
             bars[name] = Bar(ends=ends, kind="driven" if matches(layer, active) else "rigid")
     drawing.left += names.renamed
     return bars
