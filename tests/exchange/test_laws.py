@@ -205,4 +205,4 @@ def test_tendons_of_a_hexapod_come_back(tmp_path):
     assert set(back.model.driven_members) == set(legs)
     assert (back.freedoms, back.mobility.undriven) == (6, 0)
     forces = [kt.statics.at_poses(one, [{}]).drive_force.sel(drive=legs).values for one in (model, back.model)]
-    agree(forces[1], forces[0], 1e-8)
+    agree(forces[1], forces[0])
