@@ -74,7 +74,7 @@ def test_faults_of_robots(tmp_path, name, text, message):
     ("text", "message"),
     [
         ("closed_loop: [[tip_left, tip]]\ntype: [3d]", r"c\.yaml:1:\d+: .*no link or joint called 'tip'"),
-        ("closed_loop: [[tip_left, tip_right]]\ntype: [3d, 6d]", r"closed_loop has 1 entries, type 2"),
+        ("closed_loop: [[tip_left, tip_right]]\ntype: [3d, 6d]", r"closed_loop has 1 entry, type 2"),
         ("closed_loop: [[tip_left, tip_right]]\ntype: [4d]", r"type '4d' is not known.*Did you mean"),
         ("closed_loop: [tip_left, tip_right]", r"a closure names two frames"),
         ("closed_loop: [[tip_left, tip_left]]", r"closes 'tip_left' with itself"),

@@ -12,6 +12,7 @@ from kinetruss.errors import InputError, UnitError
 
 if TYPE_CHECKING:
     from kinetruss.exchange import Imported
+    from kinetruss.model import Model
 
 __all__ = ["import_file"]
 
@@ -88,7 +89,20 @@ def import_file(file: Path, out: Path, overwrite: bool, as_json: bool, max_size:
     if as_json:
         print_json("import", {"file": str(file), "model": str(written), **_record(found)})
     else:
-        click.echo("\n".join([*lines, str(written)]))
+        click.echo("\n".join([*lines, str(written), *_next(found.model)]))
+
+
+def _next(model: Model) -> list[str]:
+    """A run that the file may have next: the first drive moves, the others hold."""
+    from kinetruss.model import turns
+
+    name = next(iter(model.all_drives), None)
+    if name is None:
+        return ["next: check it, and add loads and a run: runs: {stand: {analysis: statics.linear}}"]
+    drive = model.drives.get(name)
+    rate = "0.1 rad/s" if drive is not None and turns(drive) else "1 mm/s"
+    run = f"analysis: dynamics.inverse, trajectory: {{kind: constant_rate, rates: {{{name}: {rate}}}, duration: 1 s}}"
+    return [f"next: check it, and add a run: runs: {{try: {{{run}}}}}"]
 
 
 def _record(found: Imported) -> dict[str, Any]:

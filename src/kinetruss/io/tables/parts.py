@@ -16,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from kinetruss.display.numbers import counted
 from kinetruss.errors import Fault, ModelError, UnitError, shown
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.model import nearest
@@ -57,7 +58,7 @@ class _Sheet:
             cells = [cell.strip() for cell in self._cells(line)]
             if len(cells) != len(head):
                 mend = "Give one cell per column. (A decimal comma splits a number in two; then use semicolons between cells.)"
-                self.fault(f"has {len(cells)} cells; the header has {len(head)}.", mend, number)
+                self.fault(f"has {counted(len(cells), 'cell')}; the header has {len(head)}.", mend, number)
             else:
                 self.rows.append((number, dict(zip(head, cells, strict=True))))
 

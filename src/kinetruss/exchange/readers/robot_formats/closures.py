@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
+from kinetruss.display.numbers import counted
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.exchange.readers.texts import tree_of
 from kinetruss.exchange.robots import LeftOut
@@ -103,7 +104,9 @@ class Closures:
     def _same(self, one: str, first: Sequence[Tree], two: str, second: Sequence[Tree]) -> None:
         if len(first) != len(second):
             tree = self._table.get(two) or self._table[one]
-            raise self._fault(tree, f"{one} has {len(first)} entries, {two} {len(second)}.", "Give as many of both.")
+            raise self._fault(
+                tree, f"{one} has {counted(len(first), 'entry', 'entries')}, {two} {len(second)}.", "Give as many of both."
+            )
 
 
 def read_closures(path: Path, max_size: int) -> Closures:

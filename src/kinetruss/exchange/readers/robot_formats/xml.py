@@ -10,6 +10,7 @@ from xml.parsers import expat
 
 import numpy as np
 
+from kinetruss.display.numbers import counted
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.limits import LARGEST, MOST_ENTRIES
 from kinetruss.model import nearest
@@ -78,7 +79,7 @@ class Element:
             raise self.fault(f"{name} is {shown(text)}, which is not all numbers.", _example(name, counts)) from None
         if len(found) not in counts:
             raise self.fault(
-                f"{name} has {len(found)} numbers; expected {' or '.join(map(str, counts))}.", _example(name, counts)
+                f"{name} has {counted(len(found), 'number')}; expected {' or '.join(map(str, counts))}.", _example(name, counts)
             )
         if not (np.abs(found) <= LARGEST).all():
             raise self.fault(f"{name} is {shown(text)}: not finite, or beyond {LARGEST:g}.", "Give finite numbers in SI.")
