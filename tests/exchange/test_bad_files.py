@@ -126,6 +126,8 @@ def test_import_writes_a_whole_model_or_nothing(tmp_path):
     model = kt.read(out)
     assert list(model.drives) == ["motor_left", "motor_right"]
     assert run.invoke(main, ["info", str(out)]).exit_code == 0
+    out.write_text(out.read_text() + done.output.split("add a run: ")[1])
+    assert run.invoke(main, ["run", str(out), "-o", str(tmp_path / "run")]).exit_code == 0
     done = run.invoke(main, arguments)
     assert done.exit_code == 2
     assert "is there already" in done.output

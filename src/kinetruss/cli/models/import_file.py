@@ -12,7 +12,6 @@ from kinetruss.errors import InputError, UnitError
 
 if TYPE_CHECKING:
     from kinetruss.exchange import Imported
-    from kinetruss.model import Model
 
 __all__ = ["import_file"]
 
@@ -89,13 +88,17 @@ def import_file(file: Path, out: Path, overwrite: bool, as_json: bool, max_size:
     if as_json:
         print_json("import", {"file": str(file), "model": str(written), **_record(found)})
     else:
-        click.echo("\n".join([*lines, str(written), *_next(found.model)]))
+        click.echo("\n".join([*lines, str(written), *_next(found)]))
 
 
-def _next(model: Model) -> list[str]:
-    """A run that the file may have next: the first drive moves, the others hold."""
+def _next(found: Imported) -> list[str]:
+    """A run that the file may have next: the first drive moves, the others hold; what drives do not hold falls."""
     from kinetruss.model import turns
 
+    model = found.model
+    if found.mobility.undriven:
+        run = "fall: {analysis: dynamics.simulate, t_end: 1 s}"
+        return [f"next: check it, and add a drive for each freedom, or a run: runs: {{{run}}}"]
     name = next(iter(model.all_drives), None)
     if name is None:
         return ["next: check it, and add loads and a run: runs: {stand: {analysis: statics.linear}}"]
