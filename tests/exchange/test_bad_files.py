@@ -55,7 +55,7 @@ CASES = [
     ("arm.xml", MJCF.replace('childclass="rod"', 'childclass="rot"', 1), r"no class called 'rot'"),
     ("arm.xml", MJCF.replace('joint="motor2"', 'joint="motor4"'), r"no joint called 'motor4'.*Did you mean"),
     ("arm.xml", MJCF.replace('type="box"', 'type="mesh"', 1), r"the mass of this shape \(mesh\) is not computed"),
-    ("arm.xml", MJCF.replace("<worldbody>", '<include file="a.xml"/><worldbody>'), r"stands for other elements"),
+    ("arm.xml", MJCF.replace("<worldbody>", '<worldbody><replicate count="2"/>'), r"stands for other elements"),
     ("arm.xml", MJCF.replace('angle="radian"', 'settotalmass="3"'), r"changes masses by settotalmass"),
     ("arm.xml", MJCF.replace('size="0.01" density', 'size="0" density'), r"size has too few numbers above 0"),
     ("arm.xml", "<mujoco/>", r"has no <worldbody>"),
@@ -74,7 +74,7 @@ def test_faults_of_robots(tmp_path, name, text, message):
     ("text", "message"),
     [
         ("closed_loop: [[tip_left, tip]]\ntype: [3d]", r"c\.yaml:1:\d+: .*no link or joint called 'tip'"),
-        ("closed_loop: [[tip_left, tip_right]]\ntype: [3d, 6d]", r"closed_loop has 1 entries, type 2"),
+        ("closed_loop: [[tip_left, tip_right]]\ntype: [3d, 6d]", r"closed_loop has 1 entry, type 2"),
         ("closed_loop: [[tip_left, tip_right]]\ntype: [4d]", r"type '4d' is not known.*Did you mean"),
         ("closed_loop: [tip_left, tip_right]", r"a closure names two frames"),
         ("closed_loop: [[tip_left, tip_left]]", r"closes 'tip_left' with itself"),
@@ -119,12 +119,15 @@ def test_import_writes_a_whole_model_or_nothing(tmp_path):
     arguments = ["import", str(DATA / "robot.urdf"), "--closures", str(DATA / "robot.yaml"), "-o", str(out)]
     done = run.invoke(main, [*arguments, "--at", "motor_left=-5 deg"])
     assert done.exit_code == 0, done.output
-    assert "1 loops; 2 freedoms" in done.output
-    assert "1 of its conditions are redundant" in done.output
-    assert "<joint name='motor_left'>: dynamics" in done.output
+    assert "1 loop; joints and closures leave 2 freedoms" in done.output
+    assert "1 condition of it is redundant: the rest of the robot implies it" in done.output
+    assert "dynamics: friction is not carried" in done.output
+    assert "robot.urdf:34 <joint name='motor_left'>" in done.output
     model = kt.read(out)
     assert list(model.drives) == ["motor_left", "motor_right"]
     assert run.invoke(main, ["info", str(out)]).exit_code == 0
+    out.write_text(out.read_text() + done.output.split("add a run: ")[1])
+    assert run.invoke(main, ["run", str(out), "-o", str(tmp_path / "run")]).exit_code == 0
     done = run.invoke(main, arguments)
     assert done.exit_code == 2
     assert "is there already" in done.output

@@ -46,6 +46,73 @@ def test_dxf(tmp_path):
     assert not coarse.model.fixed
 
 
+def test_dxf_blocks_curves_and_crossings(tmp_path):
+    """A brace drawn once as a block, put in turned, larger, and in a row; a quarter circle; lines that only cross."""
+    document = ezdxf.new(units=5)
+    brace = document.blocks.new("BRACE")
+    brace.add_line((0, 0), (100, 0))
+    brace.add_line((0, 0), (0, 100), dxfattribs={"layer": "post"})
+    outer = document.blocks.new("PAIR")
+    outer.add_blockref("BRACE", (0, 0), dxfattribs={"xscale": 2, "yscale": 2, "rotation": 90})
+    space = document.modelspace()
+    space.add_blockref("PAIR", (1000, 0), dxfattribs={"layer": "web"})
+    row = space.add_blockref("BRACE", (0, 0), dxfattribs={"layer": "row"})
+    row.dxf.column_count, row.dxf.column_spacing = 3, 100
+    space.add_arc((0, 500), 100, 0, 90, dxfattribs={"layer": "rim"})
+    space.add_line((0, 300), (100, 400), dxfattribs={"layer": "x"})
+    space.add_line((0, 400), (100, 300), dxfattribs={"layer": "x"})
+    space.add_line((50, 0), (50, -50), dxfattribs={"layer": "tee"})
+    space.add_blockref("LOST", (0, 0))
+    path = tmp_path / "blocks.dxf"
+    document.saveas(path)
+    found = kt.exchange.read(path, arcs=16)
+    bars = found.model.bars
+    assert [name for name in bars if name[:3] not in ("rim", "x.1", "x.2", "tee")] == [
+        "web.1", "post.1", "row.1", "post.2", "row.2", "post.3", "row.3", "post.4",
+    ]  # fmt: skip
+    at = found.model.nodes
+    np.testing.assert_allclose([at[end].at for end in bars["web.1"].ends], [(10, 0), (10, 2)], atol=1e-12)
+    np.testing.assert_allclose([at[end].at for end in bars["post.1"].ends], [(10, 0), (8, 0)], atol=1e-12)
+    rim = np.array([at[end].at for name, bar in bars.items() if name.startswith("rim") for end in bar.ends])
+    assert len(rim) == 8
+    np.testing.assert_allclose(np.linalg.norm(rim - (0, 5), axis=1), 1.0, atol=1e-12)
+    assert [text.strip() for text in found.notes[1:3]] == ["row.1 and tee.1 at (0.5, 0, 0) m", "x.1 and x.2 at (0.5, 3.5, 0) m"]
+    assert [(one.what, one.why) for one in found.left_out] == [("INSERT", "the block 'LOST' is not in the file")]
+    bare = kt.exchange.read(path, skip=["x", "R*"])
+    assert not {name[0] for name in bare.model.bars} & {"x", "r"}
+    assert sum(one.why == "its layer is skipped" for one in bare.left_out) == 4
+    plain = kt.exchange.read(path)
+    assert "give --arcs N" in next(one.why for one in plain.left_out if one.what == "ARC")
+    with pytest.raises(kt.InputError, match="arcs is 2. Give 3 to 360"):
+        kt.exchange.read(path, arcs=2)
+
+
+def test_a_six_bar_sketched_in_cad(tmp_path):
+    """A crank on a layer of motors, a closed triangle, pivots as circles, a centre line, a dimension; it turns and closes."""
+    document = ezdxf.new(units=4, setup=True)
+    space = document.modelspace()
+    a, b, c, d, e, f, g = (0, 0), (400, 0), (-60, 150), (330, 260), (180, 380), (650, 40), (520, 330)
+    for start, end, layer in ((a, c, "Motor crank"), (b, d, "rocker"), (e, g, "rod"), (f, (520.0002, 330.0001), "arm")):
+        space.add_line(start, end, dxfattribs={"layer": layer})
+    space.add_lwpolyline([c, d, e], close=True, dxfattribs={"layer": "plate"})
+    for place in (a, b, f):
+        space.add_circle(place, 12, dxfattribs={"layer": "Fixed pivots"})
+    space.add_line((-100, 0), (700, 0), dxfattribs={"layer": "CENTER"})
+    space.add_linear_dim(base=(0, -100), p1=a, p2=b).render()
+    document.saveas(tmp_path / "six.dxf")
+    found = kt.exchange.read(tmp_path / "six.dxf", skip=["center"])
+    assert (found.mobility.degrees_of_freedom, found.mobility.undriven) == (1, 0)
+    assert sorted(one.what for one in found.left_out) == ["DIMENSION", "LINE", "name"]
+    assert list(found.model.drives) == ["Motor_crank.1.motor"]
+    start = float(np.arctan2(150, -60))
+    motion = kt.kinematics.follow(
+        found.model, kt.Quintic(moves={"Motor_crank.1.motor": (start, start - 0.5)}, duration=1.0), samples=5
+    )
+    tip = motion.position.sel(node="n2").values
+    np.testing.assert_allclose(tip[-1], np.hypot(0.06, 0.15) * np.array([np.cos(start - 0.5), np.sin(start - 0.5)]), atol=1e-12)
+    assert "n2 and" not in " ".join(found.notes)
+
+
 def test_dxf_without_unit(tmp_path):
     document = ezdxf.new(units=0)
     document.modelspace().add_line((0, 0), (1, 1))
@@ -101,6 +168,24 @@ def test_tables(tmp_path):
         kt.exchange.read(tmp_path / "nodes.csv", members=tmp_path / "members.csv", fixed=["D"])
     with pytest.raises(kt.InputError, match="table of members"):
         kt.exchange.read(tmp_path / "nodes.csv")
+
+
+def test_tables_of_a_spreadsheet(tmp_path):
+    """Semicolons, decimal commas, columns in another order, a byte order mark, units in round brackets."""
+    nodes, members = tmp_path / "nodes.csv", tmp_path / "members.csv"
+    nodes.write_text("Y (cm);X [mm];Node;Mass [kg]\n0;0;A;\n0,0;1000,0;B;\n80;500;C;2,5\n", encoding="utf-8-sig")
+    members.write_text("to\tfrom\tmember\nC\tA\ta\nC\tB\tb\n")
+    model = kt.exchange.read(nodes, members=members, fixed=["A", "B"]).model
+    assert {name: node.at for name, node in model.nodes.items()} == PLACES
+    assert model.nodes["C"].mass == 2.5
+    assert model.bars["b"].ends == ("B", "C")
+    for text, message in (
+        ("node;x [mm];y [mm]\nA;1.000,5;0\n", r"nodes.csv:2:1: .*'1.000,5' is not a number, in column 'x'"),
+        ("node,x [mm],y [mm]\nA,1,5,0\n", r"has 4 cells; the header has 3. .*use semicolons"),
+    ):
+        nodes.write_text(text)
+        with pytest.raises(kt.ModelError, match=message):
+            kt.exchange.read(nodes, members=members)
 
 
 def test_meshes(tmp_path):

@@ -159,11 +159,14 @@ def test_files_that_are_there_stay(tmp_path):
 
 
 def test_what_is_left_out_is_named(tmp_path):
-    model = fourbar(5).with_(springs={"soft": kt.Spring(coordinate=kt.AngleDrive("crank"), stiffness=2.0)})
+    soft = kt.Spring(coordinate=kt.AngleDrive("crank"), stiffness=2.0, friction=0.1)
+    model = fourbar(5).with_(springs={"soft": soft})
     model = model.with_(bars=model.bars | {"string": kt.Bar(ends=("A", "C"), kind="cable", stiffness=3.0)})
     written = kt.exchange.write(model, tmp_path / "fourbar.xml")
     assert ("cable bar", "string") in {(one.what, one.where) for one in written.left_out}
-    assert {(one.what, one.where) for one in written.left_out} >= {("springs", "soft")}
+    assert {(one.what, one.where) for one in written.left_out} >= {("friction of a spring", "soft")}
+    written = kt.exchange.write(model, tmp_path / "fourbar.urdf")
+    assert "URDF has no springs" in {one.why for one in written.left_out}
 
 
 def test_an_active_member_with_mass_becomes_two_rods_and_a_slide(tmp_path):

@@ -193,3 +193,80 @@ def test_a_link_with_mass_and_no_inertia(tmp_path):
     assert {one.what for one in found.left_out} == {"mass", "inertia"}
     forces, (angle, _, acceleration) = torques(found.model, {"pin": (0.2, 1.3)})
     np.testing.assert_allclose(forces, 2 * 9.81 * 0.5 * np.sin(angle) + 2 * 0.25 * acceleration, atol=1e-10)
+
+
+def test_a_uniform_rod_hung_at_its_end(tmp_path):
+    """Its mass is carried near its ends, where its joint is: moment m g l/2 cos t + m l^2/3 times the acceleration."""
+    m, length, path = 1.2, 0.8, tmp_path / "rod.urdf"
+    j = m * length**2 / 12
+    path.write_text(
+        f'<robot name="r"><link name="base"/><link name="rod"><inertial><origin xyz="{length / 2} 0 0"/><mass value="{m}"/>'
+        f'<inertia ixx="0" iyy="{j!r}" izz="{j!r}"/></inertial></link><joint name="pin" type="revolute">'
+        '<parent link="base"/><child link="rod"/><axis xyz="0 -1 0"/></joint></robot>'
+    )
+    forces, (angle, _, acceleration) = torques(kt.exchange.read(path).model, {"pin": (0.2, 1.3)})
+    wanted = m * 9.81 * length / 2 * np.cos(angle) + m * length**2 / 3 * acceleration
+    np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
+
+
+def cad_five_bar(folder: Path) -> tuple[Path, Path]:
+    """As CAD exporters write it: motors about z of turned frames, small spheres where the loop closes, one frame of a tool."""
+    mass = '<inertial><origin xyz="{}" rpy="0 0 0"/><mass value="{}"/><inertia ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="{}" izz="{}"/></inertial>'  # noqa: E501
+    bar, rod = ("4.4e-4", "2.7e-5", "1e-6", "4.6e-4"), ("1.4e-3", "2.7e-5", "1e-6", "1.4e-3")
+    links = {
+        "frame": mass.format("0 0 0.05", 0.02, *bar), "crank1": mass.format("0 0.05 0.001", 0.2, *bar),
+        "crank2": mass.format("0 0.05 0.001", 0.2, *bar), "rod1": mass.format("0 -0.1 0.001", 0.25, *rod),
+        "rod2": mass.format("0 0.1 0.001", 0.25, *rod), "eff": mass.format("0 0 0", "1e-9", 0, 0, 0, 0),
+        "ball1": mass.format("0 0 0", 0.02, "2e-6", "2e-6", 0, "1e-20"),
+        "ball2": mass.format("0 0 0", 0.03, "3e-6", "3e-6", 0, "1e-20"),
+    }  # fmt: skip
+    limit = '<limit effort="1" velocity="20"/><joint_properties friction="0.0"/>'
+    turned = "-1.5707963267948966 0.021 1.5707963267948966"
+    joints = (
+        ("mot1", "frame", "crank1", "-0.05 0 0.1", turned), ("mot2", "frame", "crank2", "-0.05 0.02 0.1", turned),
+        ("free1", "crank1", "rod1", "0 0.1 0", "3.141592653589793 0 0.6"), ("free2", "crank2", "rod2", "0 0.1 0", "0 0 -0.5"),
+        ("loop_A", "rod1", "ball1", "0 -0.2 0", "0 0 0"), ("loop_B", "rod2", "ball2", "0 0.2 0", "3.141592653589793 0 0"),
+    )  # fmt: skip
+    text = "".join(f'<link name="{name}">{own}</link>' for name, own in links.items()) + "".join(
+        f'<joint name="{name}" type="revolute"><origin xyz="{xyz}" rpy="{rpy}"/><parent link="{one}"/><child link="{two}"/>'
+        f'<axis xyz="0 0 1"/>{limit}</joint>'
+        for name, one, two, xyz, rpy in joints
+    )
+    tool = '<joint name="eff_frame" type="fixed"><origin xyz="0.01 -0.2 0" rpy="-1.57 1.57 0"/><parent link="rod1"/><child link="eff"/><axis xyz="0 0 0"/></joint>'  # noqa: E501
+    (folder / "five.urdf").write_text(f'<robot name="onshape">{text}{tool}</robot>')
+    (folder / "five.yaml").write_text("closed_loop: [['loop_A', 'loop_B']]\ntype: ['6d']\nname_mot: ['mot1', 'mot2']\n")
+    return folder / "five.urdf", folder / "five.yaml"
+
+
+def test_spheres_where_a_loop_closes_do_not_spin(tmp_path):
+    """Two spheres welded to each other turn about the axis of their hinges and move nothing; the rest is a five-bar."""
+    path, beside = cad_five_bar(tmp_path)
+    found = kt.exchange.read(path, closures=beside)
+    assert (found.freedoms, found.mobility.degrees_of_freedom, found.mobility.undriven) == (3, 2, 0)
+    assert [one.what for one in found.left_out if one.what == "spin"] == ["spin"]
+    assert sum(body.mass for body in found.model.bodies.values()) == pytest.approx(0.95 + 1e-9, rel=1e-14)
+    tree = PinocchioTree(path, [("loop_A", "loop_B")], ["mot1", "mot2"])
+    forces, given = torques(found.model, {"mot1": (0.0, 0.3), "mot2": (0.0, -0.2)})
+    wanted = tree.torques(*given)
+    np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize(("word", "axes"), [("UJOINT_ZY", "zy"), ("UJOINT_XZ", "xz"), ("CARDAN", "xy")])
+def test_universal_joints_of_the_yaml_file(tmp_path, word, axes):
+    """Two crossing hinges in the frame of the joint, the first named axis first: as a chain that has them as joints."""
+    mass = '<inertial><origin xyz="0.2 0.1 -0.3"/><mass value="1.5"/><inertia ixx="0.02" iyy="0.03" izz="0.04"/></inertial>'
+    head = f'<robot name="r"><link name="base"/><link name="arm">{mass}</link>'
+    pose = '<origin xyz="0.1 0 0.2" rpy="0.3 -0.2 0.5"/>'
+    joint = '<joint name="{}" type="revolute"><parent link="{}"/><child link="{}"/>{}<axis xyz="{}"/></joint>'
+    unit = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
+    short, long, beside = tmp_path / "short.urdf", tmp_path / "long.urdf", tmp_path / "u.yaml"
+    short.write_text(head + joint.format("j", "base", "arm", pose, "0 0 1") + "</robot>")
+    both = joint.format("a", "base", "mid", pose, unit[axes[0]]) + joint.format("b", "mid", "arm", "", unit[axes[1]])
+    long.write_text(head + '<link name="mid"/>' + both + "</robot>")
+    beside.write_text(f"joint_name: [j]\njoint_type: [{word}]\nname_mot: [j]\n")
+    names = [f"j_{axis.upper()}" for axis in axes]
+    one, two = kt.exchange.read(short, closures=beside).model, kt.exchange.read(long).model
+    assert list(one.drives) == names
+    found, _ = torques(one, dict.fromkeys(names, (0.2, 0.6)))
+    wanted, _ = torques(two, {"a": (0.2, 0.6), "b": (0.2, 0.6)})
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-11 * np.abs(wanted).max())

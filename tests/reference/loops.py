@@ -73,9 +73,14 @@ class Tree(ABC):
 
 
 class PinocchioTree(Tree):
-    """A URDF; closures of three conditions between pairs of frames; some joints may be balls."""
+    """A URDF; closures of three conditions between pairs of frames; some joints may be balls.
 
-    def __init__(self, path: Path, pairs: list[tuple[str, str]], motors: list[str], balls: tuple[str, ...] = ()) -> None:
+    mimics : joint, other joint, multiplier, offset.
+    """
+
+    def __init__(
+        self, path: Path, pairs: list[tuple[str, str]], motors: list[str], balls: tuple[str, ...] = (), mimics: Any = ()
+    ) -> None:
         self.model = with_balls(pin.buildModelFromUrdf(str(path)), balls)
         self.data = self.model.createData()
         self.pairs = [tuple(self.model.getFrameId(name) for name in pair) for pair in pairs]
@@ -83,6 +88,8 @@ class PinocchioTree(Tree):
         self.motors = [joint.idx_v for joint in joints]
         self.place = [(joint.idx_q, joint.nq) for joint in joints]
         self.q = pin.neutral(self.model)
+        index = {name: self.model.joints[self.model.getJointId(name)] for one in mimics for name in one[:2]}
+        self.mimics = [(index[one], index[other], *rest) for one, other, *rest in mimics]
 
     def integrate(self, q, step):
         return pin.integrate(self.model, q, step)
@@ -93,18 +100,22 @@ class PinocchioTree(Tree):
     def gap(self, q):
         pin.framesForwardKinematics(self.model, self.data, q)
         at = self.data.oMf
-        return np.concatenate([at[a].translation - at[b].translation for a, b in self.pairs])
+        loops = [at[a].translation - at[b].translation for a, b in self.pairs]
+        return np.concatenate([*loops, [q[a.idx_q] - factor * q[b.idx_q] - offset for a, b, factor, offset in self.mimics]])
 
     def jacobian(self, q):
         axes = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         each = [[pin.computeFrameJacobian(self.model, self.data, q, k, axes)[:3] for k in pair] for pair in self.pairs]
-        return np.vstack([one - two for one, two in each])
+        rows = np.zeros((len(self.mimics), self.model.nv))
+        for row, (a, b, factor, _) in zip(rows, self.mimics, strict=True):
+            row[[a.idx_v, b.idx_v]] = 1.0, -factor
+        return np.vstack([*(one - two for one, two in each), rows])
 
     def drift(self, q, v):
         pin.forwardKinematics(self.model, self.data, q, v, np.zeros(self.model.nv))
         axes = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         each = [[pin.getFrameClassicalAcceleration(self.model, self.data, k, axes).linear for k in pair] for pair in self.pairs]
-        return np.concatenate([one - two for one, two in each])
+        return np.concatenate([*(one - two for one, two in each), np.zeros(len(self.mimics))])
 
     def inverse(self, q, v, a):
         return pin.rnea(self.model, self.data, q, v, a)
@@ -124,7 +135,7 @@ def with_balls(model: Any, balls: tuple[str, ...]) -> Any:
 
 
 class MujocoTree(Tree):
-    """An MJCF with `connect` between bodies."""
+    """An MJCF with `connect` between bodies, and linear couplings of two joints."""
 
     def __init__(self, path: Path, motors: list[str]) -> None:
         self.model = mujoco.MjModel.from_xml_path(str(path))
@@ -133,11 +144,24 @@ class MujocoTree(Tree):
         self.motors = [int(self.model.jnt_dofadr[self.model.joint(name).id]) for name in motors]
         self.at = [int(self.model.jnt_qposadr[self.model.joint(name).id]) for name in motors]
         self.q = self.model.qpos0.copy()
+        kinds = np.where(self.model.eq_active0, self.model.eq_type, -1)
+        self.loops = np.flatnonzero(kinds == mujoco.mjtEq.mjEQ_CONNECT)
+        joints = np.flatnonzero(kinds == mujoco.mjtEq.mjEQ_JOINT)
+        assert len(self.loops) + len(joints) == np.sum(kinds >= 0)
+        self.coupled = [
+            (int(self.model.eq_obj1id[k]), int(self.model.eq_obj2id[k]), *self.model.eq_data[k, :2]) for k in joints
+        ]
+
+    def _couplings(self, q):
+        """y - y0 - c0 - c1 (x - x0)"""
+        at, zero = self.model.jnt_qposadr, self.model.qpos0
+        return [q[at[y]] - zero[at[y]] - c0 - c1 * (q[at[x]] - zero[at[x]]) for y, x, c0, c1 in self.coupled]
 
     def _points(self):
-        for k in range(self.model.neq):
-            ends = (int(self.model.eq_obj1id[k]), int(self.model.eq_obj2id[k]))
-            for body, at, sign in zip(ends, (self.model.eq_data[k, :3], self.model.eq_data[k, 3:6]), (1, -1), strict=True):
+        for k, _ in enumerate(self.loops):
+            row = self.loops[k]
+            ends = (int(self.model.eq_obj1id[row]), int(self.model.eq_obj2id[row]))
+            for body, at, sign in zip(ends, (self.model.eq_data[row, :3], self.model.eq_data[row, 3:6]), (1, -1), strict=True):
                 yield k, body, self.data.xpos[body] + self.data.xmat[body].reshape(3, 3) @ at, sign
 
     def _place(self, q, v=None):
@@ -156,28 +180,31 @@ class MujocoTree(Tree):
 
     def gap(self, q):
         self._place(q)
-        found = np.zeros((self.model.neq, 3))
+        found = np.zeros((len(self.loops), 3))
         for k, _, point, sign in self._points():
             found[k] += sign * point
-        return found.ravel()
+        return np.concatenate([found.ravel(), self._couplings(q)])
 
     def jacobian(self, q):
         self._place(q)
-        found = np.zeros((self.model.neq, 3, self.model.nv))
+        found = np.zeros((len(self.loops), 3, self.model.nv))
         for k, body, point, sign in self._points():
             J = np.zeros((3, self.model.nv))
             mujoco.mj_jac(self.model, self.data, J, None, point, body)
             found[k] += sign * J
-        return found.reshape(-1, self.model.nv)
+        rows = np.zeros((len(self.coupled), self.model.nv))
+        for row, (y, x, _, c1) in zip(rows, self.coupled, strict=True):
+            row[self.model.jnt_dofadr[[y, x]]] = 1.0, -c1
+        return np.vstack([found.reshape(-1, self.model.nv), rows])
 
     def drift(self, q, v):
         self._place(q, v)
-        found = np.zeros((self.model.neq, 3))
+        found = np.zeros((len(self.loops), 3))
         for k, body, point, sign in self._points():
             J = np.zeros((3, self.model.nv))
             mujoco.mj_jacDot(self.model, self.data, J, None, point, body)
             found[k] += sign * J @ v
-        return found.ravel()
+        return np.concatenate([found.ravel(), np.zeros(len(self.coupled))])
 
     def inverse(self, q, v, a):
         self._place(q, v)

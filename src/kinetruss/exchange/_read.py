@@ -23,8 +23,9 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
     max_size : bytes; a larger file is refused before it is read.
     options : of the format. Robots: ``closures`` (file beside a URDF), ``at`` (joint -> value, rad or m, of the pose),
         ``floating`` (the base of a URDF is not fixed). DXF: ``unit`` (of a drawing that names none), ``tolerance`` (m, of nodes
-        that are one), ``active`` (patterns of layers of active members), ``fixed`` (patterns of layers of supports). CSV:
-        ``members`` (path), ``fixed`` (names of nodes). COMPAS: ``unit``, ``fixed``. Meshes: these, ``material``, ``thickness``.
+        that are one), patterns of layers ``active`` (bars whose length changes), ``motor`` (bars that motors turn), ``fixed``
+        (marks of supports) and ``skip``, ``arcs`` (bars of a whole turn of a curve). CSV: ``members`` (path), ``fixed`` (names
+        of nodes). COMPAS: ``unit``, ``fixed``. Meshes: these, ``material``, ``thickness``.
 
     Returns
     -------
@@ -52,6 +53,10 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
     path = Path(path)
     suffix = path.suffix.lower()
     reader = READERS.get(suffix)
+    if suffix == ".xacro":
+        raise InputError(
+            f"{path} holds macros of xacro, which are not read. Expand them first: xacro {path.name} -o robot.urdf."
+        )
     if reader is None:
         raise InputError(f"{path} has the suffix {path.suffix!r}. Files that are read: {', '.join(READERS)}.")
     unknown = [name for name, value in options.items() if name not in reader.options and value not in (None, (), {}, [], False)]

@@ -56,7 +56,12 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 @click.option("--floating", is_flag=True, help="URDF: the base floats; by default the ground holds it.")
 @click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
-@click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) are active members.")
+@click.option("--arcs", type=int, metavar="N", help="DXF: circles, arcs and splines become N bars for a whole turn.")
+@click.option("--skip", multiple=True, metavar="LAYER", help="DXF: leave these layers out, e.g. centre lines.")
+@click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) change their length.")
+@click.option(
+    "--motor", multiple=True, metavar="LAYER", help="DXF: lines on these layers are turned by a motor (in the plane)."
+)
 @click.option("--fixed", multiple=True, metavar="NAME", help="Layers of supports (DXF), or names of fixed nodes (others).")
 @click.option("--thickness", help="Meshes: of the membrane of the triangles, e.g. '2 mm'.")
 @click.option("--material", help="Meshes: of membranes and solids, a name of the library.")
@@ -83,7 +88,24 @@ def import_file(file: Path, out: Path, overwrite: bool, as_json: bool, max_size:
     if as_json:
         print_json("import", {"file": str(file), "model": str(written), **_record(found)})
     else:
-        click.echo("\n".join([*lines, str(written)]))
+        click.echo("\n".join([*lines, str(written), *_next(found)]))
+
+
+def _next(found: Imported) -> list[str]:
+    """A run that the file may have next: the first drive moves, the others hold; what drives do not hold falls."""
+    from kinetruss.model import turns
+
+    model = found.model
+    if found.mobility.undriven:
+        run = "fall: {analysis: dynamics.simulate, t_end: 1 s}"
+        return [f"next: check it, and add a drive for each freedom, or a run: runs: {{{run}}}"]
+    name = next(iter(model.all_drives), None)
+    if name is None:
+        return ["next: check it, and add loads and a run: runs: {stand: {analysis: statics.linear}}"]
+    drive = model.drives.get(name)
+    rate = "0.1 rad/s" if drive is not None and turns(drive) else "1 mm/s"
+    run = f"analysis: dynamics.inverse, trajectory: {{kind: constant_rate, rates: {{{name}: {rate}}}, duration: 1 s}}"
+    return [f"next: check it, and add a run: runs: {{try: {{{run}}}}}"]
 
 
 def _record(found: Imported) -> dict[str, Any]:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 __all__ = ["export"]
 
+ROUND = 1e-12
+"""Offset of a drive, rad or m, that is round-off."""
 EPILOG = """\b
 Examples:
   kinetruss export runs/slew slew.csv
@@ -69,7 +71,8 @@ def _say(out: Path, written: Written, as_json: bool) -> None:
         print_json("export", {**record, "offsets": dict(written.offsets), "left_out": left})
         return
     for name, offset in written.offsets.items():
-        click.echo(f"drive {name} = joint value {offset:+.9g}")
+        if abs(offset) > ROUND:
+            click.echo(f"drive {name} = joint value {offset:+.9g}")
     for one in written.left_out:
         click.echo(f"left out: {one}")
     click.echo(str(written.files[0]))

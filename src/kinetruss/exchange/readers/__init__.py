@@ -36,7 +36,7 @@ READERS: Mapping[str, Reader] = {
     ".urdf": _ROBOT,
     ".xml": _ROBOT,
     ".mjcf": _ROBOT,
-    ".dxf": Reader("dxf", "dxf", ("unit", "tolerance", "active", "fixed")),
+    ".dxf": Reader("dxf", "dxf", ("unit", "tolerance", "active", "fixed", "motor", "skip", "arcs")),
     ".csv": Reader("tables", "tables", ("members", "fixed")),
     ".json": Reader("compas", "compas", ("unit", "fixed")),
     **dict.fromkeys((".vtu", ".vtk", ".msh", ".inp", ".xdmf", ".obj", ".ply", ".stl", ".bdf", ".mesh"), _MESH),

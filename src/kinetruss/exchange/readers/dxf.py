@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import math
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,13 +13,15 @@ from typing import Any
 
 import numpy as np
 
-from kinetruss.errors import Fault, ModelError, shown
+from kinetruss.errors import Fault, InputError, ModelError, shown
 from kinetruss.exchange._imported import Imported
 from kinetruss.exchange._needed import needed
+from kinetruss.exchange.readers.crossings import unjoined
 from kinetruss.exchange.readers.naming import Names
 from kinetruss.exchange.readers.trusses import joined, length_of, matches, model_of
 from kinetruss.exchange.robots import LeftOut
-from kinetruss.model import Bar
+from kinetruss.limits import MOST_ENTRIES, hold
+from kinetruss.model import AngleDrive, Bar
 
 __all__ = ["dxf"]
 
@@ -30,9 +33,12 @@ UNITS: Mapping[int, float] = {
 NEAR = 1e-6
 """Default tolerance of nodes, relative to the size of the drawing."""
 FIXED = ("*support*", "*fixed*")
-ACTIVE = ("*active*",)
+ACTIVE, MOTOR = ("*active*",), ("*motor*",)
 LABEL = 0.25
 """Largest distance of a text from the middle of its line, relative to the length of the line."""
+CURVES = ("ARC", "CIRCLE", "ELLIPSE", "SPLINE")
+MOST_ARCS, DEEPEST = 360, 8
+"""Bars of a whole turn of a curve, blocks within each other."""
 BROKEN = (
     ArithmeticError, AssertionError, AttributeError, LookupError, OSError, RuntimeError, StopIteration, TypeError, ValueError,
     struct.error,
@@ -42,13 +48,20 @@ BROKEN = (
 
 @dataclass(eq=False)
 class _Drawing:
-    """Lines with layer and place in the file, places of supports, texts; in the unit of the drawing."""
+    """Lines with layer and place in the file, places of supports, texts; in the unit of the drawing.
+
+    arcs : straight bars of a whole turn of a curve; 0: curves are left out. skip : patterns of layers that are left out.
+    """
 
     path: Path
+    arcs: int = 0
+    skip: Sequence[str] = ()
     lines: list[tuple[str, Any, Any, str]] = field(default_factory=list)
     supports: list[tuple[Any, str]] = field(default_factory=list)
     texts: list[tuple[Any, str, str]] = field(default_factory=list)
     left: list[LeftOut] = field(default_factory=list)
+    layers: dict[str, str] = field(default_factory=dict)
+    """Bar -> layer."""
 
     def fault(self, message: str, mend: str) -> ModelError:
         return ModelError([Fault((), message, mend, file=str(self.path))])
@@ -56,15 +69,19 @@ class _Drawing:
 
 def dxf(
     path: Path, *, max_size: int, unit: str | None = None, tolerance: str | float | None = None, active: Sequence[str] = (),
-    fixed: Sequence[str] = (),
+    fixed: Sequence[str] = (), motor: Sequence[str] = (), skip: Sequence[str] = (), arcs: int = 0,
 ) -> Imported:  # fmt: skip
-    """The model of the lines and polylines in the model space of a drawing.
+    """The model of the lines and polylines in the model space of a drawing, and in the blocks that are inserted there.
 
-    Bars are called ``LAYER.1``, ... by their layer, or after a text at their middle. active : patterns of layers whose lines
-    become driven bars, by default ``*active*``. fixed : patterns of layers whose points, circles and inserted symbols mark
-    supports, by default ``*support*`` and ``*fixed*``.
+    Bars are called ``LAYER.1``, ... by their layer, or after a text at their middle. Patterns of layers: active, whose lines
+    become driven bars, which change their length, by default ``*active*``; motor, whose lines are bars that motors turn in the
+    plane, by default ``*motor*``; fixed, whose points, circles and inserted symbols mark supports, by default ``*support*`` and
+    ``*fixed*``; skip, which are left out, e.g. centre lines. arcs : straight bars of a whole turn of arcs, circles, ellipses,
+    and of each piece of a spline; by default curves are left out.
     """
-    drawing, code = _drawn(path, max_size, fixed or FIXED)
+    if arcs and not 3 <= arcs <= MOST_ARCS:
+        raise InputError(f"arcs is {arcs}. Give 3 to {MOST_ARCS} bars for a whole turn, or leave it out.")
+    drawing, code = _drawn(path, max_size, fixed or FIXED, skip, arcs)
     scale, notes = _scale(drawing, code, unit)
     if not drawing.lines:
         kinds = ", ".join(dict.fromkeys(one.what for one in drawing.left)) or "nothing"
@@ -76,18 +93,26 @@ def dxf(
     number = {k: f"n{i + 1}" for i, k in enumerate(sorted(set(node.tolist())))}
     places = {name: ends[k] for k, name in number.items()}
     bars = _bars(drawing, [number[k] for k in node.tolist()], places, scale, active or ACTIVE)
+    notes += unjoined(places, bars, near)
     held = _held(drawing, places, scale, max(near, 1e-3 * size))
     if not held:
         notes.append("no supports: put points or circles on a layer called support, or add fixed: to the model")
+    turned = [name for name in bars if matches(drawing.layers[name], motor or MOTOR)]
     model = model_of(str(path), places, bars, held, title=path.stem)
+    if turned and model.dim == 2:
+        model = model.with_(drives={f"{name}.motor": AngleDrive(name) for name in turned})
+    elif turned:
+        drawing.left += [
+            LeftOut("motor", name, "in space an angle needs an axis; add the drive to the model") for name in turned
+        ]
     notes.append("bars have no section and no material: give section: and material: in the model")
     return Imported(model=model, source=str(path), left_out=drawing.left, notes=notes)
 
 
-def _drawn(path: Path, max_size: int, fixed: Sequence[str]) -> tuple[_Drawing, int]:
+def _drawn(path: Path, max_size: int, fixed: Sequence[str], skip: Sequence[str], arcs: int) -> tuple[_Drawing, int]:
     """The drawing, and the number of its unit."""
     ezdxf = needed("ezdxf", "exchange")
-    drawing = _Drawing(path)
+    drawing = _Drawing(path, arcs, skip)
     if not path.is_file():
         raise drawing.fault("there is no such file.", "Check the name.")
     if path.stat().st_size > max_size:
@@ -120,10 +145,16 @@ class _Said(logging.Handler):
         self.texts.append(record.getMessage())
 
 
-def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str]) -> None:
+def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[str, str] | None = None, level: int = 0) -> None:
+    """Collect an entity. within : layer of the inserted block that has it, and its place; level : blocks around it."""
     kind, layer = entity.dxftype(), str(entity.dxf.layer)
     where = f"{drawing.path}: {kind} #{entity.dxf.handle} on layer {shown(layer)}"
-    if kind in ("POINT", "CIRCLE", "INSERT") and matches(layer, fixed):
+    if within is not None:
+        where = f"{within[1]}, {kind}"
+        layer = within[0] if layer == "0" else layer  # entities of a block on layer 0 are on that of the insertion
+    if matches(layer, drawing.skip):
+        drawing.left.append(LeftOut(kind, where, "its layer is skipped"))
+    elif kind in ("POINT", "CIRCLE", "INSERT") and matches(layer, fixed):
         place = entity.dxf.insert if kind == "INSERT" else entity.dxf.center if kind == "CIRCLE" else entity.dxf.location
         drawing.supports.append((_xyz(place if kind == "POINT" else entity.ocs().to_wcs(place)), where))
     elif kind == "LINE":
@@ -134,13 +165,59 @@ def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str]) -> None:
         drawing.lines += [(layer, a, b, where) for a, b in pairwise(points)]
         if entity.has_arc:
             drawing.left.append(LeftOut("arc", where, "arcs of polylines are taken as straight lines between their ends"))
+    elif kind == "INSERT":
+        _block(drawing, entity, fixed, (layer, where), level)
+    elif kind in CURVES and drawing.arcs:
+        points = [_xyz(one) for one in _curve(entity, drawing.arcs)]
+        drawing.lines += [(layer, a, b, where) for a, b in pairwise(points)]
+        hold(len(drawing.lines), str(drawing.path), "Import a smaller part.", most=MOST_ENTRIES, of="lines")
     elif kind in ("TEXT", "MTEXT"):
         text = entity.plain_text() if kind == "MTEXT" else entity.dxf.text
         place = entity.dxf.insert if kind == "MTEXT" else entity.ocs().to_wcs(entity.dxf.insert)
         drawing.texts.append((_xyz(place), str(text).strip(), where))
     else:
-        why = "blocks are not read; explode them" if kind == "INSERT" else "only straight lines become bars"
+        why = "only straight lines become bars" + ("; give --arcs N for N bars a turn" if kind in CURVES else "")
         drawing.left.append(LeftOut(kind, where, why))
+
+
+def _block(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[str, str], level: int) -> None:
+    """The entities of an inserted block, where it puts them; of a grid of insertions each."""
+    if level >= DEEPEST:
+        drawing.left.append(LeftOut("INSERT", within[1], f"more than {DEEPEST} blocks in each other are not read"))
+        return
+    if entity.block() is None:
+        drawing.left.append(LeftOut("INSERT", within[1], f"the block {shown(entity.dxf.name)} is not in the file"))
+        return
+    each = entity.mcount
+    hold(each, within[1], "Explode a smaller part.", most=MOST_ENTRIES, of="insertions")
+    for one in entity.multi_insert() if each > 1 else [entity]:
+        lost: list[str] = []
+        for child in one.virtual_entities(skipped_entity_callback=lambda _, why, lost=lost: lost.append(str(why))):
+            _take(drawing, child, fixed, within, level + 1)
+            hold(
+                len(drawing.lines) + len(drawing.left),
+                str(drawing.path),
+                "Import a smaller part.",
+                most=MOST_ENTRIES,
+                of="parts",
+            )
+        drawing.left += [LeftOut("part of a block", within[1], why) for why in lost]
+
+
+def _curve(entity: Any, arcs: int) -> list[Any]:
+    """Points of a curve in order; chords of equal turns of arcs and circles."""
+    kind = entity.dxftype()
+    if kind in ("ARC", "CIRCLE"):
+        start, end = (entity.dxf.start_angle, entity.dxf.end_angle) if kind == "ARC" else (0.0, 360.0)
+        turn = (end - start) % 360.0 or 360.0
+        count = max(1, math.ceil(turn / 360.0 * arcs - 1e-9))
+        return list(entity.vertices([start + turn * k / count for k in range(count + 1)]))
+    tool = entity.construction_tool()
+    if kind == "ELLIPSE":
+        span = tool.param_span
+        count = max(1, math.ceil(span / math.tau * arcs - 1e-9))
+        return list(tool.vertices([tool.start_param + span * k / count for k in range(count + 1)]))
+    return list(tool.approximate(arcs))
 
 
 def _xyz(point: Any) -> tuple[float, float, float]:
@@ -178,6 +255,7 @@ def _bars(
             seen.add(frozenset(ends))
             count[layer] = count.get(layer, 0) + 1
             name = names.of(labels.get(index, f"{layer}.{count[layer]}"), where, "bar")
+            drawing.layers[name] = layer
             bars[name] = Bar(ends=ends, kind="driven" if matches(layer, active) else "rigid")
     drawing.left += names.renamed
     return bars

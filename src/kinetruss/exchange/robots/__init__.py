@@ -6,12 +6,14 @@ from kinetruss.exchange.robots.of_model import robot_of_model
 from kinetruss.exchange.robots.records import (
     Closure,
     DrivenLength,
+    JointCoupling,
     JointKind,
     LeftOut,
     Link,
     Pivot,
     Robot,
     RobotOfModel,
+    Span,
     matrix_quaternion,
     placement,
     quaternion_matrix,
@@ -20,6 +22,7 @@ from kinetruss.exchange.robots.records import (
 from kinetruss.exchange.robots.sliders import with_sliders
 
 __all__ = [
-    "Assembled", "Closure", "DrivenLength", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot", "RobotOfModel",
+    "Assembled", "Closure", "DrivenLength", "JointCoupling", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot",
+    "RobotOfModel", "Span",
     "assemble", "closed", "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
 ]  # fmt: skip

@@ -9,34 +9,36 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.exchange.robots.closing import Posed
+from kinetruss.exchange.robots.draft import REACH, Draft, extent, gyration, hinged
+from kinetruss.exchange.robots.laws import with_laws, with_spans
 from kinetruss.exchange.robots.parts import SAME, Connection, Part, parts_of
-from kinetruss.exchange.robots.records import LeftOut, turn_about
+from kinetruss.exchange.robots.records import LeftOut
 from kinetruss.library import joints
 from kinetruss.library.bodies import MassProperties, rigid
-from kinetruss.model import GROUND, Body, Hinge, HingeDrive, Joint, Model, Node, Spring
+from kinetruss.model import GROUND, Bar, Body, Hinge, Joint, LengthDrive, Model, Node
 from kinetruss.model.checks import beside
 from kinetruss.model.parts import quality, second_moments
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    pass
 
 __all__ = ["Assembled", "assemble"]
 
-REACH = 0.5
-"""Distance of the two nodes of an axis, as a fraction of the size of the smaller body."""
 ROUND = 1e-6
 """Difference of the two cross moments of a rod, relative to their mean, that still counts as none."""
 THIN = 1e-9
 """A body is a rod or a plate if a second moment is below this fraction of the largest."""
 WIDE, GOOD = 0.5, 0.05
 """Least distance of its carriers, relative to the radius of gyration, and least normalised area or volume."""
+APART, FACTORS = 0.01, (1.0, 1.25, 0.8, 1.4, 0.7)
+"""Least distance of a carrier from other nodes, over the radius of gyration, and factors of its distance from the centre."""
 ALONE = "(alone)"
 """Name of the node of a model without nodes, which every model needs."""
 SPARE = 1.15
@@ -52,61 +54,6 @@ class Assembled:
     left_out: Sequence[LeftOut]
 
 
-@dataclass(eq=False)
-class _Draft:
-    """Nodes by name and place (3,) m, those of each part, joints and drives, while the model is built."""
-
-    size: float
-    places: dict[str, NDArray[np.float64]] = field(default_factory=dict)
-    own: dict[str, list[str]] = field(default_factory=dict)
-    joints: dict[str, Joint] = field(default_factory=dict)
-    drives: dict[str, HingeDrive] = field(default_factory=dict)
-    springs: dict[str, Spring] = field(default_factory=dict)
-    offsets: dict[str, float] = field(default_factory=dict)
-    left: list[LeftOut] = field(default_factory=list)
-
-    def share(self, name: str, place: Any, parts: Sequence[str]) -> str:
-        """A node of several parts. The node of one of them at this place is the same point of it, so it is shared by all."""
-        there = [node for part in parts for node in self.own[part] if self._at(node, place)]
-        found = there[0] if there else name
-        if not there:
-            while found in self.places:
-                found += "'"
-            self.places[found] = np.array(place, float)
-        for other in dict.fromkeys(node for node in there if node != found):
-            self._merge(other, found)
-        for part in parts:
-            if found not in self.own[part]:
-                self.own[part].append(found)
-        return found
-
-    def _at(self, node: str, place: Any) -> bool:
-        return float(np.linalg.norm(self.places[node] - place)) <= SAME * self.size
-
-    def _merge(self, old: str, new: str) -> None:
-        """Call a node by the name of another at its place."""
-        del self.places[old]
-        for part, names in self.own.items():
-            self.own[part] = list(dict.fromkeys(_other(names, old, new)))
-        for name, joint in self.joints.items():
-            hinges = tuple(Hinge(**_named(one, old, new)) for one in joint.hinges)
-            self.joints[name] = joint.with_(nodes=_other(joint.nodes, old, new), hinges=hinges)
-        for name, drive in self.drives.items():
-            self.drives[name] = HingeDrive(**_named(drive, old, new))
-        for name, spring in self.springs.items():
-            if isinstance(spring.coordinate, HingeDrive):
-                self.springs[name] = spring.with_(coordinate=HingeDrive(**_named(spring.coordinate, old, new)))
-
-
-def _other(names: Sequence[str], old: str, new: str) -> tuple[str, ...]:
-    return tuple(new if name == old else name for name in names)
-
-
-def _named(one: Hinge | HingeDrive, old: str, new: str) -> dict[str, Any]:
-    start, end = _other((one.start, one.end), old, new)
-    return {"axis": _other(one.axis, old, new), "start": start, "end": end}
-
-
 def assemble(posed: Posed) -> Assembled:
     """The model of a robot in its closed pose.
 
@@ -115,22 +62,27 @@ def assemble(posed: Posed) -> Assembled:
     ModelError : bodies that are impossible, with the place of the link in the file.
     """
     parts, connections, left = parts_of(posed)
-    draft = _Draft(size=_size(parts, connections), own={name: [] for name in parts}, left=left)
+    draft = Draft(size=_size(parts, connections), own={name: [] for name in parts}, left=left)
     for one in connections:
         if one.kind == "ball":
             node = draft.share(one.name, one.place, one.parts)
             draft.joints[one.name] = Joint(kind="spherical", bodies=one.parts, nodes=(node,))
         elif one.kind == "revolute":
-            _hinge(draft, one, parts)
+            hinged(draft, one, parts)
     for part in parts.values():
         for name, place in part.points.items():
             draft.share(name, place, (part.name,))
+    points = {name: (part.name, place) for part in parts.values() for name, place in part.points.items()}
+    spans = {one.name: [draft.share(end, points[end][1], points[end][:1]) for end in one.points] for one in posed.robot.spans}
     sliders = [one for one in connections if one.kind == "prismatic"]
     model = _with_bodies(draft, posed, parts, {name for one in sliders for name in one.parts})
-    model = model.with_(joints=_with_hinges(model, draft), drives=draft.drives, springs=draft.springs)
+    drives = {one.drive: draft.coordinates[one.name] for one in connections if one.kind == "revolute" and one.drive is not None}
+    model = model.with_(joints=_with_hinges(model, draft), drives=drives)
     for one in sliders:
         model = _slider(model, draft, one)
-    return Assembled(model=model, offsets=draft.offsets, left_out=draft.left)
+    model = with_spans(with_laws(model, draft, connections, posed.robot), spans, posed.robot)
+    offsets = {one.drive: draft.offsets[one.name] for one in connections if one.drive is not None}
+    return Assembled(model=model, offsets=offsets, left_out=draft.left)
 
 
 def _size(parts: Mapping[str, Part], connections: Sequence[Connection]) -> float:
@@ -138,55 +90,10 @@ def _size(parts: Mapping[str, Part], connections: Sequence[Connection]) -> float
     places = [one.place for one in connections] + [place for part in parts.values() for place in part.points.values()]
     places += [part.properties.center for part in parts.values() if part.properties is not None]
     spread = float(np.ptp(np.array(places), axis=0).max()) if len(places) > 1 else 0.0
-    return spread or max((_gyration(part) for part in parts.values()), default=0.0) or 1.0
+    return spread or max((gyration(part) for part in parts.values()), default=0.0) or 1.0
 
 
-def _gyration(part: Part) -> float:
-    """Radius of gyration, m."""
-    given = part.properties
-    return 0.0 if given is None else math.sqrt(max(float(np.trace(given.inertia)), 0.0) / 2.0 / given.mass)
-
-
-def _extent(part: Part, size: float) -> float:
-    """Extent of a part: of its places and its mass, m; of the whole robot for the ground."""
-    if part.name == GROUND:
-        return size
-    places = [*part.joints, *part.points.values(), *([] if part.properties is None else [part.properties.center])]
-    return max(float(np.linalg.norm(np.ptp(np.array(places), axis=0))) if places else 0.0, 2 * _gyration(part)) or size
-
-
-def _hinge(draft: _Draft, one: Connection, parts: Mapping[str, Part]) -> None:
-    """Two shared nodes on the axis, and the nodes between which its drive measures the angle."""
-    reach = REACH * min(_extent(parts[name], draft.size) for name in one.parts)
-    ends = tuple(draft.share(f"{one.name}.{k}", one.place + far * one.axis, one.parts) for k, far in ((1, 0.0), (2, reach)))
-    hinges: tuple[Hinge, ...] = ()
-    if one.drive is not None or any(one.spring):
-        measured = HingeDrive(axis=ends, **_measured(draft, one, reach))
-        hinges = (Hinge(axis=ends, start=measured.start, end=measured.end),)
-        whole = math.atan2(math.sin(one.value), math.cos(one.value)) - one.value  # the drive starts within half a turn
-        if one.drive is not None:
-            draft.drives[one.drive] = measured
-            draft.offsets[one.drive] = whole
-        if any(one.spring):
-            stiffness, rest, damping = one.spring
-            draft.springs[f"{one.name}.spring"] = Spring(
-                coordinate=measured, stiffness=stiffness, rest=rest + whole, damping=damping
-            )
-    draft.joints[one.name] = Joint(kind="revolute", bodies=one.parts, nodes=ends, hinges=hinges)
-
-
-def _measured(draft: _Draft, one: Connection, reach: float) -> dict[str, str]:
-    """Nodes at one distance from the axis, one in each body, at one place where the value of the joint is 0."""
-    aside = np.eye(3)[int(np.argmin(np.abs(one.axis)))]
-    aside = np.cross(one.axis, np.cross(aside, one.axis))
-    aside *= reach / float(np.linalg.norm(aside))
-    first, second = one.parts
-    start = draft.share(f"{one.name}.zero", one.place + aside, (first,))
-    turned = one.place + turn_about(one.axis, one.value) @ aside
-    return {"start": start, "end": draft.share(f"{one.name}.turned", turned, (second,))}
-
-
-def _with_bodies(draft: _Draft, posed: Posed, parts: Mapping[str, Part], slides: set[str]) -> Model:
+def _with_bodies(draft: Draft, posed: Posed, parts: Mapping[str, Part], slides: set[str]) -> Model:
     """The model with its nodes and bodies. Each body is made in a model of its own nodes, so that many take little time."""
     ground = draft.own.get(GROUND, [])
     if not draft.places:
@@ -198,7 +105,7 @@ def _with_bodies(draft: _Draft, posed: Posed, parts: Mapping[str, Part], slides:
             own = {name: nodes[name] for name in draft.own[part.name]}
             made = _with_body(Model(nodes=own or {ALONE: Node(at=(0, 0, 0))}), draft, part, part.name in slides)
             names = {name: name if name in own else _free(name, nodes) for name in made.nodes if name != ALONE}
-            nodes |= {names[name]: node for name, node in made.nodes.items() if name in names}
+            nodes |= {names[name]: node.with_(coincident=True) for name, node in made.nodes.items() if name in names}
             bodies |= {key: _renamed(body, names) for key, body in made.bodies.items()}
     return Model(title=posed.robot.title, nodes=nodes, fixed=tuple(ground), gravity=posed.robot.gravity, bodies=bodies)
 
@@ -214,7 +121,7 @@ def _renamed(body: Body, names: Mapping[str, str]) -> Body:
     return body.with_(nodes=tuple(names[name] for name in body.nodes), carriers=carriers)
 
 
-def _with_body(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
+def _with_body(model: Model, draft: Draft, part: Part, slides: bool) -> Model:
     """The model with the body of a part."""
     names, given = draft.own[part.name], part.properties
     try:
@@ -228,14 +135,15 @@ def _with_body(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
             draft.left.append(LeftOut("spin", part.where, text))
             return model.with_(bodies=model.bodies | {part.name: rod})
         points = _thin_carriers(draft, names, given)
-        return rigid(model, part.name, given, nodes=[name for name in names if name not in points], points=points or None)
+        made = rigid(model, part.name, given, nodes=[name for name in names if name not in points], points=points or None)
+        return made if points else _apart(made, model, draft, part)
     except InputError as error:
         faults = error.faults if isinstance(error, ModelError) else [Fault((), str(error), "")]
         words = " ".join(str(one) for one in faults)
         raise ModelError([Fault((), f"{part.where}: {words}", "Correct the masses and inertias of this link.")]) from None
 
 
-def _with_mass(model: Model, draft: _Draft, part: str, given: MassProperties) -> Model:
+def _with_mass(model: Model, draft: Draft, part: str, given: MassProperties) -> Model:
     """The model with a mass at one node of a part, a new one if none is there."""
     there = [name for name in draft.own[part] if float(np.linalg.norm(draft.places[name] - given.center)) <= SAME * draft.size]
     name = there[0] if there else f"{part}.mass"
@@ -244,7 +152,7 @@ def _with_mass(model: Model, draft: _Draft, part: str, given: MassProperties) ->
     return model.with_(nodes=model.nodes | {name: Node(at=at, mass=mass, coincident=True)})
 
 
-def _massless(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
+def _massless(model: Model, draft: Draft, part: Part, slides: bool) -> Model:
     """A body without mass on its nodes, with more nodes if they do not make a body."""
     names = [name for name in model.nodes if name != ALONE]
     if not names and not slides:
@@ -252,7 +160,7 @@ def _massless(model: Model, draft: _Draft, part: Part, slides: bool) -> Model:
     places = {name: np.array(model.nodes[name].at) for name in names}
     if slides or not names:  # a slider needs a body with an extent
         middle = next(iter(places.values()), part.joints[0] if part.joints else np.zeros(3))
-        reach = REACH * _extent(part, draft.size)
+        reach = REACH * extent(part, draft.size)
         places |= {f"{part.name}.{k + 1}": middle + reach * along for k, along in enumerate(np.eye(3))}
     elif len(places) == 1:
         middle, reach = next(iter(places.values())), REACH * draft.size
@@ -285,7 +193,25 @@ def _spanning(places: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(chosen)
 
 
-def _thin_carriers(draft: _Draft, names: Sequence[str], given: MassProperties) -> dict[str, Any]:
+def _apart(made: Model, model: Model, draft: Draft, part: Part) -> Model:
+    """The model with the carriers of a body farther from its centre if one is almost at another node of the body.
+
+    That of a uniform rod is at the end of the rod, where its joint is; a bar between the two would have no direction.
+    """
+    given = part.properties
+    at = {name: np.array(made.nodes[name].at) for name in made.bodies[part.name].carriers or ()}
+    others = [draft.places[name] for name in draft.own[part.name]]
+    if given is None or not others or not at.keys().isdisjoint(draft.own[part.name]):
+        return made
+    for factor in FACTORS:
+        points = {name: given.center + factor * (place - given.center) for name, place in at.items()}
+        least = min(float(np.linalg.norm(place - other)) for place in points.values() for other in others)
+        if least > APART * gyration(part):
+            break
+    return made if factor == 1.0 else rigid(model, part.name, given, nodes=draft.own[part.name], points=points)
+
+
+def _thin_carriers(draft: Draft, names: Sequence[str], given: MassProperties) -> dict[str, Any]:
     """Nodes that carry the mass of a rod or a plate, if it has some on its line or in its plane.
 
     The carriers that are chosen otherwise lie near the ends of a uniform rod, so almost where its joints are.
@@ -302,7 +228,7 @@ def _thin_carriers(draft: _Draft, names: Sequence[str], given: MassProperties) -
     return found if wide and len(found) == extent + 1 and quality(list(found.values())) > GOOD else {}
 
 
-def _rod(draft: _Draft, part: Part, slides: bool) -> Body | None:
+def _rod(draft: Draft, part: Part, slides: bool) -> Body | None:
     """A body between two balls that is alike all round their line: on two nodes, without turning about the line."""
     names, given = draft.own[part.name], part.properties
     if given is None or slides or len(names) != 2 or not part.balls_only:
@@ -325,7 +251,7 @@ def _rod(draft: _Draft, part: Part, slides: bool) -> Body | None:
     )
 
 
-def _with_hinges(model: Model, draft: _Draft) -> dict[str, Joint]:
+def _with_hinges(model: Model, draft: Draft) -> dict[str, Joint]:
     """The joints; a revolute one without a drive gets its angle between a node of each body off the axis."""
     found = {}
     for name, joint in draft.joints.items():
@@ -351,7 +277,7 @@ def _aside(model: Model, body: str, place: Any, along: Any) -> str | None:
     return found
 
 
-def _slider(model: Model, draft: _Draft, one: Connection) -> Model:
+def _slider(model: Model, draft: Draft, one: Connection) -> Model:
     """The model with a slider; its stroke holds the travel between the limits."""
     size = None
     if one.limits is not None:
@@ -359,8 +285,11 @@ def _slider(model: Model, draft: _Draft, one: Connection) -> Model:
         size = SPARE * travel if 0 < travel < math.inf else None
     made = joints.prismatic(model, one.name, bodies=one.parts, at=one.place, axis=one.axis, size=size)
     slide = made.joints[one.name].slide
-    if one.drive is not None and slide is not None:
-        made = joints.drive(made, one.name, one.drive)
+    if one.measured and slide is not None:
+        name = one.drive or f"{one.name}.travel"
+        bar = Bar(ends=slide, kind="driven" if one.drive is not None else "free", mass=0.0)
+        made = made.with_(bars=made.bars | {name: bar})
+        draft.coordinates[one.name] = LengthDrive(name)
         first, second = (np.array(made.nodes[node].at) for node in slide)
-        draft.offsets[one.drive] = float(np.linalg.norm(second - first)) - one.value
+        draft.offsets[one.name] = float(np.linalg.norm(second - first)) - one.value
     return made

@@ -1,7 +1,8 @@
 """The pose of a robot in which its loops are closed, and which conditions of its closures are independent.
 
 Frames follow from the values of the joints along the tree. Closures are solved by Gauss-Newton steps of least length with the
-geometric Jacobian; the joints with drives stay where the file has them if the others can close the loops.
+geometric Jacobian; the joints with drives stay where the file has them if the others can close the loops. Couplings of joints
+are further conditions: the sum of factor times value, minus what it stays at.
 """
 
 from __future__ import annotations
@@ -13,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.exchange.robots.records import COLUMNS, Closure, Pivot, Robot, placement, turn_about
+from kinetruss.exchange.robots.records import COLUMNS, Closure, JointCoupling, Pivot, Robot, placement, turn_about
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Posed", "closed", "frames_of"]
+__all__ = ["Posed", "closed", "frames_at_rest", "frames_of"]
 
 STEPS = 100
 LONGEST = 0.5
@@ -40,7 +41,7 @@ class Posed:
 
     frames : (4, 4) of each link. values : of revolute and prismatic joints, rad, m. gap : largest that is left, m or rad.
     freedoms : of the joints and closures together, by rank. redundant : closure -> number of its conditions that the
-        joints and the closures before it imply.
+        joints and the closures before it imply. implied : couplings that the joints, closures and couplings before imply.
     """
 
     robot: Robot
@@ -49,6 +50,7 @@ class Posed:
     gap: float
     freedoms: int
     redundant: Mapping[str, int]
+    implied: Sequence[str] = ()
 
 
 def closed(robot: Robot) -> Posed:
@@ -74,10 +76,10 @@ def closed(robot: Robot) -> Posed:
     if gap > NEARLY:
         raise _open(robot, state, size)
     frames = frames_of(robot, state)
-    freedoms, redundant = _independent(robot, frames, size)
+    freedoms, redundant, implied = _independent(robot, frames, size)
     single = {pivot.name: float(state[pivot.name]) for pivot in robot.pivots if COLUMNS[pivot.kind] == 1}
     left = 0.0 if gap <= CLOSED * 10 else gap * size
-    return Posed(robot=robot, frames=frames, values=single, gap=left, freedoms=freedoms, redundant=redundant)
+    return Posed(robot=robot, frames=frames, values=single, gap=left, freedoms=freedoms, redundant=redundant, implied=implied)
 
 
 def _values(robot: Robot, *, at_home: bool = False) -> State:
@@ -92,6 +94,12 @@ def frames_of(robot: Robot, state: Mapping[str, Any]) -> dict[str, NDArray[np.fl
     for pivot in robot.pivots:
         frames[pivot.child] = frames[pivot.parent] @ pivot.origin @ _motion(pivot, state[pivot.name]) @ pivot.after
     return frames
+
+
+def frames_at_rest(robot: Robot) -> dict[str, NDArray[np.float64]]:
+    """Frames (4, 4) of all links where the springs of the joints have no force; loops may be open there."""
+    single = {one.name: one.spring[1] for one in robot.pivots if COLUMNS[one.kind] == 1}
+    return frames_of(robot, _values(robot, at_home=True) | single)
 
 
 def _motion(pivot: Pivot, value: Any) -> NDArray[np.float64]:
@@ -128,7 +136,7 @@ def _both(closure: Closure) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 def _solve(robot: Robot, state: State, moving: Sequence[Pivot], size: float) -> tuple[float, State]:
     """The gap that is left (relative to the size; rad), and the state."""
-    gap = _gap(robot, frames_of(robot, state), size)
+    gap = _gap(robot, state, size)
     best = float(np.abs(gap).max(initial=0.0)), dict(state)
     columns = {pivot.name for pivot in moving if COLUMNS[pivot.kind]}
     stalled = 0
@@ -139,7 +147,7 @@ def _solve(robot: Robot, state: State, moving: Sequence[Pivot], size: float) -> 
         step = np.linalg.lstsq(J, -gap, rcond=INDEPENDENT)[0]
         step *= min(1.0, LONGEST / max(float(np.abs(step).max()), 1e-300))
         _advance(robot, state, step, size, columns)
-        gap = _gap(robot, frames_of(robot, state), size)
+        gap = _gap(robot, state, size)
         now = float(np.abs(gap).max(initial=0.0))
         stalled = 0 if now < 0.9 * best[0] else stalled + 1
         if now < best[0]:
@@ -147,15 +155,27 @@ def _solve(robot: Robot, state: State, moving: Sequence[Pivot], size: float) -> 
     return best
 
 
-def _gap(robot: Robot, frames: Mapping[str, NDArray[np.float64]], size: float) -> NDArray[np.float64]:
-    """Place of the first frame minus that of the second, relative to the size; of welds the rotation between them too, rad."""
-    rows: list[Any] = []
+def _gap(robot: Robot, state: State, size: float) -> NDArray[np.float64]:
+    """Place of the first frame minus that of the second, relative to the size; of welds the rotation between them too, rad.
+
+    Then the gaps of the couplings, in the unit of their largest term, rad or sizes.
+    """
+    frames, rows = frames_of(robot, state), list[Any]()
     for closure in robot.closures:
         one, two = (frames[link] @ frame for link, frame in zip(closure.links, _both(closure), strict=True))
         rows.append((one[:3, 3] - two[:3, 3]) / size)
         if closure.kind == "weld":
             rows.append(_rotation_vector(one[:3, :3] @ two[:3, :3].T))
+    for coupling in robot.couplings:
+        total = sum(factor * float(state[name]) for name, factor in coupling.factors.items())
+        rows.append(np.array([(total - coupling.value) / max(map(abs, _factors(robot, coupling, size).values()))]))
     return np.concatenate(rows) if rows else np.zeros(0)
+
+
+def _factors(robot: Robot, coupling: JointCoupling, size: float) -> dict[str, float]:
+    """Factors of the joints of a coupling, where lengths count in sizes."""
+    slides = {pivot.name for pivot in robot.pivots if pivot.kind == "prismatic"}
+    return {name: factor * (size if name in slides else 1.0) for name, factor in coupling.factors.items()}
 
 
 def _rotation_vector(R: Any) -> NDArray[np.float64]:
@@ -187,6 +207,11 @@ def _jacobian(robot: Robot, frames: Mapping[str, Any], size: float, columns: set
                     at = place[pivot.name]
                     block[:, at : at + COLUMNS[pivot.kind]] += sign * _rates(pivot, frames, point, size)
         blocks.append(block if closure.kind == "weld" else block[:3])
+    for coupling in robot.couplings:
+        factors, row = _factors(robot, coupling, size), np.zeros((1, count))
+        for name in factors.keys() & place.keys():
+            row[0, place[name]] = factors[name] / max(map(abs, factors.values()))
+        blocks.append(row)
     return np.vstack(blocks) if blocks else np.zeros((0, count))
 
 
@@ -236,29 +261,33 @@ def _advance(robot: Robot, state: State, step: Any, size: float, columns: set[st
             state[pivot.name] = new
 
 
-def _independent(robot: Robot, frames: Mapping[str, Any], size: float) -> tuple[int, dict[str, int]]:
-    """Freedoms by rank, and of each closure the number of conditions that those before it imply."""
+def _independent(robot: Robot, frames: Mapping[str, Any], size: float) -> tuple[int, dict[str, int], list[str]]:
+    """Freedoms by rank, of each closure the number of conditions that those before it imply, and couplings that are implied."""
     J = _jacobian(robot, frames, size, {pivot.name for pivot in robot.pivots if COLUMNS[pivot.kind]})
     largest = float(np.linalg.norm(J, 2)) if J.size else 1.0
-    rank, row, redundant = 0, 0, {}
-    for closure in robot.closures:
-        count = 6 if closure.kind == "weld" else 3
+    rank, row = 0, 0
+    spare: list[int] = []
+    for count in [6 if closure.kind == "weld" else 3 for closure in robot.closures] + [1] * len(robot.couplings):
         row += count
         now = int(np.sum(np.linalg.svd(J[:row], compute_uv=False) > INDEPENDENT * largest)) if J.size else 0
-        redundant[closure.name] = count - (now - rank)
+        spare.append(count - (now - rank))
         rank = now
-    return J.shape[1] - rank, redundant
+    loops = len(robot.closures)
+    redundant = {closure.name: count for closure, count in zip(robot.closures, spare[:loops], strict=True)}
+    implied = [one.name for one, count in zip(robot.couplings, spare[loops:], strict=True) if count]
+    return J.shape[1] - rank, redundant, implied
 
 
 def _open(robot: Robot, state: State, size: float) -> InputError:
-    frames = frames_of(robot, state)
     lines = []
     for closure in robot.closures:
-        gap = np.abs(_gap(replace(robot, closures=[closure]), frames, size))
+        gap = np.abs(_gap(replace(robot, closures=[closure], couplings=()), state, size))
         apart, turned = float(gap[:3].max()) * size, float(gap[3:].max(initial=0.0))
         if max(apart / size, turned) > NEARLY:
             more = f" and {np.degrees(turned):.3g} deg" if closure.kind == "weld" else ""
             lines.append(f"{closure.where}: closure {closure.name!r} stays open by {apart:.3g} m{more}.")
+    off = {one: float(_gap(replace(robot, closures=(), couplings=[one]), state, size)[0]) for one in robot.couplings}
+    lines += [f"{one.where}: coupling {one.name!r} is off by {gap:.3g}." for one, gap in off.items() if abs(gap) > NEARLY]
     mend = (
         "The joints cannot bring its two frames together from the pose of the file. Give joint values near a closed pose "
         "(--at JOINT=VALUE), or correct the places of the two frames. A closure of three conditions ('3d', connect) needs "

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Connection", "Part", "SAME", "parts_of"]
 
+ROUND = 1e-6
+"""Differences of axes, places and moments, relative to their size, that count as round-off of a file."""
 SAME = 1e-9
 """Distance of places that are one, as a multiple of the size of the robot."""
 
@@ -48,7 +50,18 @@ class Connection:
     drive: str | None = None
     limits: tuple[float, float] | None = None
     spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    coupled: bool = False
     where: str = ""
+
+    @property
+    def measured(self) -> bool:
+        """True if a drive, a spring or a coupling acts on its value."""
+        return self.drive is not None or self.coupled or self.sprung
+
+    @property
+    def sprung(self) -> bool:
+        """True if it has stiffness or damping."""
+        return bool(self.spring[0] or self.spring[2])
 
 
 def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[LeftOut]]:
@@ -71,7 +84,7 @@ def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[Left
             part.points[point] = (frame @ np.append(place, 1.0))[:3]
     parts.setdefault(GROUND, Part(GROUND, ""))
     connections = [*_joints(posed, group, left), *_balls(posed, group, left)]
-    connections = _without_idle(parts, connections, left)
+    connections = _without_spins(parts, _without_idle(parts, connections, left), left)
     for one in connections:
         for name in one.parts:
             parts[name].joints.append(one.place)
@@ -110,6 +123,7 @@ def _groups(robot: Robot) -> dict[str, str]:
 
 def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list[Connection]:
     found = []
+    coupled = {name for one in posed.robot.couplings for name in one.factors}
     for pivot in posed.robot.pivots:
         parts = group[pivot.parent], group[pivot.child]
         if pivot.kind == "weld" or pivot.kind == "free":
@@ -124,7 +138,7 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
         found.append(
             Connection(
                 name=pivot.name, kind=pivot.kind, parts=parts, place=place, axis=axis / np.linalg.norm(axis), value=value,
-                drive=pivot.drive, limits=pivot.limits, spring=pivot.spring, where=pivot.where,
+                drive=pivot.drive, limits=pivot.limits, spring=pivot.spring, coupled=pivot.name in coupled, where=pivot.where,
             )
         )  # fmt: skip
     return found
@@ -163,6 +177,51 @@ def _without_idle(parts: dict[str, Part], connections: list[Connection], left: l
             )
             connections = [one for one in connections if name not in one.parts]
             del parts[name]
+
+
+def _without_spins(parts: dict[str, Part], connections: list[Connection], left: list[LeftOut]) -> list[Connection]:
+    """Parts alike all round an axis, between two undriven hinges on it, spin freely and move nothing else by it.
+
+    Each joins a neighbour, without its moment about the axis: CAD programs put such spheres and pins where loops close.
+    """
+    for name in list(parts):
+        own = [one for one in connections if name in one.parts]
+        if name == GROUND or len(own) != 2 or parts[name].points or not _spins(parts[name], *own):
+            continue
+        beside = [next(iter(set(one.parts) - {name})) for one in own]
+        if beside[0] == beside[1]:
+            continue
+        gone, stays = own if beside[0] != GROUND else own[::-1]
+        onto = next(iter(set(gone.parts) - {name}))
+        if (given := parts.pop(name).properties) is not None:
+            n = stays.axis
+            rest = replace(given, inertia=given.inertia - (n @ given.inertia @ n) * np.outer(n, n))
+            old = parts[onto].properties
+            parts[onto].properties = rest if old is None else combined(old, rest)
+        left.append(
+            LeftOut("spin", gone.where, f"link {name!r} turns freely about the one axis of its two joints; it does not here")
+        )
+        pair = (onto, stays.parts[1]) if stays.parts[0] == name else (stays.parts[0], onto)
+        connections = [replace(one, parts=pair) if one is stays else one for one in connections if one is not gone]
+    return connections
+
+
+def _spins(part: Part, one: Connection, two: Connection) -> bool:
+    """True for two hinges without drive on one axis, about which the mass of the part is alike all round."""
+    if any(joint.kind != "revolute" or joint.measured for joint in (one, two)):
+        return False
+    n, given = one.axis, part.properties
+    places = [two.place, *([] if given is None else [given.center])]
+    size = max(float(np.linalg.norm(two.place - one.place)), 1e-3)
+    off = [float(np.linalg.norm(np.cross(place - one.place, n))) for place in places]
+    if float(np.linalg.norm(np.cross(n, two.axis))) > ROUND or max(off) > ROUND * size:
+        return False
+    if given is None:
+        return True
+    across = np.eye(3) - np.outer(n, n)
+    moment = 0.5 * float(np.trace(across @ given.inertia))
+    uneven = given.inertia - moment * across - (n @ given.inertia @ n) * np.outer(n, n)
+    return float(np.abs(uneven).max()) <= ROUND * float(np.trace(given.inertia))
 
 
 def _anchored(parts: Mapping[str, Part], connections: Sequence[Connection], size: float) -> list[Connection]:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 __all__ = [
     "COLUMNS",
     "Closure",
+    "JointCoupling",
+    "Span",
     "RobotOfModel",
     "JointKind",
     "LeftOut",
@@ -68,8 +70,8 @@ class Pivot:
     """A joint: child frame = parent frame . origin . motion . after, each (4, 4); the motion is about or along `axis` (3,).
 
     home : value of a revolute or prismatic joint where the file draws the robot, rad or m; start : that at which the search
-    for a closed pose starts, `home` if None. spring : stiffness, N m/rad, value without moment, rad, and damping, N m s/rad,
-    of a revolute joint. drive : the name of its drive, if it has one. limits : of its value.
+    for a closed pose starts, `home` if None. spring : stiffness, value without force, and damping of a revolute (N m/rad, rad,
+    N m s/rad) or prismatic joint (N/m, m, N s/m). drive : the name of its drive, if it has one. limits : of its value.
     """
 
     name: str
@@ -102,8 +104,32 @@ class Closure:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class JointCoupling:
+    """Revolute and prismatic joints that move together: the sum of factor times value, rad or m, stays at `value`."""
+
+    name: str
+    factors: Mapping[str, float]
+    value: float = 0.0
+    where: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Span:
+    """The straight distance of two named points of links: a drive of a length, or a spring, or both.
+
+    spring : stiffness, N/m, length without force, m (None: that where no spring of a joint has a force), and damping, N s/m.
+    """
+
+    name: str
+    points: tuple[str, str]
+    driven: bool = False
+    spring: tuple[float, float | None, float] | None = None
+    where: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Robot:
-    """Links by name, joints from `root` outwards, closures; gravity (3,) m/s^2; what was left out while reading.
+    """Links by name, joints from `root` outwards, closures, couplings, spans; gravity (3,) m/s^2; what was left out.
 
     root : the link that the ground holds.
     """
@@ -113,15 +139,17 @@ class Robot:
     links: Mapping[str, Link]
     pivots: Sequence[Pivot]
     closures: Sequence[Closure] = ()
+    couplings: Sequence[JointCoupling] = ()
+    spans: Sequence[Span] = ()
     gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)
     left_out: Sequence[LeftOut] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DrivenLength:
-    """A driven length: a force along the line between points of two links, (3,) m in their frames.
+    """A length with a force: along the line between points of two links, (3,) m in their frames.
 
-    properties : of the rods at both ends, None without mass.
+    properties : of the rods at both ends, None without mass. driven : it is a drive. spring : as of a `Span`.
     """
 
     name: str
@@ -129,6 +157,8 @@ class DrivenLength:
     points: tuple[NDArray[np.float64], NDArray[np.float64]]
     length: float
     properties: tuple[MassProperties | None, MassProperties | None] | None = None
+    driven: bool = True
+    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

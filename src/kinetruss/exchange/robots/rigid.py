@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.limits import hold
 from kinetruss.mechanics import compile, constraint_jacobian
@@ -32,32 +31,39 @@ ALIKE = 1e-7
 
 @dataclass(eq=False)
 class Rigid:
-    """A rigid part: numbers of its nodes. kind : ``ground``, ``body`` (it has an orientation) or ``rod``."""
+    """A rigid part: numbers of its nodes. kind : ``ground``, ``body`` (it has an orientation), ``rod`` or ``guide``.
+
+    A guide is one node that a support lets move along `axes` only.
+    """
 
     name: str
     kind: str
     nodes: list[int]
+    axes: str = ""
 
 
 def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
-    """The ground, the bodies, and the bars that are part of none. x (n, 3), m, at which the model is assembled.
+    """The ground, the bodies, the bars that are part of none, and guided nodes. x (n, 3), m, at which the model is assembled.
 
     Raises
     ------
-    InputError : a support guides a node that moves, or the model has too many coordinates.
+    InputError : the model has too many coordinates.
     """
     system = compile(model)
     hold(x.size, "The motions of the model", "Export a smaller part.", most=MOST, of="coordinates")
     from scipy.linalg import null_space
 
     rows = (system.row_drive < 0) & (system.row_kind == LENGTH)
-    J = constraint_jacobian(system, x)[:, system.free][rows]
-    modes = null_space(J.toarray(), rcond=1e-10) if J.shape[0] else np.eye(len(system.free))
+    place = {name: k for k, name in enumerate(model.nodes)}
+    moved = [3 * place[one.node] + "xyz".index(one.axis) for one in model.drives.values() if one.kind == "coordinate"]
+    free = np.union1d(system.free, np.array(moved, dtype=int))
+    J = constraint_jacobian(system, x)[:, free][rows]
+    modes = null_space(J.toarray(), rcond=1e-10) if J.shape[0] else np.eye(len(free))
     V = np.zeros((modes.shape[1], x.size))
-    V[:, system.free] = modes.T
+    V[:, free] = modes.T
     V = V.reshape(len(V), len(x), 3)
     pairs = _pairs(model, system)
-    parts = [Rigid("ground", "ground", _still(model, V))]
+    parts = [Rigid("ground", "ground", _still(V))]
     taken = [set(parts[0].nodes)]
     for name, seed in _seeds(model, pairs):
         if any(set(seed) <= own for own in taken):
@@ -74,7 +80,7 @@ def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
         if not any(pair <= own for own in taken):
             parts.append(Rigid(name, "rod", sorted(pair)))
             taken.append(set(pair))
-    return parts
+    return [*parts, *_guides(model, taken[0])]
 
 
 def _pairs(model: Model, system: Any) -> dict[frozenset[int], str]:
@@ -106,17 +112,16 @@ def _seeds(model: Model, pairs: Iterable[frozenset[int]]) -> Iterator[tuple[str,
             yield names[pair], [a, b, c]
 
 
-def _still(model: Model, V: Any) -> list[int]:
-    """Nodes that do not move. Nodes that are guided by a support are refused."""
-    still = np.abs(V).max(axis=(0, 2), initial=0.0) < ALIKE
-    for k, (name, _) in enumerate(model.nodes.items()):
-        axes = model.fixed.get(name, "")
-        if axes and set(axes) < set("xyz"[: model.dim]) and not still[k]:
-            raise InputError(
-                f"Node {name!r} is held along {axes} only and moves along its guide: such supports are not carried. "
-                "Replace the guide by a bar, or by a joint."
-            )
-    return np.flatnonzero(still).tolist()
+def _still(V: Any) -> list[int]:
+    """Nodes that do not move."""
+    return np.flatnonzero(np.abs(V).max(axis=(0, 2), initial=0.0) < ALIKE).tolist()
+
+
+def _guides(model: Model, still: set[int]) -> Iterator[Rigid]:
+    """Nodes that move, held by a support along some axes."""
+    for k, name in enumerate(model.nodes):
+        if (held := model.fixed.get(name, "")) and k not in still:
+            yield Rigid(f"{name}.guide", "guide", [k], "".join(axis for axis in "xyz"[: model.dim] if axis not in held))
 
 
 def _moving_with(x: Any, V: Any, seed: Sequence[int], dim: int) -> list[int] | None:

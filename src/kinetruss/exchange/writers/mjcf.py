@@ -36,8 +36,9 @@ def mjcf_text(drawn: RobotOfModel) -> tuple[str, list[LeftOut]]:
     ET.SubElement(root, "compiler", angle="radian", inertiafromgeom="false")
     ET.SubElement(root, "option", gravity=_row(robot.gravity))
     _bodies(ET.SubElement(root, "worldbody"), drawn, left)
-    if robot.closures:
+    if robot.closures or robot.couplings:
         group = ET.SubElement(root, "equality")
+        _couplings(group, robot, left)
         for one in robot.closures:
             names = [name for name in one.links if name != GROUND]
             ends = {f"body{k + 1}": name for k, name in enumerate(names)}
@@ -45,18 +46,36 @@ def mjcf_text(drawn: RobotOfModel) -> tuple[str, list[LeftOut]]:
     if drawn.lengths:
         group = ET.SubElement(root, "tendon")
         for driven in drawn.lengths:
-            line = ET.SubElement(group, "spatial", name=driven.name)
+            line = ET.SubElement(group, "spatial", {"name": driven.name, **_spring(driven.spring, "springlength")})
             for end in "12":
                 ET.SubElement(line, "site", site=f"{driven.name}.{end}")
     drives = [one for one in robot.pivots if one.drive is not None]
-    if drives or drawn.lengths:
+    if drives or any(one.driven for one in drawn.lengths):
         group = ET.SubElement(root, "actuator")
         for pivot in drives:
             ET.SubElement(group, "motor", name=str(pivot.drive), joint=pivot.name)
-        for driven in drawn.lengths:
+        for driven in (one for one in drawn.lengths if one.driven):
             ET.SubElement(group, "motor", name=driven.name, tendon=driven.name)
     ET.indent(root)
     return ET.tostring(root, encoding="unicode") + "\n", left
+
+
+def _couplings(group: Element, robot: Robot, left: list[LeftOut]) -> None:
+    """Conditions of one or two joints: y = c1 x, both 0 in the pose."""
+    for one in robot.couplings:
+        if len(one.factors) > 2:
+            left.append(LeftOut("couplings", one.name, "MJCF couples two joints at most: the robot has more freedoms"))
+            continue
+        (first, factor), *rest = one.factors.items()
+        slope = -rest[0][1] / factor if rest else 0.0
+        ends = {"joint1": first} | ({"joint2": rest[0][0]} if rest else {})
+        ET.SubElement(group, "joint", {"name": one.name, **ends, "polycoef": _row([0.0, slope, 0.0, 0.0, 0.0])})
+
+
+def _spring(law: tuple[float, float, float], rest: str) -> dict[str, str]:
+    """Attributes of stiffness, value without force (named `rest`) and damping."""
+    found = {"stiffness": _row(law[:1]), rest: _row(law[1:2])} if law[0] else {}
+    return found | ({"damping": _row(law[2:])} if law[2] else {})
 
 
 def _bodies(world: Element, drawn: RobotOfModel, left: list[LeftOut]) -> None:
@@ -73,7 +92,7 @@ def _bodies(world: Element, drawn: RobotOfModel, left: list[LeftOut]) -> None:
             continue
         body = ET.SubElement(elements[parent], "body", name=pivot.child)
         elements[pivot.child] = body
-        _inertial(body, robot.links[pivot.child], left)
+        _inertial(body, robot.links[pivot.child], pivot.origin[:3, 3], left)
         for one in [*chain, pivot]:
             _joint(body, one)
     for name, element in elements.items():
@@ -106,14 +125,16 @@ def _joint(body: Element, pivot: Pivot) -> None:
         given["pos"] = _row(pivot.origin[:3, 3])
     if pivot.kind in ("revolute", "prismatic"):
         given["axis"] = _row(pivot.axis)
+        given |= _spring(pivot.spring, "springref")
     ET.SubElement(body, "joint", given)
 
 
-def _inertial(body: Element, link: Link, left: list[LeftOut]) -> None:
+def _inertial(body: Element, link: Link, place: Any, left: list[LeftOut]) -> None:
+    """place : of its joint, (3,) m."""
     if link.properties is None:
         why = f"has none; MuJoCo needs some, so {LEAST_MASS:g} kg are written"
         left.append(LeftOut("mass", link.name, why))
-        given: Mapping[str, Any] = {"mass": _row([LEAST_MASS]), "pos": "0 0 0", "diaginertia": _row([LEAST_MASS] * 3)}
+        given: Mapping[str, Any] = {"mass": _row([LEAST_MASS]), "pos": _row(place), "diaginertia": _row([LEAST_MASS] * 3)}
     else:
         given = _mass(link.properties)
     ET.SubElement(body, "inertial", dict(given))

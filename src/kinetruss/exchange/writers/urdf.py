@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
 import numpy as np
 import yaml
 
-from kinetruss.exchange.robots import Closure, LeftOut, Link, Pivot, RobotOfModel, with_sliders
+from kinetruss.exchange.robots import Closure, LeftOut, Link, Pivot, Robot, RobotOfModel, with_sliders
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,8 +25,12 @@ EARTH = (0.0, 0.0, -9.81)
 
 def urdf_texts(drawn: RobotOfModel) -> tuple[str, str, list[LeftOut]]:
     """The URDF, the YAML of its closures and motors, and what they do not have."""
-    robot = with_sliders(drawn, drawn.lengths).robot
+    robot = with_sliders(drawn, [one for one in drawn.lengths if one.driven]).robot
     left = list(robot.left_out)
+    no_springs = "URDF has no springs"
+    left += [LeftOut("springs", one.name, no_springs) for one in drawn.lengths if not one.driven]
+    left += [LeftOut("stiffness", one.name, no_springs) for one in robot.pivots if one.spring[0]]
+    mimics = dict(_mimics(robot, left))
     if tuple(robot.gravity) != EARTH:
         left.append(LeftOut("gravity", "model", f"URDF has none; other programs take {EARTH} m/s^2"))
     root = Element("robot", name=robot.title)
@@ -34,7 +38,7 @@ def urdf_texts(drawn: RobotOfModel) -> tuple[str, str, list[LeftOut]]:
     for link in robot.links.values():
         _link(root, link, at[link.name])
     for pivot in robot.pivots:
-        _joint(root, pivot, at)
+        _joint(root, pivot, at, mimics.get(pivot.name))
     loops = [_ends(root, one, at) for one in robot.closures]
     balls = [one.name for one in robot.pivots if one.kind == "ball"]
     beside = {
@@ -61,7 +65,22 @@ def _link(root: Element, link: Link, at: NDArray[np.float64]) -> None:
     ET.SubElement(inertial, "inertia", names)
 
 
-def _joint(root: Element, pivot: Pivot, at: dict[str, Any]) -> None:
+def _mimics(robot: Robot, left: list[LeftOut]) -> Iterator[tuple[str, tuple[str, float]]]:
+    """Joint without a drive -> the joint that it follows, and the factor; both are 0 in the pose."""
+    driven = {one.name for one in robot.pivots if one.drive is not None}
+    taken: set[str] = set()
+    for one in robot.couplings:
+        free = [name for name in one.factors if name not in driven | taken]
+        if len(one.factors) != 2 or not free:
+            left.append(LeftOut("couplings", one.name, "in URDF a joint without a drive can follow one other"))
+            continue
+        follower = free[-1]
+        (other,) = one.factors.keys() - {follower}
+        taken.add(follower)
+        yield follower, (other, -one.factors[other] / one.factors[follower])
+
+
+def _joint(root: Element, pivot: Pivot, at: dict[str, Any], mimic: tuple[str, float] | None = None) -> None:
     element = ET.SubElement(root, "joint", name=pivot.name, type=TYPES[pivot.kind])
     ET.SubElement(element, "parent", link=pivot.parent)
     ET.SubElement(element, "child", link=pivot.child)
@@ -70,6 +89,10 @@ def _joint(root: Element, pivot: Pivot, at: dict[str, Any]) -> None:
         ET.SubElement(element, "axis", xyz=_row(pivot.axis))
     if pivot.kind == "prismatic":
         ET.SubElement(element, "limit", lower=f"-{FAR}", upper=FAR, effort=FAR, velocity=FAR)
+    if pivot.spring[2]:
+        ET.SubElement(element, "dynamics", damping=_row(pivot.spring[2:]), friction="0")
+    if mimic is not None:
+        ET.SubElement(element, "mimic", joint=mimic[0], multiplier=_row([mimic[1]]), offset="0")
 
 
 def _ends(root: Element, closure: Closure, at: dict[str, Any]) -> list[str]:

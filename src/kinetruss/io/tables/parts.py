@@ -3,6 +3,8 @@
 Nodes: ``node``, ``x [mm]``, ``y [mm]``[, ``z [mm]``], then if wanted ``mass [kg]`` and ``face.NAME``: the number of the node
 among the corners of a face, empty for other nodes. Members: ``member``, ``from``, ``to``, then if wanted ``kind`` (rigid,
 driven, active, elastic, cable, free), ``section``, ``material``, ``mass [kg]``. Lengths and masses have units in the header.
+Columns stand in any order. Cells are separated by commas, semicolons or tabs, as the header says; with semicolons and tabs
+numbers may have decimal commas.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from kinetruss.display.numbers import counted
 from kinetruss.errors import Fault, ModelError, UnitError, shown
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.model import nearest
@@ -21,7 +24,7 @@ from kinetruss.units import parse, unit_of
 
 __all__ = ["read_parts"]
 
-_HEADER = re.compile(r"(.*?)\s*(?:\[(.*)\])?")
+_HEADER = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\))?")
 _NODES = {"x": "length", "y": "length", "z": "length", "mass": "mass"}
 _MEMBERS = {"mass": "mass"}
 _KINDS = ("rigid", "driven", "active", "elastic", "cable", "free")
@@ -45,18 +48,22 @@ class _Sheet:
             (k, line) for k, line in enumerate(text.splitlines(), start=1) if line.strip() and not line.lstrip().startswith("#")
         ]
         self.unit: dict[str, str] = {}
+        self._between = next((mark for mark in ";\t" if lines and mark in lines[0][1]), ",")
         head = self._head(*lines[0], columns, more) if lines else []
         if len(lines) < 2:
             self.fault(
                 "has no rows.", f"Give a header ({', '.join(columns)}) and one row for each.", lines[0][0] if lines else 1
             )
         for number, line in lines[1:]:
-            cells = [cell.strip() for cell in next(csv.reader([line]))]
+            cells = [cell.strip() for cell in self._cells(line)]
             if len(cells) != len(head):
-                mend = "Give one cell per column. (A decimal comma splits a number in two.)"
-                self.fault(f"has {len(cells)} cells; the header has {len(head)}.", mend, number)
+                mend = "Give one cell per column. (A decimal comma splits a number in two; then use semicolons between cells.)"
+                self.fault(f"has {counted(len(cells), 'cell')}; the header has {len(head)}.", mend, number)
             else:
                 self.rows.append((number, dict(zip(head, cells, strict=True))))
+
+    def _cells(self, line: str) -> list[str]:
+        return next(csv.reader([line], delimiter=self._between))
 
     def fault(self, message: str, mend: str, line: int) -> None:
         """Collect a fault of a line."""
@@ -65,7 +72,10 @@ class _Sheet:
 
     def value(self, line: int, row: Mapping[str, str], name: str) -> str:
         """A quantity as text with the unit of its column, checked."""
-        text = f"{row[name]} {self.unit.get(name, '')}".strip()
+        number = row[name]
+        if self._between != "," and number.count(",") == 1 and "." not in number:
+            number = number.replace(",", ".")
+        text = f"{number} {self.unit.get(name, '')}".strip()
         try:
             parse(text, self.units[name])
         except UnitError:
@@ -74,10 +84,11 @@ class _Sheet:
 
     def _head(self, number: int, line: str, columns: tuple[str, ...], more: tuple[str, ...]) -> list[str]:
         found = []
-        for text in next(csv.reader([line])):
+        for text in self._cells(line):
             match = _HEADER.fullmatch(text.strip())
-            name, unit = (match[1], match[2]) if match else (text, None)
+            name, unit = (match[1], match[2] or match[3]) if match else (text, None)
             known = (*columns, *more)
+            name = name.lower() if name.lower() in known else name
             if name not in known and not (name.startswith("face.") and "face.base" in more):
                 self.fault(f"column {shown(name)} is not known here.", nearest(name, known), number)
             elif name in found:

@@ -1,8 +1,8 @@
 """The YAML file beside a URDF: pairs of frames that close loops, motors, types of joints.
 
 ``closed_loop: [[frame, frame], ...]``, ``type: [6d, 3d, ...]`` (6d: whole frames; 3d: their origins), ``name_mot: [joint,
-...]``, ``joint_name: [joint, ...]`` with ``joint_type: [SPHERICAL, FIXED or CARDAN, ...]``. The layout is that of the robots of
-example-parallel-robots (V. Batto, L. De Matteis, LAAS-CNRS).
+...]``, ``joint_name: [joint, ...]`` with ``joint_type: [SPHERICAL, FIXED, CARDAN or UJOINT_XY,
+...]``. The layout is that of the robots of example-parallel-robots (V. Batto, L. De Matteis, LAAS-CNRS).
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
+from kinetruss.display.numbers import counted
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.exchange.readers.texts import tree_of
 from kinetruss.exchange.robots import LeftOut
@@ -20,7 +21,7 @@ from kinetruss.model import nearest
 __all__ = ["Closures", "read_closures"]
 
 TYPES: Mapping[str, Literal["ball", "weld"]] = {"3d": "ball", "6d": "weld"}
-JOINTS = ("SPHERICAL", "FIXED", "CARDAN")
+JOINTS = ("SPHERICAL", "FIXED", "CARDAN", "UJOINT_XY", "UJOINT_XZ", "UJOINT_YX", "UJOINT_YZ", "UJOINT_ZX", "UJOINT_ZY")
 KEYS = ("closed_loop", "type", "name_mot", "joint_name", "joint_type")
 
 
@@ -70,7 +71,7 @@ class Closures:
         return [self._known(one, joints, "joint") for one in self._list("name_mot")]
 
     def kinds(self, joints: Sequence[str]) -> dict[str, str]:
-        """Joint -> SPHERICAL, FIXED or CARDAN."""
+        """Joint -> SPHERICAL, FIXED, CARDAN, or UJOINT_XY: turning about its x, then about its y; of all pairs of axes."""
         names, kinds = self._list("joint_name"), self._list("joint_type")
         self._same("joint_name", names, "joint_type", kinds)
         found = {}
@@ -103,7 +104,9 @@ class Closures:
     def _same(self, one: str, first: Sequence[Tree], two: str, second: Sequence[Tree]) -> None:
         if len(first) != len(second):
             tree = self._table.get(two) or self._table[one]
-            raise self._fault(tree, f"{one} has {len(first)} entries, {two} {len(second)}.", "Give as many of both.")
+            raise self._fault(
+                tree, f"{one} has {counted(len(first), 'entry', 'entries')}, {two} {len(second)}.", "Give as many of both."
+            )
 
 
 def read_closures(path: Path, max_size: int) -> Closures:

@@ -11,9 +11,23 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.exchange.readers.naming import Names
+from kinetruss.exchange.readers.robot_formats.included import included
+from kinetruss.exchange.readers.robot_formats.mjcf_laws import Laws
 from kinetruss.exchange.readers.robot_formats.mjcf_mass import Defaults, Units, pose_of, properties_of
 from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
-from kinetruss.exchange.robots import Closure, JointKind, LeftOut, Link, Pivot, Robot, placement, quaternion_matrix, turn_about
+from kinetruss.exchange.robots import (
+    Closure,
+    JointKind,
+    LeftOut,
+    Link,
+    Pivot,
+    Robot,
+    Span,
+    placement,
+    quaternion_matrix,
+    turn_about,
+)
+from kinetruss.io import MAX_SIZE
 from kinetruss.model import nearest
 
 if TYPE_CHECKING:
@@ -23,14 +37,13 @@ __all__ = ["read_mjcf"]
 
 JOINTS: Mapping[str, JointKind] = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "free"}
 COMPILED = "Load it in MuJoCo, save the compiled model (mj_saveLastXML), and import that."
-REFUSED = ("include", "replicate", "composite", "flexcomp", "attach")
+REFUSED = ("replicate", "composite", "flexcomp", "attach")
 """Elements that stand for others."""
-READ = ("compiler", "option", "default", "worldbody", "equality", "actuator")
+READ = ("compiler", "option", "default", "worldbody", "equality", "actuator", "tendon")
 WHY = {
     "asset": "meshes and textures are not carried",
     "contact": "contacts are not part of a model",
     "sensor": "sensors are not carried",
-    "tendon": "tendons are not carried; add cables",
     "keyframe": "poses are not carried; give one with --at",
     "visual": "settings of another program",
     "statistic": "settings of another program",
@@ -41,21 +54,24 @@ WHY = {
 }
 JOINT_WHY = {
     "armature": "inertia of a rotor is not carried; give a motor to the drive",
-    "damping": "damping of balls and slides, and laws of several numbers, are not carried",
-    "stiffness": "springs of balls and slides, and laws of several numbers, are not carried",
+    "damping": "damping of balls, and laws of several numbers, are not carried",
+    "stiffness": "springs of balls, and laws of several numbers, are not carried",
     "frictionloss": "friction of joints is not carried; add a spring with friction",
     "range": "a model has no limits at joints; those of sliders size their guides",
 }
 
 
-def read_mjcf(path: Path, text: str, at: Mapping[str, float] | None = None) -> Robot:
-    """The robot of an MJCF text. at : joint values, rad or m, at which the closed pose is searched.
+def read_mjcf(path: Path, text: str, at: Mapping[str, float] | None = None, *, max_size: int = MAX_SIZE) -> Robot:
+    """The robot of an MJCF text and the files that it includes. at : joint values, rad or m, at which the search starts.
 
     Raises
     ------
     ModelError : all that is wrong with an element, with its line.
     """
-    return _Reader(path, parse_xml(path, text, "mujoco")).robot(at or {})
+    return _Reader(path, included(parse_xml(path, text, "mujoco"), path.parent, max_size)).robot(at or {})
+
+
+ONLY = "only actuators of joints and of straight tendons are carried"
 
 
 class _Reader:
@@ -73,6 +89,8 @@ class _Reader:
         """Name in the file -> link."""
         self.joint: dict[str, str] = {}
         self.site: dict[str, tuple[str, NDArray[np.float64]]] = {}
+        self.point: dict[str, str] = {}
+        """Site -> node."""
 
     def robot(self, at: Mapping[str, float]) -> Robot:
         for one in self.root.children:
@@ -85,22 +103,32 @@ class _Reader:
             raise self.root.fault("has no <worldbody>.", "Give <worldbody> with at least one <body>.")
         for world in worlds:
             self._inside(world, "world", np.eye(4), "main")
-        closures = [one for group in self.root.all("equality") for element in group.children for one in self._closure(element)]
-        drives = {name for group in self.root.all("actuator") for element in group.children for name in self._drive(element)}
+        conditions = [element for group in self.root.all("equality") for element in group.children]
+        closures = [one for element in conditions if element.tag != "joint" for one in self._closure(element)]
+        laws = Laws(self.defaults, self.names, self.left)
+        called = {one.name: one for one in self.pivots}
+        known = {given: called[name] for given, name in self.joint.items()}
+        couplings = laws.couplings([one for one in conditions if one.tag == "joint"], known)
+        spans = laws.spans([one for group in self.root.all("tendon") for one in group.children], self.point)
+        motors = [element for group in self.root.all("actuator") for element in group.children]
+        drives = {name for element in motors for name in self._drive(element, spans)}
         if unknown := [name for name in at if name not in self.joint]:
             raise InputError(f"{self.path}: no joint called {unknown[0]!r}. {nearest(unknown[0], self.joint)}")
         values = {self.joint[name]: value for name, value in at.items()}
         pivots = [
             replace(one, drive=one.name if one.name in drives else None, start=values.get(one.name)) for one in self.pivots
         ]
-        option = self.root.one("option")
-        x, y, z = (0.0, 0.0, -9.81) if option is None else option.numbers("gravity", 3, (0, 0, -9.81)).tolist()
+        x, y, z = 0.0, 0.0, -9.81
+        for option in self.root.all("option"):
+            x, y, z = option.numbers("gravity", 3, (x, y, z)).tolist()
         return Robot(
             title=self.root.attributes.get("model", self.path.stem),
             root="world",
             links=self.links,
             pivots=pivots,
             closures=closures,
+            couplings=couplings,
+            spans=laws.acting(spans, drives),
             gravity=(x, y, z),
             left_out=[*self.left, *self.names.renamed],
         )
@@ -125,7 +153,8 @@ class _Reader:
         name = element.attributes.get("name")
         if name is not None:
             self.site[name] = (link, place)
-            points = {**self.links[link].points, self.names.of(name, element.where, "joint"): place[:3, 3]}
+            self.point[name] = self.names.of(name, element.where, "joint")
+            points = {**self.links[link].points, self.point[name]: place[:3, 3]}
             self.links[link] = replace(self.links[link], points=points)
 
     def _body(self, element: Element, parent: str, frame: NDArray[np.float64], group: str) -> None:
@@ -167,7 +196,9 @@ class _Reader:
             raise one.fault("has the name of another joint.", "Give it another name.")
         own = self.names.of(given, one.where, "joint")
         self.joint[given] = own
-        spring = self._spring(one) if kind == "revolute" else None
+        spring = self._spring(one) if kind in ("revolute", "prismatic") else None
+        if spring is not None and kind == "revolute":
+            spring = spring[0], self.units.angle * spring[1], spring[2]
         for word in JOINT_WHY if spring is None else ("armature", "frictionloss", "range"):
             if word in one.attributes and (word == "range" or np.any(one.numbers(word, (1, 2, 3)))):
                 self.left.append(LeftOut(word, one.where, JOINT_WHY[word]))
@@ -193,10 +224,10 @@ class _Reader:
         )  # fmt: skip
 
     def _spring(self, one: Element) -> tuple[float, float, float] | None:
-        """Stiffness, value without moment and damping of a hinge; None for laws of several numbers."""
+        """Stiffness, value without force and damping of a hinge or slide; None for laws of several numbers."""
         if any(len(one.text(word, "").split()) > 1 for word in ("stiffness", "damping")):
             return None
-        return one.number("stiffness", 0.0), self.units.angle * one.number("springref", 0.0), one.number("damping", 0.0)
+        return one.number("stiffness", 0.0), one.number("springref", 0.0), one.number("damping", 0.0)
 
     def _closure(self, element: Element) -> Iterator[Closure]:
         given = self.defaults.of(element, "main")
@@ -228,15 +259,24 @@ class _Reader:
             return np.eye(4), None
         return placement(quaternion_matrix(pose[3:]), pose[:3]), np.eye(4)
 
-    def _drive(self, element: Element) -> Iterator[str]:
-        if "joint" not in element.attributes:
-            self.left.append(LeftOut(element.tag, element.where, "only actuators of joints are carried, as drives"))
+    def _drive(self, element: Element, spans: Mapping[str, Span]) -> Iterator[str]:
+        element = _with(element, {**self.defaults.of(element, "main")})
+        given = element.attributes
+        if not {"joint", "tendon"} & given.keys() or given.get("tendon", "") not in {"", *spans}:
+            self.left.append(
+                LeftOut(element.tag, element.where, "only actuators of joints and of straight tendons are carried")
+            )
+            return
+        if more := sorted(set(given) - {"name", "joint", "tendon", "class"}):
+            self.left.append(
+                LeftOut(f"{element.tag}: {', '.join(more)}", element.where, "of an actuator only its place is carried")
+            )
+        if "tendon" in given:
+            yield spans[given["tendon"]].name
             return
         name = self._named(element, "joint", self.joint, "joint")
         if {one.name: one for one in self.pivots}[name].kind not in ("revolute", "prismatic"):
             raise element.fault("drives a joint of several freedoms.", "Drive hinges and slides.")
-        if more := sorted(set(element.attributes) - {"name", "joint"}):
-            self.left.append(LeftOut(f"{element.tag}: {', '.join(more)}", element.where, "a drive has its joint only"))
         yield name
 
     def _named(self, element: Element, word: str, known: Mapping[str, Any], what: str) -> Any:

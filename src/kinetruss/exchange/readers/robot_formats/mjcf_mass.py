@@ -63,12 +63,12 @@ class Defaults:
         for child in element.all("default"):
             self._add(child, child.text("class"), self._known[name])
 
-    def of(self, element: Element, group: str) -> dict[str, str]:
-        """The attributes of an element with those of its class, or of the class around it."""
+    def of(self, element: Element, group: str, tag: str = "") -> dict[str, str]:
+        """The attributes of an element with those of its class, or of the class around it. tag : that of the defaults."""
         name = element.attributes.get("class", group)
         if name not in self._known:
             raise element.fault(f"no class called {name!r}.", 'Define it: <default class="...">.')
-        tag = "equality" if element.tag in ("connect", "weld") else element.tag
+        tag = tag or ("equality" if element.tag in ("connect", "weld") else element.tag)
         return {**self._known[name].get(tag, {}), **element.attributes}
 
 

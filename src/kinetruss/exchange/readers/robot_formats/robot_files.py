@@ -31,7 +31,7 @@ def robot_of(
             raise InputError(f"{path} is MJCF, which has its closures in <equality>. Leave out {closures}.")
         if floating:
             raise InputError(f"{path} is MJCF, which says itself what floats: <freejoint/>. Leave out --floating (floating).")
-        return read_mjcf(path, text, at)
+        return read_mjcf(path, text, at, max_size=max_size)
     beside = None if closures is None else read_closures(Path(closures), max_size)
     return read_urdf(path, text, beside, at, floating=floating)
 
@@ -56,4 +56,5 @@ def robot(
         gap=posed.gap,
         offsets=made.offsets,
         freedoms=posed.freedoms,
+        notes=[f"coupling {name}: the rest of the robot implies it" for name in posed.implied],
     )

@@ -17,7 +17,7 @@ from kinetruss.errors import InputError
 from kinetruss.exchange.readers.naming import Names
 from kinetruss.exchange.readers.robot_formats.closures import Closures
 from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
-from kinetruss.exchange.robots import Closure, JointKind, LeftOut, Link, Pivot, Robot, placement, turn_about
+from kinetruss.exchange.robots import Closure, JointCoupling, JointKind, LeftOut, Link, Pivot, Robot, placement, turn_about
 from kinetruss.library.bodies import MassProperties
 from kinetruss.model import GROUND, nearest
 
@@ -39,16 +39,16 @@ SINGLE = ("revolute", "continuous", "prismatic")
 WHY = {
     "visual": "shapes are not carried; mass and places are",
     "collision": "contacts are not part of a model",
-    "limit": "a model has no limits of effort and speed at joints; those of position size the guides of sliders",
-    "dynamics": "friction, and damping but of hinges, are not carried",
-    "mimic": "joints that copy others are not carried; add a coupling",
+    "limit": "a model has no limits at joints; those of sliders size their guides",
+    "dynamics": "friction is not carried, damping is that of hinges and sliders only; add a spring with friction",
+    "joint_properties": "friction is not carried; add a spring with friction",
     "calibration": "has no meaning in a model",
     "safety_controller": "controllers are not carried",
     "transmission": "gears and motors are not carried; give them to the drive",
     "gazebo": "settings of another program",
     "material": "colours are not carried",
 }
-PARTS = {"link": ("inertial",), "joint": ("origin", "parent", "child", "axis", "limit", "dynamics")}
+PARTS = {"link": ("inertial",), "joint": ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic")}
 
 
 def read_urdf(
@@ -61,6 +61,7 @@ def read_urdf(
     ModelError : all that is wrong with an element, with its line.
     """
     root = parse_xml(path, text, "robot")
+    _refuse_xacro(root, path)
     names = Names()
     links = {one.text("name"): one for one in _unique(root, "link")}
     joints = {one.text("name"): one for one in _unique(root, "joint")}
@@ -73,7 +74,7 @@ def read_urdf(
     }
     left = list(_left_out(root))
     if closures is None:
-        drives = [name for name, one in joints.items() if one.attributes.get("type") in SINGLE]
+        drives = [name for name, one in joints.items() if one.attributes.get("type") in SINGLE and one.one("mimic") is None]
         kinds: Mapping[str, str] = {}
     else:
         drives, kinds = closures.drives(list(joints)), closures.kinds(list(joints))
@@ -83,12 +84,14 @@ def read_urdf(
         raise InputError(f"{path}: no joint called {unknown[0]!r}. {nearest(unknown[0], joints)}")
     pivots: list[Pivot] = []
     own: dict[str, Link] = {}
+    called: dict[str, Pivot] = {}
     if floating:
         own[GROUND] = Link(name=GROUND)
         pivots.append(Pivot(name="floating_base", kind="free", parent=GROUND, child=made[base].name, origin=np.eye(4)))
     for name in _outwards(base, joints):
         for pivot, link in _pivots(joints[name], kinds.get(name), made, names):
             pivots.append(replace(pivot, start=(at or {}).get(name), drive=pivot.name if name in drives else None))
+            called[name] = pivot
             if link is not None:
                 own[link.name] = link
     frames = {name: made[name].name for name in links} | {
@@ -104,8 +107,42 @@ def read_urdf(
             Closure(name=name, kind=kind, links=(one, two), frames=(np.eye(4), np.eye(4)), where=where)
             for name, kind, one, two, where in pairs
         ],
+        couplings=list(_couplings(joints, called)),
         left_out=[*left, *names.renamed],
     )
+
+
+def _refuse_xacro(root: Element, path: Path) -> None:
+    """Macros stand for elements and numbers that only the program xacro knows."""
+    elements = [root]
+    while elements:
+        one = elements.pop()
+        if one.tag.startswith("xacro:") or any("${" in value or "$(" in value for value in one.attributes.values()):
+            stem = path.name.split(".")[0]
+            raise one.fault(
+                "is a macro of xacro, which is not read.", f"Expand it first: xacro {path.name} -o {stem}.plain.urdf"
+            )
+        elements += one.children
+
+
+def _couplings(joints: Mapping[str, Element], called: Mapping[str, Pivot]) -> Iterator[JointCoupling]:
+    """Of joints with <mimic joint multiplier offset>: value - multiplier times that of the other joint = offset."""
+    for name, joint in joints.items():
+        if (mimic := joint.one("mimic")) is None:
+            continue
+        other = mimic.text("joint")
+        if other not in joints:
+            raise mimic.fault(f"no joint called {other!r}.", nearest(other, joints))
+        if other == name:
+            raise mimic.fault(f"joint {name!r} follows itself.", "Name another joint.")
+        for one in (name, other):
+            if called[one].kind not in ("revolute", "prismatic") or called[one].name not in (one, Names().of(one, "", "joint")):
+                raise mimic.fault(f"joint {one!r} has no single value.", "Couple revolute and prismatic joints.")
+        factor = mimic.number("multiplier", 1.0)
+        factors = {called[name].name: 1.0} | ({called[other].name: -factor} if factor else {})
+        yield JointCoupling(
+            name=f"{called[name].name}.mimic", factors=factors, value=mimic.number("offset", 0.0), where=joint.where
+        )
 
 
 def _child(joint: Element) -> str:
@@ -214,16 +251,21 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
     parent, child, origin = links[_parent(joint)].name, links[_child(joint)].name, _pose(joint.one("origin"))
     axis = joint.one("axis")
     along = np.array([1.0, 0.0, 0.0]) if axis is None else axis.numbers("xyz", 3, (1, 0, 0))
-    if other == "CARDAN":
+    if other == "CARDAN" or (other or "").startswith("UJOINT_"):
+        first, second = tuple("XY" if other == "CARDAN" else str(other)[-2:])
         middle = Link(name=names.of(f"{name}_cross", joint.where), where=joint.where)
-        yield (
-            Pivot(name=f"{name}_X", kind="revolute", parent=parent, child=middle.name, origin=origin, axis=np.eye(3)[0]),
-            middle,
-        )
-        yield (
-            Pivot(name=f"{name}_Y", kind="revolute", parent=middle.name, child=child, origin=np.eye(4), axis=np.eye(3)[1]),
-            None,
-        )
+        for word, ends, frame, link in (
+            (first, (parent, middle.name), origin, middle),
+            (second, (middle.name, child), np.eye(4), None),
+        ):
+            turning = np.eye(3)["XYZ".index(word)]
+            yield (
+                Pivot(
+                    name=f"{name}_{word}", kind="revolute", parent=ends[0], child=ends[1], origin=frame, axis=turning,
+                    where=joint.where,
+                ),
+                link,
+            )  # fmt: skip
         return
     found: JointKind = "ball" if other == "SPHERICAL" else "weld" if other == "FIXED" else KINDS[kind]
     if found in ("revolute", "prismatic"):
@@ -231,7 +273,7 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
             raise (axis or joint).fault("has an axis without direction.", 'Write for example <axis xyz="0 0 1"/>.')
         along = along / size
     damping = 0.0
-    if found == "revolute" and (dynamics := joint.one("dynamics")) is not None:
+    if found in ("revolute", "prismatic") and (dynamics := joint.one("dynamics")) is not None:
         damping = dynamics.number("damping", 0.0)
     limits = None
     if (limit := joint.one("limit")) is not None and "lower" in limit.attributes and "upper" in limit.attributes:
@@ -258,8 +300,7 @@ def _left_out(root: Element) -> Iterator[LeftOut]:
             yield LeftOut(one.tag, one.where, WHY.get(one.tag, "is not known here"))
             continue
         for child in one.children:
-            hinge = one.attributes.get("type") in ("revolute", "continuous")
-            still = child.tag == "dynamics" and hinge and not child.number("friction", 0.0)
+            still = child.tag == "dynamics" and one.attributes.get("type") in SINGLE and not child.number("friction", 0.0)
             if child.tag not in PARTS[one.tag] or (child.tag in ("limit", "dynamics") and not still):
                 where = f"{child.file}:{child.line} {one.label}"
                 yield LeftOut(child.tag, where, WHY.get(child.tag, "is not known here"))

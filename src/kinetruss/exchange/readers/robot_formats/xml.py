@@ -10,6 +10,7 @@ from xml.parsers import expat
 
 import numpy as np
 
+from kinetruss.display.numbers import counted
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.limits import LARGEST, MOST_ENTRIES
 from kinetruss.model import nearest
@@ -78,7 +79,7 @@ class Element:
             raise self.fault(f"{name} is {shown(text)}, which is not all numbers.", _example(name, counts)) from None
         if len(found) not in counts:
             raise self.fault(
-                f"{name} has {len(found)} numbers; expected {' or '.join(map(str, counts))}.", _example(name, counts)
+                f"{name} has {counted(len(found), 'number')}; expected {' or '.join(map(str, counts))}.", _example(name, counts)
             )
         if not (np.abs(found) <= LARGEST).all():
             raise self.fault(f"{name} is {shown(text)}: not finite, or beyond {LARGEST:g}.", "Give finite numbers in SI.")
@@ -100,14 +101,16 @@ def _example(name: str, counts: tuple[int, ...]) -> str:
     return f'Write for example {name}="{" ".join(["0"] * counts[-1])}", with decimal points and spaces between the numbers.'
 
 
-def parse_xml(path: Path, text: str, root: str) -> Element:
-    """The root element of a text.
+def parse_xml(path: Path, text: str, root: str | tuple[str, ...]) -> Element:
+    """The root element of a text. root : its tag, or tags it may have.
 
     Raises
     ------
     ModelError : no XML, another root than expected, a document type or an entity, too many or too deeply nested elements.
     """
     file = str(path)
+    roots = (root,) if isinstance(root, str) else root
+    wanted = " or ".join(f"<{one}>" for one in roots)
     open_: list[Element] = []
     found: list[Element] = []
     count = 0
@@ -134,11 +137,11 @@ def parse_xml(path: Path, text: str, root: str) -> Element:
         parser.Parse(text.encode(), True)
     except expat.ExpatError as error:
         message = f"is not XML: {expat.errors.messages[error.code]}."
-        mend = f"Give a whole file whose elements are all closed, with <{root}> outermost."
+        mend = f"Give a whole file whose elements are all closed, with {wanted} outermost."
         raise ModelError([Fault((), message, mend, error.lineno, error.offset + 1, file=file)]) from None
-    if found[0].tag != root:
+    if found[0].tag not in roots:
         raise found[0].fault(
-            f"is the outermost element; expected <{root}>.", f"Name a file whose outermost element is <{root}>."
+            f"is the outermost element; expected {wanted}.", f"Name a file whose outermost element is {wanted}."
         )
     return found[0]
 
