@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 __all__ = ["drive_sheet"]
 
 SCREW = "Shigley, Mechanical Engineering Design, power screws; Lacy (1991), eq. 2.36 to 2.38"
+FINE = 8
+"""Significant digits of lengths whose difference counts."""
 LISTED = 121
 """Number of samples up to which those of an integral are listed."""
 MOTOR = "Lacy (1991), eq. 2.40 and 4.78"
@@ -73,6 +75,7 @@ class _Column:
 
 
 def _stroke(sheet: Sheet, model: Model, motion: Motion, row: Row) -> Sheet:
+    sheet.digits = FINE  # the stroke is a small difference of lengths
     least, most = model.active[row.part].limits or (math.nan, math.nan)
     k = int(np.flatnonzero(motion.data["time"].values == row.time)[0])
     length = motion.data["length"].values[k, list(model.members).index(row.part)]
