@@ -131,7 +131,9 @@ def test_break_away_by_hand():
         sheet = demand_sheet(done, row, case)
         assert sheet.difference < ROUND_OFF
         F, slope = sheet.values["F"], 2 * 2.5266e-4 / 0.0127
-        up, down = (0.00635 * abs(F) * one for one in ((slope + 0.16) / (1 - 0.16 * slope), (0.16 - slope) / (1 + 0.16 * slope)))
+        up, down = (
+            0.00635 * abs(F) * one for one in ((slope + 0.16) / (1 - 0.16 * slope), (0.16 - slope) / (1 + 0.16 * slope))
+        )
         expected = {up / (5.2 * 0.8) + 2e-4, down / (5.2 * 0.8) + 2e-4}
         assert min(abs(sheet.demand - one) for one in expected) < 1e-12
         assert "μ_0" in {one.symbol for one in sheet.given}
