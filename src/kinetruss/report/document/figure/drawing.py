@@ -44,7 +44,9 @@ def drawn(figure: Loaded) -> Canvas:
     """A matplotlib figure."""
     points = projected(figure.position)
     arrows = _arrows(figure)
-    shown = np.concatenate([points, *([np.array([end for _, end, _ in arrows])] if arrows else [])])
+    shown = np.concatenate(
+        [points, *([np.array([place for start, end, _ in arrows for place in (start, end)])] if arrows else [])]
+    )
     low, high = shown.min(axis=0), shown.max(axis=0)
     reach = float(np.max(high - low)) or 1.0
     low, high = low - 0.07 * reach, high + 0.07 * reach

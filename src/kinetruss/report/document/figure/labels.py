@@ -31,7 +31,7 @@ SPACING = 0.08
 """Distance of the points by which lines are covered, inches."""
 MARK = 0.16
 """Size of the mark of a support, inches."""
-CROWDED = 9.0
+CROWDED = 3.0
 """What a label that may be left out covers at most."""
 
 

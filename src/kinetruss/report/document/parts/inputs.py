@@ -63,8 +63,8 @@ def inputs(run: RunResult, name: str = "") -> list[Markup]:
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
         ("Springs on coordinates (SI)", "name", _named(model.springs)),
-        ("Loads and load cases", "name", _named({**model.loads, **model.load_cases})),
-        ("Tasks of drives and events", "name", _named({**run.told.tasks, **run.told.events})),
+        ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
+        ("Tasks of drives and events", "name", [*_named(run.told.tasks), *_named(run.told.events, "event ")]),
     )
     for caption, head, rows in lists:
         shown = list(rows)
@@ -161,9 +161,9 @@ def _trains(model: Model) -> Iterator[tuple[str, str]]:
         yield listed(names), text
 
 
-def _named(records: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def _named(records: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, str]]:
     for name, record in records.items():
-        yield name, worded(record) or "gravity only"
+        yield f"{before}{name}", worded(record) or "gravity only"
 
 
 def worded(record: Any, whole: bool = False) -> str:

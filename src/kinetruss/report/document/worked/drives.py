@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 __all__ = ["drive_sheet"]
 
 SCREW = "Shigley, Mechanical Engineering Design, power screws; Lacy (1991), eq. 2.36 to 2.38"
+FINE = 8
+"""Significant digits of lengths whose difference counts."""
 LISTED = 121
 """Number of samples up to which those of an integral are listed."""
 MOTOR = "Lacy (1991), eq. 2.40 and 4.78"
@@ -73,6 +75,7 @@ class _Column:
 
 
 def _stroke(sheet: Sheet, model: Model, motion: Motion, row: Row) -> Sheet:
+    sheet.digits = FINE  # the stroke is a small difference of lengths
     least, most = model.active[row.part].limits or (math.nan, math.nan)
     k = int(np.flatnonzero(motion.data["time"].values == row.time)[0])
     length = motion.data["length"].values[k, list(model.members).index(row.part)]
@@ -103,7 +106,7 @@ def _chain(sheet: Sheet, model: Model, motion: Motion, column: _Column, k: int, 
     sheet.give("J_m", "inertia of motor and gear at the motor", motor.inertia + gear.inertia, "kg m²", motor.source or TRAIN)
     sheet.give("T_f", "friction torque of the motor", motor.friction_torque, "N m", motor.source or TRAIN)
     sheet.step("T_m", "torque of the motor", "T_g + J_m*omega_dot + T_f*sign(omega)", "N m", MOTOR)
-    if linear and train.screw.static_friction is not None:
+    if linear and train.screw is not None and train.screw.static_friction is not None:
         _break_away(sheet, train, _heading(moving, change, float(column.of("thrust")[k])))
     sheet.give("K_t", "torque constant", motor.torque_constant, "N m/A", motor.source or TRAIN)
     sheet.give("K_b", "back-emf constant", motor.emf_constant, "V s/rad", motor.source or TRAIN)

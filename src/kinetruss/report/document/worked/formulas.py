@@ -11,7 +11,7 @@ from functools import lru_cache
 
 from kinetruss.display import quantity
 
-__all__ = ["evaluate", "in_numbers", "in_symbols", "plain_symbol", "valued"]
+__all__ = ["DIGITS", "evaluate", "in_numbers", "in_symbols", "plain_symbol", "valued"]
 
 DIGITS = 5
 """Significant digits of the numbers that are put in; the computation itself has all."""
@@ -87,15 +87,15 @@ def in_symbols(text: str) -> str:
     return _shown(_tree(text), plain_symbol, " ")
 
 
-def in_numbers(text: str, values: Mapping[str, float], units: Mapping[str, str]) -> str:
-    """A formula with its numbers and their units.
+def in_numbers(text: str, values: Mapping[str, float], units: Mapping[str, str], digits: int = DIGITS) -> str:
+    """A formula with its numbers and their units. digits : significant ones of every number.
 
     >>> in_numbers("P/A", {"P": -1200.0, "A": 8.2e-5}, {"P": "N", "A": "m^2"})
     '(−1.2 kN)/(82 mm²)'
     """
 
     def put_in(name: str) -> str:
-        return valued(values[name], units.get(name, ""))
+        return valued(values[name], units.get(name, ""), digits)
 
     return _shown(_tree(text), put_in, " · ")
 

@@ -103,7 +103,7 @@ def _where(sheet: Sheet) -> str:
 
 def _given(sheet: Sheet, sources: _Sources) -> Markup:
     rows = [
-        (symbol(one.symbol), symbol(one.meaning), valued(one.value, one.unit), sources.mark(one.source, GIVEN))
+        (symbol(one.symbol), symbol(one.meaning), valued(one.value, one.unit, sheet.digits), sources.mark(one.source, GIVEN))
         for one in sheet.given
     ]
     return _worked(Table(("symbol", "what is given", "value", "from"), rows, f"{sheet.title}: what is given").html, "given")
@@ -129,7 +129,7 @@ def _samples(sheet: Sheet) -> list[Markup]:
 def _steps(sheet: Sheet, sources: _Sources) -> Markup:
     rows = []
     for one in sheet.steps:
-        numbers = "" if one.numbers == valued(one.value, one.unit) else f" = {one.numbers}"
+        numbers = "" if one.numbers == valued(one.value, one.unit, sheet.digits) else f" = {one.numbers}"
         line = symbol(f"{one.symbol} = {one.formula}{numbers}")
         rows.append((symbol(one.meaning), line, valued(one.value, one.unit, RESULT), sources.mark(one.source, STEP)))
     heads = ("step", "formula, and the numbers put in", "result", "source")

@@ -52,8 +52,9 @@ def _sheets(pairs: Pairs, told: Mapping[str, Any]) -> Iterator[Sheet]:
         pair = pairs.of(one["load_case"])
         for case, demand in () if pair is None else pair.demand.items():
             own = _same(demand.table(), one["part"], one["rule"])
-            if pair is not None and own is not None:
-                yield _of_pair(demand_sheet(pair, own, case), pair, one["load_case"])
+            sheet = None if pair is None or own is None else demand_sheet(pair, own, case)
+            if pair is not None and sheet is not None:
+                yield _of_pair(sheet, pair, one["load_case"])
 
 
 def _of_pair(sheet: Sheet, pair: RunResult, label: str) -> Sheet:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from kinetruss.report.document.worked.formulas import evaluate, in_numbers, in_symbols, plain_symbol, valued
+from kinetruss.report.document.worked.formulas import DIGITS, evaluate, in_numbers, in_symbols, plain_symbol, valued
 
 if TYPE_CHECKING:
     from kinetruss.results import Row
@@ -47,6 +47,7 @@ class Sheet:
 
     row : the entry. result, allowed : symbols of demand and capacity. `values` and `units` hold every symbol.
     timed : the entry belongs to an instant of a run over time. pair : label of its pair, in a mission.
+    digits : significant ones of the numbers that are put in.
     samples : symbol, unit and values of the histories of which an integral is taken.
     """
 
@@ -61,6 +62,7 @@ class Sheet:
     allowed: str = ""
     timed: bool = True
     pair: str = ""
+    digits: int = DIGITS
     samples: list[tuple[str, str, list[float]]] = field(default_factory=list)
 
     def give(self, symbol: str, meaning: str, value: float, unit: str, source: str = "") -> float:
@@ -72,7 +74,7 @@ class Sheet:
     def step(self, symbol: str, meaning: str, formula: str, unit: str, source: str = "") -> float:
         """Compute a quantity from those entered or computed before, by the formula that is printed."""
         value = evaluate(formula, self.values)
-        shown = in_numbers(formula, self.values, self.units)
+        shown = in_numbers(formula, self.values, self.units, self.digits)
         self.steps.append(Step(plain_symbol(symbol), meaning, in_symbols(formula), shown, value, unit, source))
         self.values[symbol], self.units[symbol] = value, unit
         return value
