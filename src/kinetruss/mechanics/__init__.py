@@ -3,9 +3,10 @@
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.mechanics.beams import BeamElements
 from kinetruss.mechanics.kept import kept
-from kinetruss.mechanics.structure.arrange import RANK_TOLERANCE, Arrangement, arrange, eliminated, plan_of, rearrange
+from kinetruss.mechanics.structure.arrange import Arrangement, arrange, eliminated, plan_of, rearrange
 from kinetruss.mechanics.structure.blocks import block_triangular
 from kinetruss.mechanics.structure.constraint_gradients import (
+    RANK_TOLERANCE,
     constraint_curvature,
     constraint_gradients,
     constraint_jacobian,

@@ -8,15 +8,17 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.mechanics.constraints.derivatives import Derivatives, held_rows
+    from kinetruss.mechanics.constraints.elimination import Elimination
     from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
     from kinetruss.mechanics.constraints.moves import moves_text, ranked
     from kinetruss.mechanics.constraints.null_space import Spaces
 
-__all__ = ["Derivatives", "SYMMETRIC", "Spaces", "factors_of", "held_rows", "moves_text", "ranked"]
+__all__ = ["Derivatives", "Elimination", "SYMMETRIC", "Spaces", "factors_of", "held_rows", "moves_text", "ranked"]
 
 __getattr__, __dir__ = late(
     __name__,
     {
+        "elimination": "Elimination",
         "factors": "SYMMETRIC factors_of",
         "derivatives": "Derivatives held_rows",
         "moves": "moves_text ranked",

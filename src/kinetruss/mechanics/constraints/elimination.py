@@ -16,14 +16,13 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from kinetruss.kernels.solve.elimination import Reduced, reduce_rows, solve_columns, solve_rows
+from kinetruss.mechanics.structure.constraint_gradients import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["RANK_TOLERANCE", "Elimination"]
+__all__ = ["Elimination"]
 
-RANK_TOLERANCE = 1e-9
-"""Singular values of the row-normalised Jacobian below this fraction of the largest count as zero."""
 ABOVE, BELOW = 4.0 * RANK_TOLERANCE, 1e-11
 """Fractions of the largest singular value: from the first on, and up to the second, there is no doubt."""
 PROBES, DOUBT = 8, 100.0

@@ -17,7 +17,7 @@ from scipy.sparse.csgraph import structural_rank
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.constraints.elimination import RANK_TOLERANCE
+from kinetruss.mechanics.structure.constraint_gradients import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -15,18 +15,19 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
-from kinetruss.mechanics.constraints.elimination import RANK_TOLERANCE, Elimination
+from kinetruss.mechanics import constraints
 from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
-from kinetruss.mechanics.structure.constraint_gradients import constraint_gradients, jacobian
+from kinetruss.mechanics.structure.constraint_gradients import RANK_TOLERANCE, constraint_gradients, jacobian
 from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.mechanics.constraints import Elimination
     from kinetruss.mechanics.structure.system import System
 
-__all__ = ["RANK_TOLERANCE", "Arrangement", "arrange", "eliminated", "entries_of", "plan_of", "rearrange"]
+__all__ = ["Arrangement", "arrange", "eliminated", "entries_of", "plan_of", "rearrange"]
 
 FEW, MOST = 40, 1500
 """Rows and columns from which on, and up to which, an elimination is faster than singular values."""
@@ -89,7 +90,7 @@ def eliminated(system: System, x: NDArray[np.float64], values: NDArray[np.float6
 def _eliminated(system: System, x: bytes, values: bytes) -> Elimination | None:
     place = np.frombuffer(x).reshape(1, -1, 3)
     J = constraint_gradients(system, place, np.frombuffer(values)[None] if values else None)[0][:, system.free]
-    found = Elimination(J, system.row_drive >= 0)
+    found = constraints.Elimination(J, system.row_drive >= 0)  # compiled kernels, imported at first use
     return found if found.sure else None
 
 

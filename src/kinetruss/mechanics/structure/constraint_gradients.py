@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.structure.system import System
 
 __all__ = [
+    "RANK_TOLERANCE",
     "angle_hessians",
     "assembled",
     "constraint_curvature",
@@ -39,6 +40,8 @@ __all__ = [
     "turned",
 ]
 
+RANK_TOLERANCE = 1e-9
+"""Singular values of the row-normalised Jacobian below this fraction of the largest count as zero."""
 
 Three = tuple["NDArray[Any]", "NDArray[Any]", "NDArray[Any]"]
 """A quantity with its first and second rate."""
