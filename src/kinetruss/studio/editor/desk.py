@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -93,6 +94,11 @@ class Desk:
                 raise InputError("The drawing is no model yet. Go back to it and mend what it lists.")
             return found.model
 
+    def text(self) -> str:
+        """The text of the drawing, with its comments."""
+        with self.lock:
+            return self.drawing.state.text
+
     def do(self, command: Any) -> Record:
         """Do one command."""
         match command:
@@ -133,7 +139,7 @@ class Desk:
                     return state_of(drawing, light=True)
             case say.Fresh():
                 drawing.own_dim = command.dim
-                drawing.edit(fresh(command.dim), "the empty drawing")
+                drawing.edit(fresh(command.dim), "the empty drawing", anew=True)
             case say.Add():
                 data, name = added_node(data, command.name, command.at)
                 picked = {"node": name}
@@ -205,7 +211,7 @@ class Desk:
     def _written(self, text: str, words: str) -> Record:
         if faults := self.drawing.write(text, self.folder or Path()):
             raise ModelError(faults)
-        self.drawing.state = State(self.drawing.state.data, self.drawing.state.typed, words)
+        self.drawing.state = replace(self.drawing.state, words=words)
         self._autosave()
         return self._state()
 
