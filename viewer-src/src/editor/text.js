@@ -11,7 +11,7 @@ export class Text {
     this.lines = el("pre", { class: "lines", "aria-hidden": "true" });
     this.faults = el("ul", { class: "faults", role: "status" });
     this.back = el("button", { type: "button", hidden: true, onclick: () => this.reset() }, "Back to the drawing's text");
-    this.node = section("The file", el("p", { class: "faint" }, "The same model as text. An edit of the drawing writes it anew, without comments."), el("div", { class: "text" }, this.lines, this.area), this.faults, this.back);
+    this.node = section("The file", el("p", { class: "faint" }, "The same model as text. An edit of the drawing changes only its own lines; comments stay."), el("div", { class: "text" }, this.lines, this.area), this.faults, this.back);
     this.area.addEventListener("scroll", () => (this.lines.scrollTop = this.area.scrollTop));
   }
 

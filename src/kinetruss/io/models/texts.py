@@ -16,7 +16,7 @@ from kinetruss.io.formats.yaml import parse_yaml
 from kinetruss.io.models.read import model_of
 from kinetruss.model import Model
 
-__all__ = ["changed_text", "data_of", "head_of", "located", "text_of"]
+__all__ = ["changed_text", "data_of", "head_of", "located", "text_of", "value_of"]
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
@@ -48,6 +48,19 @@ def data_of(text: str, folder: Path, max_size: int = MAX_SIZE, *, within: bool =
             raise ModelError([locate(fault, tree) for fault in error.faults]) from None
     names = {name for table in data.values() if isinstance(table, dict) for name in table}
     return {key: _numbers(value, names) for key, value in data.items()}, faults
+
+
+def value_of(text: str, names: set[str]) -> Any:
+    """The plain data of a value typed as YAML, e.g. ``[1, 20 mm]``. names : of entries, which are not read as numbers.
+
+    Raises
+    ------
+    ModelError : it is not YAML.
+    """
+    tree, faults = parse_yaml(f"value: {text}")
+    if faults or tree is None or tree.table is None or list(tree.table) != ["value"]:
+        raise refuse(f"holds {text!r}, which is no value.", "Write a number, a text, [a, list] or {a: table}.", (1, 1))
+    return _numbers(plain(tree)["value"], names)
 
 
 def text_of(data: dict[str, Any] | Model) -> str:
