@@ -44,7 +44,7 @@ class _Patch:
     def text(self) -> str:
         """The text with all replacements; those at one place in the order in which they were made."""
         parts, done = [], 0
-        for start, end, new in sorted(self.edits, key=lambda edit: edit[0]):
+        for start, end, new in sorted(self.edits, key=lambda edit: edit[:2]):
             parts += [self.given[done:start], new]
             done = end
         return "".join([*parts, self.given[done:]])
@@ -85,7 +85,11 @@ class _Patch:
             if name in gone:
                 if not self._remove(key, value):
                     return False
-            elif name in after and not _same(before.get(name), after[name]) and not self.value(value, before.get(name), after[name]):
+            elif (
+                name in after
+                and not _same(before.get(name), after[name])
+                and not self.value(value, before.get(name), after[name])
+            ):
                 if node.flow_style:
                     return False
                 self._rewrite(key, value, after[name])
@@ -138,8 +142,9 @@ class _Patch:
 
 
 def _renamed(before: dict[str, Any], after: dict[str, Any], gone: list[str], new: list[str]) -> tuple[str, str] | None:
-    """The one entry that has another name in the same place."""
+    """The one entry that only has another name."""
     if len(gone) != 1 or len(new) != 1 or len(before) != len(after):
         return None
     old, name = gone[0], new[0]
-    return (old, name) if list(before).index(old) == list(after).index(name) else None
+    there = list(before).index(old) == list(after).index(name) and _same(before[old], after[name])
+    return (old, name) if there else None

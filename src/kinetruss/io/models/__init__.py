@@ -12,4 +12,6 @@ if TYPE_CHECKING:
 
 __all__ = ["changed_text", "data_of", "given", "head_of", "located", "resolved", "text_of", "value_of"]
 
-__getattr__, __dir__ = late(__name__, {"set_value": "given resolved", "texts": "changed_text data_of head_of located text_of value_of"})
+__getattr__, __dir__ = late(
+    __name__, {"set_value": "given resolved", "texts": "changed_text data_of head_of located text_of value_of"}
+)

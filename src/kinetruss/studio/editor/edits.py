@@ -10,8 +10,8 @@ from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.model import Model, nearest
 
 __all__ = [
-    "MEMBERS", "added_bar", "added_entry", "added_node", "deleted", "ends_of", "entry_of", "moved", "new_name", "place_of",
-    "renamed", "with_value", "without",
+    "MEMBERS", "added_bar", "added_entry", "added_node", "clamped_where_beams_are", "deleted", "ends_of", "entry_of", "moved",
+    "new_name", "place_of", "renamed", "with_value", "without",
 ]  # fmt: skip
 
 Data = dict[str, Any]
@@ -68,6 +68,16 @@ def without(data: Data, table: str, name: str) -> Data:
     """The data without an entry; an empty table is left out."""
     rest = {other: entry for other, entry in (data.get(table) or {}).items() if other != name}
     return {**data, table: rest} if rest else {key: value for key, value in data.items() if key != table}
+
+
+def clamped_where_beams_are(data: Data) -> Data:
+    """The data without clamps of nodes at which no beam ends."""
+    given = data.get("clamped")
+    ends = {end for entry in (data.get("beams") or {}).values() for end in ends_of(entry)}
+    kept: Any = {node: body for node, body in given.items() if node in ends} if isinstance(given, dict) else [
+        node for node in given or () if node in ends]  # fmt: skip
+    rest = {key: value for key, value in data.items() if key != "clamped"}
+    return data if kept == given else {**rest, "clamped": kept} if kept else rest
 
 
 def added_node(data: Data, name: str | None, at: Sequence[Any]) -> tuple[Data, str]:
@@ -153,10 +163,9 @@ def deleted(data: Data, nodes: Iterable[str], members: Iterable[str]) -> tuple[D
         found[table] = {name: entry for name, entry in entries.items() if name not in cut}
     if found.get("fixed"):
         found["fixed"] = {name: axes for name, axes in _fixed(data).items() if name not in gone}
-    if isinstance(found.get("clamped"), list):
-        found["clamped"] = [name for name in found["clamped"] if name not in gone]
     found["nodes"] = {name: entry for name, entry in (data.get("nodes") or {}).items() if name not in gone}
     found = {key: value for key, value in found.items() if value not in ({}, []) or key == "nodes"}
+    found = clamped_where_beams_are(found)
     known = {_place(fault) for fault in _faults(data)}
     for _ in range(ROUNDS):
         new = [fault for fault in _faults(found) if _place(fault) not in known]

@@ -128,13 +128,16 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
     arrays = forces.arrays
     names = [str(name) for name in arrays["member"].values]
     values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
-    reactions: dict[str, list[float | None]] = {}
+    sums: dict[str, list[float]] = {}
     if "reaction" in arrays:
-        rows = zip(map(str, arrays["support"].values), arrays["reaction"].values[0], strict=True)
-        reactions = {name: [number(one) for one in row] for name, row in rows if name in nodes}
+        for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
+            # a clamp of a beam holds nodes that the beam has added to its end, e.g. A.d1: their forces are its reaction too
+            at = name if name in nodes else name.rpartition(".")[0]
+            if at in nodes:
+                sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
-        "reaction": reactions,
+        "reaction": {name: [number(one) for one in row] for name, row in sums.items()},
         "unsure": list(forces.attrs.get("not_unique", ())),
     }
 

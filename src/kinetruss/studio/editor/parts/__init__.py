@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.studio.editor.parts.records import forms
     from kinetruss.studio.editor.parts.make import made
+    from kinetruss.studio.editor.parts.records import forms
     from kinetruss.studio.editor.parts.results import Results
 
 __all__ = ["Results", "forms", "made"]

@@ -7,7 +7,16 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kinetruss.errors import InputError
-from kinetruss.studio.editor.edits import MEMBERS, Data, added_entry, ends_of, entry_of, place_of, without
+from kinetruss.studio.editor.edits import (
+    MEMBERS,
+    Data,
+    added_entry,
+    clamped_where_beams_are,
+    ends_of,
+    entry_of,
+    place_of,
+    without,
+)
 from kinetruss.units import parse
 
 __all__ = ["made"]
@@ -20,7 +29,9 @@ SHARED = ("ends", "section", "material", "mass")
 """Fields that bars and beams both have."""
 
 
-def made(data: Data, what: str, nodes: Sequence[str], members: Sequence[str], drives: Mapping[str, Any]) -> tuple[Data, str, str]:
+def made(
+    data: Data, what: str, nodes: Sequence[str], members: Sequence[str], drives: Mapping[str, Any]
+) -> tuple[Data, str, str]:
     """The data with a new entry, the table of it and its name.
 
     what : active, beam, bar (of the picked member, in its place), angle_spring (between the picked members, or of one
@@ -70,7 +81,8 @@ def _member(data: Data, what: str, members: Sequence[str]) -> tuple[Data, str, s
         if not (entry.get("material") or data.get("material")):
             entry["material"] = MATERIAL
     rest = without(data, table, name)
-    return {**rest, to: {**(rest.get(to) or {}), name: entry if len(entry) > 1 else entry["ends"]}}, to, name
+    found = {**rest, to: {**(rest.get(to) or {}), name: entry if len(entry) > 1 else entry["ends"]}}
+    return clamped_where_beams_are(found), to, name
 
 
 def _length(data: Data, record: Mapping[str, Any]) -> float:

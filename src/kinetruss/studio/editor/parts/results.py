@@ -7,12 +7,18 @@ from typing import Any
 from kinetruss import runs
 from kinetruss.errors import InputError
 from kinetruss.model import Model, nearest
+from kinetruss.runs import RunResult
+from kinetruss.strength.verdict import headline
 from kinetruss.viewer import page, scene
 
 __all__ = ["Results"]
 
 MOST = 4
 """Number of result pages that are kept; each holds a whole scene."""
+
+
+MOST_VALUES = 4_000_000
+"""Largest product of samples and members of a run from the page."""
 
 
 class Results:
@@ -31,10 +37,19 @@ class Results:
         """
         if name not in model.runs:
             raise InputError(f"No run called {name!r}. {nearest(name, model.runs)}")
+        if model.runs[name].motion is not None:
+            raise InputError(f"{name!r} reads a file. Save the model, then: kinetruss run MODEL.yaml {name}")
+        if model.runs[name].samples * len(model.members) > MOST_VALUES:
+            raise InputError(f"{name!r} is too long for this page: {model.runs[name].samples} samples. Take fewer samples.")
         result = runs.run(model, name)
-        words = "\n".join(str(result).splitlines()[:6])
-        record = {"kind": "ran", "name": name, "words": words, "number": None}
-        if getattr(result, "motion", None) is None:
+        if not isinstance(result, RunResult):
+            return {"kind": "ran", "name": name, "words": str(result).partition("\n")[0], "number": None}
+        found = headline(result.verdict, result.demand).record
+        words = [f"{len(result.motion.time)} of {result.samples} samples.", found["text"], *found["more"], result.message]
+        if found["governing"] is not None:
+            words.insert(2, found["governing"]["text"])
+        record = {"kind": "ran", "name": name, "words": "\n".join(filter(None, words)), "number": None}
+        if not len(result.motion.time):
             return record
         self.count += 1
         self.pages[self.count] = page(scene(result), title=f"{model.title or 'Drawing'}: {name}")
