@@ -26,7 +26,7 @@ def served(tmp_path) -> Iterator[Served]:
 
 
 def the_same_in_python(clamped: list[str]) -> kt.Model:
-    """A beam, pinned or clamped, on an active strut; a plate hangs on its tip and is held by a spring of the angle between them."""
+    """A beam, pinned or clamped, on an active strut; a plate on its tip is held by a spring of the angle between them."""
     tube = {"kind": "tube", "outer": 0.05, "inner": 0.04}
     rod = {"kind": "tube", "outer": 0.036, "inner": 0.03}
     part = {"length": 0.96, "material": "aluminium_6082_t6"}
