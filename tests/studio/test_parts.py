@@ -91,6 +91,10 @@ def test_bodies_springs_and_runs_are_made_from_what_is_picked(desk):
     assert "kinetruss-scene" in desk.results.pages[answer["number"]]
     assert desk.drawing.state is before
     assert "No run called" in ask(desk, do="run", name="other")["message"]
+    found = done(desk, do="set", path=["runs", "run1", "analysis"], value="kinematics.follow")
+    assert len(found["data"]["runs"]["run1"]["trajectory"]["moves"]) == 1
+    found = done(desk, do="set", path=["runs", "run1", "analysis"], value="statics.equilibrium")
+    assert "trajectory" not in found["data"]["runs"]["run1"]
     done(desk, do="set", path=["runs", "run1"], value={"motion": "/etc/hosts"})
     assert "reads a file" in ask(desk, do="run", name="run1")["message"]
 

@@ -19,7 +19,7 @@ from kinetruss.studio.editor.drawing import Drawing, State, fresh
 from kinetruss.studio.editor.edits import MEMBERS, added_bar, added_node, deleted, moved, renamed, with_value
 from kinetruss.studio.editor.groups import CELLS, copied, mirrored, stacked
 from kinetruss.studio.editor.keep import Keep
-from kinetruss.studio.editor.parts import Results, forms, made
+from kinetruss.studio.editor.parts import Results, forms, made, with_analysis
 from kinetruss.studio.editor.state import fault_rows, state_of
 
 __all__ = ["Desk"]
@@ -163,7 +163,9 @@ class Desk:
                 drawing.edit(data, f"adding {name}")
             case say.Set():
                 value = self._typed(command.value) if command.typed else command.value
-                drawing.edit(with_value(data, command.path, value), f"setting {'.'.join(command.path)}")
+                run = command.path[0] == "runs" and len(command.path) == 3 and command.path[2] == "analysis" and value
+                new = with_analysis(data, command.path[1], str(value)) if run else with_value(data, command.path, value)
+                drawing.edit(new, f"setting {'.'.join(command.path)}")
             case say.Make():
                 data, table, name = made(data, command.what, command.nodes, command.members, self._present())
                 drawing.edit(data, f"making {name}")
@@ -247,7 +249,7 @@ class Desk:
             return
         found = self.keep.picture()
         other = Keep(self.keep.folder, self.file.stem)
-        other.keep_picture(found and found["place"], found and found["source"])
+        other.keep_picture(*((found["place"], found["source"]) if found is not None else (None, None)))
 
     def draft(self, keep: bool) -> Record:
         """Take up or remove the autosaved drawing of an earlier studio."""

@@ -6,7 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, ModelError
+from kinetruss.model import Model
 from kinetruss.studio.editor.edits import (
     MEMBERS,
     Data,
@@ -19,7 +20,7 @@ from kinetruss.studio.editor.edits import (
 )
 from kinetruss.units import parse
 
-__all__ = ["made"]
+__all__ = ["made", "with_analysis"]
 
 MATERIAL = "aluminium_6082_t6"
 OUTER, INNER = (0.04, 0.032), (0.03, 0.024)
@@ -53,6 +54,22 @@ def made(
             raise InputError("Pick the nodes of the body first, two or more: Shift-click them, or Shift-drag a box.")
         return added_entry(data, "bodies", "body", {"nodes": carried, "mass": "1 kg"})
     return added_entry(data, "runs", "run", _run(drives))
+
+
+def with_analysis(data: Data, name: str, analysis: str) -> Data:
+    """The data with another analysis of a run, and without those fields of the run that it does not use."""
+    entry = (data.get("runs") or {}).get(name) or {}
+    found = data
+    for kept in (tuple(entry), ("samples", "load_cases", "condition"), ()):
+        run = {**{key: entry[key] for key in entry if key in kept}, "analysis": analysis}
+        found = {**data, "runs": {**(data.get("runs") or {}), name: run}}
+        try:
+            Model(**found)
+        except ModelError as error:
+            if any(fault.path[:2] == ("runs", name) for fault in error.faults):
+                continue
+        break
+    return found
 
 
 def _found(data: Data, name: str) -> tuple[str, Any]:

@@ -78,5 +78,5 @@ def _ways(part: dict[str, Any]) -> list[dict[str, Any]]:
     if "x-unit" in part:
         return [part]
     if "anyOf" in part or "oneOf" in part:
-        return [way for one in part.get("anyOf", part.get("oneOf")) for way in _ways(one)]
+        return [way for one in part.get("anyOf") or part["oneOf"] for way in _ways(one)]
     return [] if part.get("type") == "null" else [part]

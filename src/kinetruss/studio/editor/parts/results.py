@@ -7,7 +7,6 @@ from typing import Any
 from kinetruss import runs
 from kinetruss.errors import InputError
 from kinetruss.model import Model, nearest
-from kinetruss.runs import RunResult
 from kinetruss.strength.verdict import headline
 from kinetruss.viewer import page, scene
 
@@ -37,13 +36,12 @@ class Results:
         """
         if name not in model.runs:
             raise InputError(f"No run called {name!r}. {nearest(name, model.runs)}")
-        if model.runs[name].motion is not None:
-            raise InputError(f"{name!r} reads a file. Save the model, then: kinetruss run MODEL.yaml {name}")
+        if model.runs[name].motion is not None or model.runs[name].analysis == "mission":
+            what = "reads a file" if model.runs[name].motion is not None else "is a mission"
+            raise InputError(f"{name!r} {what}. Save the model, then: kinetruss run MODEL.yaml {name}")
         if model.runs[name].samples * len(model.members) > MOST_VALUES:
             raise InputError(f"{name!r} is too long for this page: {model.runs[name].samples} samples. Take fewer samples.")
         result = runs.run(model, name)
-        if not isinstance(result, RunResult):
-            return {"kind": "ran", "name": name, "words": str(result).partition("\n")[0], "number": None}
         found = headline(result.verdict, result.demand).record
         words = [f"{len(result.motion.time)} of {result.samples} samples.", found["text"], *found["more"], result.message]
         if found["governing"] is not None:
