@@ -72,6 +72,15 @@ def test_every_kind_of_edit_changes_its_own_lines_only(desk):
         assert done(desk, do="undo")["text"] == TEXT
 
 
+def test_typing_is_one_step_until_the_text_is_left(desk):
+    for k in range(3):
+        done(desk, do="text", text=TEXT.replace("[2, 0]", f"[{3 + k}, 0]"), drag=-1)
+    assert done(desk, do="undo")["text"] == TEXT
+    for k in (-1, -2):
+        done(desk, do="text", text=TEXT.replace("[2, 0]", f"[{3 - k}, 0]"), drag=k)
+    assert "B: [4, 0] # roller" in done(desk, do="undo")["text"]
+
+
 def test_an_edit_of_every_example_keeps_its_comments():
     for name, (path, *_) in example_files().items():
         if path.name.endswith(".mission.yaml"):

@@ -125,10 +125,11 @@ class Stack(Message):
 
 
 class Text(Message):
-    """The drawing of a model text."""
+    """The drawing of a model text. `drag`: texts with the same number are one step of undo."""
 
     do: Literal["text"]
     text: Annotated[str, Field(max_length=MOST)]
+    drag: int | None = None
 
 
 class Undo(Message):

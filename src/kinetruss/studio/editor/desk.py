@@ -118,7 +118,7 @@ class Desk:
             case say.Redo():
                 self.drawing.redo()
             case say.Text():
-                if faults := self.drawing.write(command.text, self.folder or Path()):
+                if faults := self.drawing.write(command.text, self.folder or Path(), drag=command.drag):
                     return {"kind": "faults", "faults": fault_rows(faults)}
             case say.Curve():
                 return self.curve(command)

@@ -88,10 +88,10 @@ class Drawing:
         last = self.past[-1] if merged else self.state
         self._next(State(data, None, words, drag, None if anew else last, last.folder), found, merged)
 
-    def write(self, text: str, folder: Path, within: bool = True) -> list[Fault]:
+    def write(self, text: str, folder: Path, within: bool = True, drag: int | None = None) -> list[Fault]:
         """Take the drawing of a text, even if the model has faults; returns the faults for which it is not taken.
 
-        within : only files of the folder may be read for it.
+        within : only files of the folder may be read for it. drag : texts with the same number are one step.
         """
         try:
             data, faults = data_of(text, folder, within=within)
@@ -100,7 +100,8 @@ class Drawing:
         if wrong := faults or faulty_shape(data):
             return wrong
         if data != self.state.data:
-            self._next(State(data, text, "the text", folder=folder), judged(data), False)
+            merged = drag is not None and self.state.drag == drag
+            self._next(State(data, text, "the text", drag, folder=folder), judged(data), merged)
         else:
             self.state = replace(self.state, typed=text)
             self.revision += 1

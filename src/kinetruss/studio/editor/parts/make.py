@@ -154,4 +154,8 @@ def _run(drives: Mapping[str, Any]) -> dict[str, Any]:
         start = float(f"{value:.9g}")
         end = value + math.pi / 6 if unit == "rad" else value + 0.1 * (abs(value) or 1.0)
         moves[name] = [start, float(f"{end:.4g}")]
-    return {"trajectory": {"kind": "quintic", "moves": moves, "duration": "2 s"}, "samples": 101}
+    return {
+        "analysis": "dynamics.inverse",
+        "trajectory": {"kind": "quintic", "moves": moves, "duration": "2 s"},
+        "samples": 101,
+    }
