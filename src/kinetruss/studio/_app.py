@@ -99,6 +99,12 @@ def application(new: Callable[[], Session], desk: Desk, token: str, hosts: Itera
     async def drawing_page(given: str) -> Response:
         return answered(given, "draw")
 
+    @app.get("/{given}/draw/result/{number}")
+    async def result_page(given: str, number: int) -> Response:
+        if not _same(given, token) or number not in desk.results.pages:
+            return PlainTextResponse(STALE if not _same(given, token) else "This result is not kept any more.", status_code=404)
+        return HTMLResponse(desk.results.pages[number], headers=HEADERS)
+
     async def connected(socket: WebSocket, given: str, talk: Callable[[], Awaitable[None]]) -> None:
         if not _same(given, token):
             await socket.close(1008, "wrong token")

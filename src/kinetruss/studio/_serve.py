@@ -65,7 +65,7 @@ def serve(
         desk.address = token, here
         hosts = [f"{HOST}:{here}", f"localhost:{here}"]
         title = "kinetruss" if model is None or file is None else model.title or file.stem
-        app = application(lambda: session(desk.model(), file, target, seen), desk, token, hosts, title)
+        app = application(lambda: session(desk.model(), file, target, seen, desk.text()), desk, token, hosts, title)
         config = uvicorn.Config(
             app,
             log_level="error",

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError
+from kinetruss.io.models import changed_text
 from kinetruss.mechanics import compile
 from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
 from kinetruss.studio import _commands as say
@@ -28,13 +29,17 @@ class Session:
     """A live model: messages in, messages out.
 
     model : the model shown. file : its file, or None. folder : the only folder in which it can be saved.
-    seen : stamp of the file when the model was read (default: its present stamp).
+    seen : stamp of the file when the model was read (default: its present stamp). text : YAML text of the model, whose
+    comments and order a saved file keeps.
 
     Every answer is based on a converged pose. If a pose cannot be reached, the last good pose stays, with a reason.
     """
 
-    def __init__(self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None) -> None:
+    def __init__(
+        self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None, text: str = ""
+    ) -> None:
         self.original = model
+        self.text = text
         self.file = file
         self.folder = folder
         self.seen = seen_now(file) if seen is None else dict(seen)
@@ -134,7 +139,8 @@ class Session:
         if command.pose:
             model = posed(model, self.pose.position, self.pose.values)
         try:
-            path = save(model, self.folder, command.name, self.seen, replace=command.replace)
+            text = changed_text(self.text, self.original, model, self.folder) if self.text and self.folder else None
+            path = save(model, self.folder, command.name, self.seen, replace=command.replace, text=text)
         except FileThereError as there:
             return {"kind": "exists", "message": str(there)}
         words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs else "")

@@ -4,6 +4,7 @@ import { colourOf, gradient } from "../colour.js";
 import { KINDS } from "../display.js";
 import { el, fill, svg } from "../dom.js";
 import { quantity } from "../format.js";
+import { bodies, springs } from "./marks.js";
 
 const LINES = 60; // most grid lines to either side
 const ARROW = 46; // pixels of the largest load
@@ -16,7 +17,7 @@ export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.legend = el("div", { class: "legend", hidden: true });
     new ResizeObserver(() => this.resize()).observe(this.node);
@@ -149,7 +150,9 @@ export class Canvas {
       const tip = camera.project(place.map((value, k) => value + ((force[k] || 0) / largest) * (ARROW / camera.scale)));
       marks.push(arrow(tip, end));
     }
-    this.layers.marks.replaceChildren(...marks);
+    const at = (name) => this.at(name), ends = (name) => state.members.find((one) => one.name === name)?.ends;
+    this.layers.bodies.replaceChildren(...bodies(state.data, at));
+    this.layers.marks.replaceChildren(...marks, ...springs(state.data, at, ends));
   }
 
   /** What is being drawn, and the cursor of the keys. */

@@ -4,6 +4,7 @@ import { el } from "../dom.js";
 import { Camera } from "./camera.js";
 import { Canvas } from "./canvas.js";
 import { Curves } from "./curves.js";
+import { Entries } from "./entries.js";
 import { Files } from "./files.js";
 import { Groups } from "./groups.js";
 import { Picture } from "./picture.js";
@@ -35,11 +36,12 @@ export class Draw {
     this.whole = new Whole(this);
     this.groups = new Groups(this);
     this.text = new Text(this);
+    this.entries = new Entries(this);
     this.files = new Files(this);
     this.rail = new ToolRail(this);
     this.tools = new Tools(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, this.banner, this.files.offer, this.status.node, this.status.details, this.properties.node,
-      this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
+      this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
     root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
@@ -60,8 +62,14 @@ export class Draw {
     const { made } = answer;
     if (made?.member) this.pick({ type: "member", name: made.member });
     else if (made?.node) this.pick({ type: "node", name: made.node });
+    if (made?.entry && !made.member) this.entries.show(made.entry);
     if (made?.lost?.length) this.tell(`Removed with it: ${made.lost.join(", ")}.`);
     return answer;
+  }
+
+  /** A new part from what is picked. */
+  make(what) {
+    return this.edit({ do: "make", what, nodes: [...this.picked.nodes], members: [...this.picked.members] });
   }
 
   /** Nodes to new places while they are dragged; of many wishes only the last counts. */
@@ -113,8 +121,7 @@ export class Draw {
   refuse(message) {
     this.curves.failed(message, this.waiting);
     this.tell(message, true);
-    this.properties.rebuild();
-    this.whole.rebuild();
+    for (const part of [this.properties, this.whole, this.entries]) part.rebuild();
   }
 
   take(answer) {
@@ -122,6 +129,7 @@ export class Draw {
     if (answer.choices) {
       this.choices = answer.choices;
       this.files.setOffer(answer.offer);
+      this.picture.take(answer.picture);
     }
     this.state = answer;
     this.camera.setDim(answer.dim);
@@ -130,7 +138,7 @@ export class Draw {
     this.canvas.rebuild();
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
-    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.curves, this.text, this.files]) part.rebuild();
+    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.text, this.files]) part.rebuild();
     window.kinetruss.ready = true;
     this.root.dataset.state = "ready";
   }

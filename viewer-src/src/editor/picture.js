@@ -3,6 +3,27 @@
 import { el, section, svg } from "../dom.js";
 import { button, check, field, refill } from "./fields.js";
 
+const LARGEST = 3_000_000; // characters of a picture that is kept as it is
+const SIDE = 1600; // pixels of a larger one
+
+/** A file as a data URL. */
+function url(file) {
+  return new Promise((resolve) => {
+    const reader = new FileReader();
+    reader.addEventListener("load", () => resolve(reader.result));
+    reader.addEventListener("error", () => resolve(""));
+    reader.readAsDataURL(file);
+  });
+}
+
+/** A large picture with fewer pixels; its place counts in those it had, and stays. */
+function smaller(image, { width, height }) {
+  const share = Math.min(1, SIDE / Math.max(width, height));
+  const canvas = el("canvas", { width: Math.round(share * width), height: Math.round(share * height) });
+  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas.toDataURL("image/jpeg", 0.85);
+}
+
 export class Picture {
   constructor(draw) {
     Object.assign(this, { draw, image: null, placing: null, points: [], opacity: 0.5, shown: true });
@@ -13,9 +34,10 @@ export class Picture {
     this.image = null;
   }
 
-  load() {
+  async load() {
     const [file] = this.file.files;
     if (!file) return;
+    const source = await url(file);
     const image = new Image();
     image.addEventListener("load", () => {
       const { camera } = this.draw, { axis, at } = camera.plane;
@@ -24,21 +46,49 @@ export class Picture {
       const origin = camera.unproject([camera.width / 2, camera.height / 2]) || [0, 0, 0];
       origin[u] -= (size * image.naturalWidth) / 2;
       origin[v] += (size * image.naturalHeight) / 2;
+      this.loaded = image;
       this.image = { source: image.src, width: image.naturalWidth, height: image.naturalHeight, axes: [u, v], axis, at, turn: [size, 0], origin: [origin[u], origin[v]] };
       this.points = [];
       this.rebuild();
       this.draw.canvas.update();
+      this.keep(true);
     });
     image.addEventListener("error", () => this.draw.tell("This file is no picture that the browser can show.", true));
-    image.src = URL.createObjectURL(file);
+    image.src = source;
+  }
+
+  /** Let the picture outlive the page; one that is too large is kept smaller. */
+  async keep(whole = false) {
+    if (!this.image || this.draw.closed) return;
+    const { source, ...place } = this.image;
+    const command = { do: "picture", place: { ...place, opacity: this.opacity, shown: this.shown } };
+    if (whole) command.source = source.length < LARGEST ? source : smaller(this.loaded, place);
+    await this.draw.ask(command);
+  }
+
+  /** The picture that an earlier page had. */
+  take(kept) {
+    if (!kept || this.image) return;
+    const { opacity, shown, ...place } = kept.place;
+    Object.assign(this, { image: { ...place, source: kept.source }, opacity, shown });
+    this.rebuild();
+  }
+
+  remove() {
+    this.image = null;
+    this.file.value = "";
+    refill(this.body);
+    this.draw.canvas.update();
+    this.draw.ask({ do: "picture", place: null });
   }
 
   rebuild() {
     if (!this.image) return;
     const slider = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: this.opacity, "aria-label": "opacity of the picture" });
     slider.addEventListener("input", () => { this.opacity = Number(slider.value); this.draw.canvas.update(); });
+    slider.addEventListener("change", () => this.keep());
     const words = ["Click the first point in the picture.", "Click the second point in the picture."];
-    refill(this.body, el("div", { class: "row" }, check("shown", this.shown, (on) => { this.shown = on; this.draw.canvas.update(); }), slider),
+    refill(this.body, el("div", { class: "row" }, check("shown", this.shown, (on) => { this.shown = on; this.draw.canvas.update(); this.keep(); }), slider, button("Remove", () => this.remove(), { "aria-label": "remove the picture" })),
       button("Place by two points", () => this.begin()), this.placing ? el("p", { role: "status" }, words[this.points.length] || "") : null,
       this.points.length === 2 && !this.placing ? this.entries() : null);
   }
@@ -85,6 +135,7 @@ export class Picture {
     this.rebuild();
     this.draw.tell("");
     this.draw.canvas.update();
+    this.keep();
   }
 
   place(layer) {

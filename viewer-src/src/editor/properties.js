@@ -2,15 +2,19 @@
 
 import { el, section } from "../dom.js";
 import { quantity } from "../format.js";
+import { Forms } from "./forms.js";
 import { button, check, choice, field, refill } from "./fields.js";
 
 const KINDS = [["rigid", "rigid"], ["driven", "driven length"], ["elastic", "elastic (spring)"], ["cable", "cable"], ["free", "free (measures only)"]];
+const OTHER = [["active", "active member (rods, screw, motor)"], ["beam", "beam (bends)"]];
+const MAKES = { angle_spring: "Angle spring", body: "Body" };
 const AXES = [..."xyz"];
 
 export class Properties {
   constructor(draw) {
     this.draw = draw;
     this.body = el("div", {});
+    this.forms = new Forms(draw, () => this.rebuild());
     this.node = section("Picked", this.body);
   }
 
@@ -30,7 +34,7 @@ export class Properties {
     const lists = this.lists(state, nodes, members);
     if (nodes.length === 1 && !members.length) refill(this.body, lists, this.ofNode(nodes[0]));
     else if (members.length === 1 && !nodes.length) refill(this.body, lists, this.ofMember(members[0]));
-    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? `${nodes.length} nodes, ${members.length} members` : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, nodes.length ? null : this.newNode());
+    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? `${nodes.length} nodes, ${members.length} members` : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, this.making([...(members.length === 2 ? ["angle_spring"] : []), ...(nodes.length + members.length > 1 ? ["body"] : [])]), nodes.length ? null : this.newNode());
   }
 
   /** Lists of all nodes and members: picking by keys. */
@@ -88,7 +92,7 @@ export class Properties {
 
   ofMember(name) {
     const { draw } = this, { state } = draw;
-    if (!(name in (state.data.bars || {}))) return [this.naming("active", name), el("p", { class: "faint" }, "An active member: edit its rods, screw and motor in the text.")];
+    if (!(name in (state.data.bars || {}))) return this.ofOther(name in (state.data.beams || {}) ? "beams" : "active", name);
     const entry = this.entry("bars", name);
     const kind = entry.kind || "rigid";
     this.span = el("small", {}, this.spanText(name));
@@ -96,16 +100,44 @@ export class Properties {
     const length = soft ? field("Natural length", entry.natural_length, (value) => this.set(["bars", name, "natural_length"], value), { hint: "as drawn", name: `natural length of ${name}` })
       : field("Length", entry.length, (value) => this.set(["bars", name, "length"], value), { hint: "as drawn", name: `length of ${name}` });
     return [this.naming("bars", name), this.span,
-      el("div", { class: "row" }, choice("Kind", KINDS, kind, (value) => this.setKind(name, value), `kind of ${name}`), length),
+      el("div", { class: "row" }, choice("Kind", [...KINDS, ...OTHER], kind, (value) => this.setKind(name, value), `kind of ${name}`), length),
       soft ? el("div", { class: "row" }, field("Stiffness", entry.stiffness, (value) => this.set(["bars", name, "stiffness"], value), { hint: "E A/l", name: `stiffness of ${name}` }),
         field("Pretension", entry.pretension, (value) => this.set(["bars", name, "pretension"], value), { hint: "0 N", name: `pretension of ${name}` })) : null,
       this.angle(name), el("div", { class: "row" }, sectionChoice(draw, entry.section, (value) => this.set(["bars", name, "section"], value), `section of ${name}`),
         materialChoice(draw, entry.material, (value) => this.set(["bars", name, "material"], value), `material of ${name}`)),
-      el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["bars", name, "mass"], value), { hint: "of its section", name: `mass of ${name}` }))];
+      el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["bars", name, "mass"], value), { hint: "of its section", name: `mass of ${name}` })), this.making(["angle_spring"])];
+  }
+
+  /** An active member or a beam: all its fields. */
+  ofOther(table, name) {
+    this.span = el("small", {}, this.spanText(name));
+    const kind = table === "beams" ? "beam" : "active";
+    return [this.naming(table, name), this.span, el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
+      table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), this.forms.entry(table, name)];
+  }
+
+  /** How a beam is joined at its ends. */
+  beamEnds(name) {
+    const { data } = this.draw.state, entry = this.entry("beams", name), release = entry.release || [];
+    const clamped = data.clamped || [], held = (node) => (Array.isArray(clamped) ? clamped.includes(node) : node in clamped);
+    const without = (list, node) => (list.filter((one) => one !== node).length ? list.filter((one) => one !== node) : null);
+    const choose = async (node, how) => {
+      if (release.includes(node) !== (how === "hinge")) await this.set(["beams", name, "release"], how === "hinge" ? [...release, node] : without(release, node));
+      if (held(node) === (how === "clamped")) return;
+      if (!Array.isArray(clamped)) await this.set(["clamped", node], null);
+      else await this.set(["clamped"], how === "clamped" ? [...clamped, node] : without(clamped, node));
+    };
+    return el("div", { class: "row" }, entry.ends.map((node) => choice(`At ${node}`, [["joined", "joined stiffly"], ["hinge", "hinge"], ["clamped", "clamped to the ground"]], release.includes(node) ? "hinge" : held(node) ? "clamped" : "joined", (how) => choose(node, how), `end of ${name} at ${node}`)));
+  }
+
+  /** Buttons for parts that are made from what is picked. */
+  making(whats) {
+    return el("div", { class: "row" }, whats.map((what) => button(MAKES[what], () => this.draw.make(what))));
   }
 
   /** Another kind; an elastic bar without section and material needs a stiffness, which is offered. */
   setKind(name, kind) {
+    if (OTHER.some(([other]) => other === kind)) return this.draw.make(kind);
     const entry = { ...this.entry("bars", name) }, { state } = this.draw;
     delete entry.kind;
     if (kind === "elastic" || kind === "cable") {

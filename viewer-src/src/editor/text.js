@@ -6,12 +6,12 @@ const PAUSE = 400; // ms after the last key at which the text is taken
 
 export class Text {
   constructor(draw) {
-    this.draw = draw;
-    this.area = el("textarea", { "aria-label": "model as text", spellcheck: "false", rows: 18, wrap: "off", oninput: () => this.typed() });
+    Object.assign(this, { draw, typing: -1 }); // below zero: drags of the pointer have other numbers
+    this.area = el("textarea", { "aria-label": "model as text", spellcheck: "false", rows: 18, wrap: "off", oninput: () => this.typed(), onblur: () => this.typing-- });
     this.lines = el("pre", { class: "lines", "aria-hidden": "true" });
     this.faults = el("ul", { class: "faults", role: "status" });
     this.back = el("button", { type: "button", hidden: true, onclick: () => this.reset() }, "Back to the drawing's text");
-    this.node = section("The file", el("p", { class: "faint" }, "The same model as text. An edit of the drawing writes it anew, without comments."), el("div", { class: "text" }, this.lines, this.area), this.faults, this.back);
+    this.node = section("The file", el("p", { class: "faint" }, "The same model as text. An edit of the drawing changes only its own lines; comments stay."), el("div", { class: "text" }, this.lines, this.area), this.faults, this.back);
     this.area.addEventListener("scroll", () => (this.lines.scrollTop = this.area.scrollTop));
   }
 
@@ -19,12 +19,13 @@ export class Text {
     this.dirty = true;
     this.number([]);
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.send(), PAUSE);
+    const { typing } = this;
+    this.timer = setTimeout(() => this.send(typing), PAUSE);
   }
 
-  async send() {
+  async send(drag) {
     const text = this.area.value;
-    const answer = await this.draw.ask({ do: "text", text });
+    const answer = await this.draw.ask({ do: "text", text, drag });
     if (this.area.value !== text || answer.kind === "lost") return;
     if (answer.kind === "faults") this.show(answer.faults, true);
     else if (answer.kind === "drawing") {

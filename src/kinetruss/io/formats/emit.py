@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from decimal import Decimal
 from typing import Any
 
-__all__ = ["to_json", "to_yaml"]
+__all__ = ["entry_lines", "scalar_text", "to_json", "to_yaml"]
 
 WIDTH = 120
 _PLAIN = re.compile(
@@ -22,7 +22,7 @@ Scalar = Callable[[Any], str]
 
 def to_yaml(data: dict[str, Any]) -> str:
     """YAML text of a table; `Tree` reads it back unchanged."""
-    return "".join(f"{line}\n" for key, value in data.items() for line in _block(key, value, 0))
+    return "".join(f"{line}\n" for key, value in data.items() for line in entry_lines(key, value, 0))
 
 
 def to_json(data: dict[str, Any]) -> str:
@@ -30,16 +30,16 @@ def to_json(data: dict[str, Any]) -> str:
     return "{\n" + ",\n".join(_entry(key, value, 2) for key, value in data.items()) + "\n}\n"
 
 
-def _block(key: str, value: Any, indent: int) -> Iterator[str]:
-    """Lines of one entry: one line if it fits; the tables of a model always one line per name."""
-    head = f"{' ' * indent}{_yaml_scalar(key)}:"
-    line = f"{head} {_flow(value, _yaml_scalar)}"
+def entry_lines(key: str, value: Any, indent: int) -> Iterator[str]:
+    """YAML lines of one entry: one line if it fits; the tables of a model always one line per name."""
+    head = f"{' ' * indent}{scalar_text(key)}:"
+    line = f"{head} {_flow(value, scalar_text)}"
     if value and isinstance(value, dict) and (len(line) > WIDTH or (indent == 0 and not _small(value))):
         yield head
         for name, item in value.items():
-            yield from _block(name, item, indent + 2)
+            yield from entry_lines(name, item, indent + 2)
     elif value and isinstance(value, list) and len(line) > WIDTH:
-        yield from _wrapped(f"{head} [", value, indent + 2, _yaml_scalar)
+        yield from _wrapped(f"{head} [", value, indent + 2, scalar_text)
     else:
         yield line
 
@@ -81,7 +81,8 @@ def _flow(value: Any, scalar: Scalar) -> str:
     return scalar(value)
 
 
-def _yaml_scalar(value: Any) -> str:
+def scalar_text(value: Any) -> str:
+    """A text, number or truth value in YAML; quoted where it must be."""
     if isinstance(value, str) and _PLAIN.fullmatch(value) and value.lower() not in _WORDS:
         return value
     return _json_scalar(value)

@@ -8,8 +8,10 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.io.models.set_value import given, resolved
-    from kinetruss.io.models.texts import data_of, located, text_of
+    from kinetruss.io.models.texts import changed_text, data_of, head_of, located, text_of, value_of
 
-__all__ = ["data_of", "given", "located", "resolved", "text_of"]
+__all__ = ["changed_text", "data_of", "given", "head_of", "located", "resolved", "text_of", "value_of"]
 
-__getattr__, __dir__ = late(__name__, {"set_value": "given resolved", "texts": "data_of located text_of"})
+__getattr__, __dir__ = late(
+    __name__, {"set_value": "given resolved", "texts": "changed_text data_of head_of located text_of value_of"}
+)

@@ -6,8 +6,9 @@ import re
 from pathlib import Path, PureWindowsPath
 from typing import Any
 
-from kinetruss.errors import Fault, ModelError
+from kinetruss.errors import Fault, KinetrussError, ModelError
 from kinetruss.io.formats.emit import to_yaml
+from kinetruss.io.formats.patch import patched
 from kinetruss.io.formats.plain import plain_model
 from kinetruss.io.formats.text import MAX_SIZE
 from kinetruss.io.formats.tree import locate, plain, refuse
@@ -15,7 +16,7 @@ from kinetruss.io.formats.yaml import parse_yaml
 from kinetruss.io.models.read import model_of
 from kinetruss.model import Model
 
-__all__ = ["data_of", "located", "text_of"]
+__all__ = ["changed_text", "data_of", "head_of", "located", "text_of", "value_of"]
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
@@ -49,9 +50,48 @@ def data_of(text: str, folder: Path, max_size: int = MAX_SIZE, *, within: bool =
     return {key: _numbers(value, names) for key, value in data.items()}, faults
 
 
+def value_of(text: str, names: set[str]) -> Any:
+    """The plain data of a value typed as YAML, e.g. ``[1, 20 mm]``. names : of entries, which are not read as numbers.
+
+    Raises
+    ------
+    ModelError : it is not YAML.
+    """
+    tree, faults = parse_yaml(f"value: {text}")
+    if faults or tree is None or tree.table is None or list(tree.table) != ["value"]:
+        raise refuse(f"holds {text!r}, which is no value.", "Write a number, a text, [a, list] or {a: table}.", (1, 1))
+    return _numbers(plain(tree)["value"], names)
+
+
 def text_of(data: dict[str, Any] | Model) -> str:
     """YAML text of plain data or of a model."""
     return to_yaml(plain_model(data) if isinstance(data, Model) else data)
+
+
+def changed_text(
+    text: str, before: dict[str, Any] | Model, after: dict[str, Any] | Model, folder: Path, *, within: bool = False
+) -> str | None:
+    """The text of changed data: with its comments, its order and the entries that did not change as they are written.
+
+    text : of `before`, both as plain data or both as models. folder, within : as of `data_of`. None if the result would not
+    read as `after`, e.g. because of aliases or a model of the library.
+    """
+    plain_before, plain_after = (plain_model(one) if isinstance(one, Model) else one for one in (before, after))
+    found = patched(text, plain_before, plain_after)
+    if found is None:
+        return None
+    try:
+        data, faults = data_of(found, folder, within=within)
+        read = Model(**data) if isinstance(after, Model) else data
+    except KinetrussError:
+        return None
+    return found if not faults and read == after else None
+
+
+def head_of(text: str) -> str:
+    """The comment at the head of a text."""
+    found = re.match(r"(?:[ \t]*#[^\n]*\n|[ \t]*\n)*", text)
+    return found[0] if found else ""
 
 
 def located(text: str, faults: list[Fault]) -> list[Fault]:

@@ -9,8 +9,8 @@ from pydantic import Field, TypeAdapter
 from kinetruss.studio._messages import Message, read_message
 
 __all__ = [
-    "MOST", "Add", "Bar", "Copy", "Curve", "Delete", "Draft", "Fresh", "Keep", "Mirror", "Move", "Redo", "Rename",
-    "Restore", "Save", "Set", "Show", "Stack", "Text", "Undo", "Versions", "command_of",
+    "MOST", "Add", "Bar", "Copy", "Curve", "Delete", "Draft", "Fresh", "Keep", "Make", "Mirror", "Move", "Picture", "Redo",
+    "Rename", "Restore", "Run", "Save", "Set", "Show", "Stack", "Text", "Undo", "Versions", "command_of",
 ]  # fmt: skip
 
 MOST = 4_000_000
@@ -56,11 +56,28 @@ class Move(Message):
 
 
 class Set(Message):
-    """Set the value at a path of the data, e.g. bars, b1, length; null removes it."""
+    """Set the value at a path of the data, e.g. bars, b1, length; null removes it. `typed`: texts in it are YAML."""
 
     do: Literal["set"]
-    path: Annotated[list[Name], Field(min_length=1, max_length=8)]
+    path: Annotated[list[Name], Field(min_length=1, max_length=12)]
     value: Any = None
+    typed: bool = False
+
+
+class Make(Message):
+    """A new entry from what is picked, whole, to be changed."""
+
+    do: Literal["make"]
+    what: Literal["active", "beam", "bar", "angle_spring", "body", "run"]
+    nodes: Names = []
+    members: Names = []
+
+
+class Run(Message):
+    """Do a run of the model; its page is at ``result/`` and the number in the answer."""
+
+    do: Literal["run"]
+    name: Name
 
 
 class Rename(Message):
@@ -108,10 +125,11 @@ class Stack(Message):
 
 
 class Text(Message):
-    """The drawing of a model text."""
+    """The drawing of a model text. `drag`: texts with the same number are one step of undo."""
 
     do: Literal["text"]
     text: Annotated[str, Field(max_length=MOST)]
+    drag: int | None = None
 
 
 class Undo(Message):
@@ -170,6 +188,14 @@ class Save(Message):
     replace: bool = False
 
 
+class Picture(Message):
+    """Keep the picture to trace beside the file. `place`: as the page has it. `source`: data URL; None: the one kept."""
+
+    do: Literal["picture"]
+    place: Annotated[dict[Name, Any], Field(max_length=20)] | None
+    source: Annotated[str, Field(max_length=MOST)] | None = None
+
+
 class Keep(Message):
     """Put the present state into the list of versions."""
 
@@ -179,7 +205,7 @@ class Keep(Message):
 
 Command = Annotated[
     Fresh | Add | Bar | Move | Set | Rename | Delete | Copy | Mirror | Stack | Text | Undo | Redo | Show | Curve | Draft
-    | Versions | Restore | Save | Keep,
+    | Versions | Restore | Save | Keep | Make | Run | Picture,
     Field(discriminator="do"),
 ]  # fmt: skip
 _ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
-from kinetruss.io.models import text_of
-from kinetruss.model import Model
-from kinetruss.shelves import shelf
+from kinetruss.io.models import text_of, value_of
+from kinetruss.model import Model, turns
+from kinetruss.shelves import shelf, shelves
 from kinetruss.studio._save import FileThereError, Seen, save, seen_now
 from kinetruss.studio.editor import commands as say
 from kinetruss.studio.editor.curves import curve
 from kinetruss.studio.editor.drawing import Drawing, State, fresh
-from kinetruss.studio.editor.edits import added_bar, added_node, deleted, moved, renamed, with_value
+from kinetruss.studio.editor.edits import MEMBERS, added_bar, added_node, deleted, moved, renamed, with_value
 from kinetruss.studio.editor.groups import CELLS, copied, mirrored, stacked
 from kinetruss.studio.editor.keep import Keep
+from kinetruss.studio.editor.parts import Results, forms, made, with_analysis
 from kinetruss.studio.editor.state import fault_rows, state_of
 
 __all__ = ["Desk"]
@@ -48,6 +50,7 @@ class Desk:
         self.lock = threading.Lock()
         self.address: tuple[str, int] | None = None
         self.kept = False
+        self.results = Results()
 
     def _opened(self, model: Model | None, dim: int) -> Drawing:
         if model is None:
@@ -66,17 +69,24 @@ class Desk:
     def first(self) -> Record:
         """The record of a page that has just connected."""
         with self.lock:
-            return self._state() | {"choices": choices(), "offer": self._offer()}
+            picture = self.keep.picture() if self.keep is not None else None
+            return self._state() | {"choices": choices(), "offer": self._offer(), "picture": picture}
 
     def answer(self, text: str | bytes) -> Record:
         """The answer to one message; errors are records too, and change nothing."""
         with self.lock:
             try:
-                return self.do(say.command_of(text))
+                command = say.command_of(text)
+                if not isinstance(command, say.Run):
+                    return self.do(command)
             except ModelError as error:
                 return {"kind": "error", "message": " ".join(str(fault) for fault in error.faults[:3])}
             except KinetrussError as error:
                 return {"kind": "error", "message": str(error)}
+        try:  # a run may be long; other pages go on drawing
+            return self.results.run(self.model(), command.name)
+        except KinetrussError as error:
+            return {"kind": "error", "message": str(error)}
 
     def model(self) -> Model:
         """The model of the drawing, for the live page.
@@ -93,6 +103,11 @@ class Desk:
                 raise InputError("The drawing is no model yet. Go back to it and mend what it lists.")
             return found.model
 
+    def text(self) -> str:
+        """The text of the drawing, with its comments."""
+        with self.lock:
+            return self.drawing.state.text
+
     def do(self, command: Any) -> Record:
         """Do one command."""
         match command:
@@ -103,7 +118,7 @@ class Desk:
             case say.Redo():
                 self.drawing.redo()
             case say.Text():
-                if faults := self.drawing.write(command.text, self.folder or Path()):
+                if faults := self.drawing.write(command.text, self.folder or Path(), drag=command.drag):
                     return {"kind": "faults", "faults": fault_rows(faults)}
             case say.Curve():
                 return self.curve(command)
@@ -111,6 +126,8 @@ class Desk:
                 return self.save(command)
             case say.Versions():
                 return self._versions()
+            case say.Picture():
+                return self.keep_picture(command)
             case say.Keep():
                 return self.keep_version(command.words)
             case say.Restore():
@@ -133,7 +150,7 @@ class Desk:
                     return state_of(drawing, light=True)
             case say.Fresh():
                 drawing.own_dim = command.dim
-                drawing.edit(fresh(command.dim), "the empty drawing")
+                drawing.edit(fresh(command.dim), "the empty drawing", anew=True)
             case say.Add():
                 data, name = added_node(data, command.name, command.at)
                 picked = {"node": name}
@@ -145,7 +162,14 @@ class Desk:
                 picked = {"member": name}
                 drawing.edit(data, f"adding {name}")
             case say.Set():
-                drawing.edit(with_value(data, command.path, command.value), f"setting {'.'.join(command.path)}")
+                value = self._typed(command.value) if command.typed else command.value
+                run = command.path[0] == "runs" and len(command.path) == 3 and command.path[2] == "analysis" and value
+                new = with_analysis(data, command.path[1], str(value)) if run else with_value(data, command.path, value)
+                drawing.edit(new, f"setting {'.'.join(command.path)}")
+            case say.Make():
+                data, table, name = made(data, command.what, command.nodes, command.members, self._present())
+                drawing.edit(data, f"making {name}")
+                picked = {"entry": [table, name]} | ({"member": name} if table in MEMBERS else {})
             case say.Rename():
                 drawing.edit(renamed(data, command.table, command.old, command.new), f"renaming {command.old}")
                 picked = {"renamed": [command.old, command.new]}
@@ -161,6 +185,23 @@ class Desk:
                 drawing.edit(stacked(data, command.cell, command.count, command.arguments), f"stacking {command.cell}")
         self._autosave()
         return self._state() | {"made": picked}
+
+    def _present(self) -> dict[str, tuple[float, str]]:
+        """Value and unit of each drive in the pose drawn."""
+        found = self.drawing.found
+        if found.model is None:
+            return {}
+        records = found.model.all_drives
+        return {name: (value, "rad" if turns(records[name]) else "m") for name, value in found.drives.items()}
+
+    def _typed(self, value: Any) -> Any:
+        """A value of a form, in which each text is YAML."""
+        if isinstance(value, dict):
+            return {key: self._typed(one) for key, one in value.items()}
+        if isinstance(value, list):
+            return [self._typed(one) for one in value]
+        names = {name for table in self.drawing.state.data.values() if isinstance(table, dict) for name in table}
+        return value_of(value, names) if isinstance(value, str) else value
 
     def curve(self, command: say.Curve) -> Record:
         """The path of a node and the force of a drive along its range."""
@@ -185,12 +226,30 @@ class Desk:
         kept.add(text, f"saved as {path.name}")
         kept.remove()
         self.file, self.saved, self.given = path, self.drawing.state, model
+        self._picture_with_file()
         return self._state() | {"saved": f"Written: {path.name}."}
 
     def keep_version(self, words: str) -> Record:
         """Put the present state into the list of versions."""
         self._kept().add(self.drawing.state.text, words or "kept")
         return self._versions()
+
+    def keep_picture(self, command: say.Picture) -> Record:
+        """Keep the picture to trace, or another place of it, beside the drawing."""
+        if self.keep is None:
+            return {"kind": "picture", "kept": False}
+        self._settle()
+        self.keep.keep_picture(command.place, command.source)
+        self._picture_with_file()
+        return {"kind": "picture", "kept": True}
+
+    def _picture_with_file(self) -> None:
+        """The picture beside the saved file too: its next studio looks for it there."""
+        if self.keep is None or self.file is None or self.file.stem == self.keep.name:
+            return
+        found = self.keep.picture()
+        other = Keep(self.keep.folder, self.file.stem)
+        other.keep_picture(*((found["place"], found["source"]) if found is not None else (None, None)))
 
     def draft(self, keep: bool) -> Record:
         """Take up or remove the autosaved drawing of an earlier studio."""
@@ -205,7 +264,7 @@ class Desk:
     def _written(self, text: str, words: str) -> Record:
         if faults := self.drawing.write(text, self.folder or Path()):
             raise ModelError(faults)
-        self.drawing.state = State(self.drawing.state.data, self.drawing.state.typed, words)
+        self.drawing.state = replace(self.drawing.state, words=words)
         self._autosave()
         return self._state()
 
@@ -222,9 +281,7 @@ class Desk:
         """Keep the drawing beside its file; one of an earlier studio that nobody has taken up becomes a version."""
         if self.keep is None or (self.drawing.state is self.saved and self.offered is not None):
             return
-        if not self.kept:
-            token = self.address[0] if self.address is not None else None
-            self.keep, self.kept = Keep.unused(self.keep.folder, self.keep.name, token), True
+        self._settle()
         if self.offered is not None:
             self.keep.add(self.offered[0], "left by an earlier studio")
             self.offered = None
@@ -234,6 +291,12 @@ class Desk:
             self.keep.autosave(self.drawing.state.text)
         if self.address is not None:
             self.keep.keep_address(*self.address)
+
+    def _settle(self) -> None:
+        """From now on the side files of this name are those of this studio."""
+        if self.keep is not None and not self.kept:
+            token = self.address[0] if self.address is not None else None
+            self.keep, self.kept = Keep.unused(self.keep.folder, self.keep.name, token), True
 
     def _state(self) -> Record:
         record = state_of(self.drawing)
@@ -251,8 +314,8 @@ class Desk:
 
 
 def choices() -> Record:
-    """Names of the library that the page offers."""
-    return {"sections": sorted(shelf("sections")), "materials": sorted(shelf("materials")), "cells": list(CELLS)}
+    """Names of the library that the page offers, and the forms of all records."""
+    return {name: sorted(shelf(name)) for name in shelves()} | {"cells": list(CELLS), "forms": forms()}
 
 
 def _list(names: Any) -> str:

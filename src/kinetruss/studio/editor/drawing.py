@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from kinetruss.errors import Fault, InputError, ModelError
-from kinetruss.io.models import data_of, text_of
+from kinetruss.io.models import changed_text, data_of, head_of, text_of
 from kinetruss.studio.editor.edits import MEMBERS, Data, moved, place_of
 from kinetruss.studio.editor.judge import Judged, judged
 from kinetruss.studio.editor.shape import faulty_shape
@@ -21,17 +22,29 @@ HEADER = {"kinetruss": 1}
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """One state of a drawing: its data, the text if someone typed it, and what the step that led to it did."""
+    """One state of a drawing: its data, the text if someone typed it, and what the step that led to it did.
+
+    last : the state whose text this one's text continues, with its comments. folder : of files that the text names.
+    """
 
     data: Data
     typed: str | None = None
     words: str = "the beginning"
     drag: int | None = None
+    last: State | None = None
+    folder: Path = Path()
 
-    @property
+    @cached_property
     def text(self) -> str:
-        """The file: the typed text, or the one of the data."""
-        return text_of(self.data) if self.typed is None else self.typed
+        """The file: the typed text, or that of the last state with the changes written into it."""
+        if self.typed is not None:
+            return self.typed
+        if self.last is None:
+            return text_of(self.data)
+        found = changed_text(self.last.text, self.last.data, self.data, self.folder, within=True)
+        found = head_of(self.last.text) + text_of(self.data) if found is None else found
+        object.__setattr__(self, "last", None)  # it is not needed any more
+        return found
 
 
 def fresh(dim: int) -> Data:
@@ -58,8 +71,8 @@ class Drawing:
         names = self.state.data.get("nodes") or {}
         return len(place_of(self.state.data, next(iter(names)))) if names else self.own_dim
 
-    def edit(self, data: Data, words: str, drag: int | None = None) -> None:
-        """Take new data as the next state.
+    def edit(self, data: Data, words: str, drag: int | None = None, *, anew: bool = False) -> None:
+        """Take new data as the next state. anew : another drawing, whose text does not continue the present one.
 
         Raises
         ------
@@ -72,12 +85,13 @@ class Drawing:
             raise ModelError(new)
         if shifted := {name: place for name, place in found.moved.items() if name in data["nodes"]}:
             data = moved(data, shifted)
-        self._next(State(data, None, words, drag), found, merged)
+        last = self.past[-1] if merged else self.state
+        self._next(State(data, None, words, drag, None if anew else last, last.folder), found, merged)
 
-    def write(self, text: str, folder: Path, within: bool = True) -> list[Fault]:
+    def write(self, text: str, folder: Path, within: bool = True, drag: int | None = None) -> list[Fault]:
         """Take the drawing of a text, even if the model has faults; returns the faults for which it is not taken.
 
-        within : only files of the folder may be read for it.
+        within : only files of the folder may be read for it. drag : texts with the same number are one step.
         """
         try:
             data, faults = data_of(text, folder, within=within)
@@ -86,7 +100,8 @@ class Drawing:
         if wrong := faults or faulty_shape(data):
             return wrong
         if data != self.state.data:
-            self._next(State(data, text, "the text"), judged(data), False)
+            merged = drag is not None and self.state.drag == drag
+            self._next(State(data, text, "the text", drag, folder=folder), judged(data), merged)
         else:
             self.state = replace(self.state, typed=text)
             self.revision += 1

@@ -9,14 +9,17 @@ from typing import Any
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.model import Model, nearest
 
-__all__ = ["MEMBERS", "added_bar", "added_node", "deleted", "ends_of", "moved", "new_name", "place_of", "renamed", "with_value"]
+__all__ = [
+    "MEMBERS", "added_bar", "added_entry", "added_node", "clamped_where_beams_are", "deleted", "ends_of", "entry_of", "moved",
+    "new_name", "place_of", "renamed", "with_value", "without",
+]  # fmt: skip
 
 Data = dict[str, Any]
 
-MEMBERS = ("bars", "active")
-"""Tables of members."""
+MEMBERS = ("bars", "active", "beams")
+"""Tables of members, which are drawn as lines."""
 
-SHORT = {"nodes": "at", "bars": "ends"}
+SHORT = {"nodes": "at", "bars": "ends", "beams": "ends"}
 """Tables whose entries may be the list of one field alone."""
 
 ROUNDS = 20
@@ -48,6 +51,33 @@ def place_of(data: Data, node: str) -> list[Any]:
 def ends_of(entry: Any) -> list[str]:
     """The two nodes of a member as written."""
     return list(entry["ends"] if isinstance(entry, dict) else entry)
+
+
+def entry_of(entry: Any) -> dict[str, Any]:
+    """A member as a table of fields."""
+    return dict(entry) if isinstance(entry, dict) else {"ends": list(entry)}
+
+
+def added_entry(data: Data, table: str, stem: str, entry: Any) -> tuple[Data, str, str]:
+    """The data with one more entry of a table, the table and the name."""
+    name = new_name(data, table, stem)
+    return _put(data, table, name, entry), table, name
+
+
+def without(data: Data, table: str, name: str) -> Data:
+    """The data without an entry; an empty table is left out."""
+    rest = {other: entry for other, entry in (data.get(table) or {}).items() if other != name}
+    return {**data, table: rest} if rest else {key: value for key, value in data.items() if key != table}
+
+
+def clamped_where_beams_are(data: Data) -> Data:
+    """The data without clamps of nodes at which no beam ends."""
+    given = data.get("clamped")
+    ends = {end for entry in (data.get("beams") or {}).values() for end in ends_of(entry)}
+    kept: Any = {node: body for node, body in given.items() if node in ends} if isinstance(given, dict) else [
+        node for node in given or () if node in ends]  # fmt: skip
+    rest = {key: value for key, value in data.items() if key != "clamped"}
+    return data if kept == given else {**rest, "clamped": kept} if kept else rest
 
 
 def added_node(data: Data, name: str | None, at: Sequence[Any]) -> tuple[Data, str]:
@@ -134,7 +164,8 @@ def deleted(data: Data, nodes: Iterable[str], members: Iterable[str]) -> tuple[D
     if found.get("fixed"):
         found["fixed"] = {name: axes for name, axes in _fixed(data).items() if name not in gone}
     found["nodes"] = {name: entry for name, entry in (data.get("nodes") or {}).items() if name not in gone}
-    found = {key: value for key, value in found.items() if value != {} or key in ("nodes",)}
+    found = {key: value for key, value in found.items() if value not in ({}, []) or key == "nodes"}
+    found = clamped_where_beams_are(found)
     known = {_place(fault) for fault in _faults(data)}
     for _ in range(ROUNDS):
         new = [fault for fault in _faults(found) if _place(fault) not in known]

@@ -109,6 +109,26 @@ class Keep:
                 return str(row["text"])
         raise InputError(f"There is no version {number}.")
 
+    def keep_picture(self, place: dict[str, Any] | None, source: str | None) -> None:
+        """Keep the picture to trace and its place; no place removes it, no source leaves the one that is kept."""
+        if place is None:
+            for what in ("picture.json", "picture.txt"):
+                with suppress(OSError):
+                    self.path(what).unlink(missing_ok=True)
+            return
+        if source is not None:
+            self._write("picture.txt", source)
+        self._write("picture.json", json.dumps(place))
+
+    def picture(self) -> dict[str, Any] | None:
+        """The picture that was kept: place and source."""
+        try:
+            place = json.loads(self.path("picture.json").read_text(encoding="utf-8"))
+            source = self.path("picture.txt").read_text(encoding="utf-8")
+        except (OSError, ValueError):
+            return None
+        return {"place": place, "source": source} if isinstance(place, dict) and source.startswith("data:image/") else None
+
     def address(self) -> tuple[str, int] | None:
         """Token and port of the last studio of this drawing."""
         try:

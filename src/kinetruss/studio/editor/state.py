@@ -35,7 +35,7 @@ def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
         "places": list(places.values()),
         "apart": found.apart,
         "why": found.why,
-        "warnings": [{"kind": kind, "text": text} for kind, text in found.warnings],
+        "warnings": [{"kind": kind, "text": text} for kind, text in _warnings(found)],
         "missing": _missing(drawing),
         "alarms": found.alarms,
         "mobility": _mobility(found, light),
@@ -65,11 +65,17 @@ def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
     return [{"where": one.where, "text": str(one), "line": one.line, "column": one.column} for one in faults]
 
 
+def _warnings(found: Judged) -> list[tuple[str, str]]:
+    """Warnings; where elastic parts hold the drawing in equilibrium, what rigid bars leave free is no mechanism."""
+    return [one for one in found.warnings if one[0] != "mechanism" or found.forces is None]
+
+
 def _places(drawing: Drawing) -> dict[str, list[float]]:
     """Node -> place, m: the closed pose, or what is drawn if there is none."""
     found = drawing.found
     if found.model is not None and found.position is not None:
-        return dict(zip(found.model.nodes, found.position.tolist(), strict=True))
+        drawn = drawing.state.data.get("nodes") or {}  # without nodes that beams and bodies have added
+        return {name: place for name, place in zip(found.model.nodes, found.position.tolist(), strict=True) if name in drawn}
     places = {}
     for name in drawing.state.data.get("nodes") or {}:
         with suppress(UnitError):
@@ -79,6 +85,8 @@ def _places(drawing: Drawing) -> dict[str, list[float]]:
 
 def _kind(drawing: Drawing, name: str) -> str:
     model = drawing.found.model
+    if name in (drawing.state.data.get("beams") or {}):
+        return "beam"
     if model is not None:
         return role_of(model, name)
     return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
@@ -120,13 +128,16 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
     arrays = forces.arrays
     names = [str(name) for name in arrays["member"].values]
     values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
-    reactions: dict[str, list[float | None]] = {}
+    sums: dict[str, list[float]] = {}
     if "reaction" in arrays:
-        rows = zip(map(str, arrays["support"].values), arrays["reaction"].values[0], strict=True)
-        reactions = {name: [number(one) for one in row] for name, row in rows if name in nodes}
+        for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
+            # a clamp of a beam holds nodes that the beam has added to its end, e.g. A.d1: their forces are its reaction too
+            at = name if name in nodes else name.rpartition(".")[0]
+            if at in nodes:
+                sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
-        "reaction": reactions,
+        "reaction": {name: [number(one) for one in row] for name, row in sums.items()},
         "unsure": list(forces.attrs.get("not_unique", ())),
     }
 
@@ -145,7 +156,7 @@ def _missing(drawing: Drawing) -> list[str]:
     words = []
     if not data.get("nodes"):
         return ["Nothing is drawn yet. Choose Bar and drag in the drawing, or click for nodes."]
-    if not any(data.get(table) for table in (*MEMBERS, "beams", "membranes", "solids")):
+    if not any(data.get(table) for table in (*MEMBERS, "membranes", "solids")):
         words.append("No bar yet: drag from node to node.")
     if not data.get("fixed"):
         words.append("No support yet: pick a node and choose what holds it.")

@@ -1,0 +1,161 @@
+"""Parts made from what is picked: active members, beams, bodies, springs of angles, runs; each a whole entry to be changed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from kinetruss.errors import InputError, ModelError
+from kinetruss.model import Model
+from kinetruss.studio.editor.edits import (
+    MEMBERS,
+    Data,
+    added_entry,
+    clamped_where_beams_are,
+    ends_of,
+    entry_of,
+    place_of,
+    without,
+)
+from kinetruss.units import parse
+
+__all__ = ["made", "with_analysis"]
+
+MATERIAL = "aluminium_6082_t6"
+OUTER, INNER = (0.04, 0.032), (0.03, 0.024)
+"""Outer and inner diameter of base and tube of a new active member, as fractions of its length."""
+
+SHARED = ("ends", "section", "material", "mass")
+"""Fields that bars and beams both have."""
+
+
+def made(
+    data: Data, what: str, nodes: Sequence[str], members: Sequence[str], drives: Mapping[str, Any]
+) -> tuple[Data, str, str]:
+    """The data with a new entry, the table of it and its name.
+
+    what : active, beam, bar (of the picked member, in its place), angle_spring (between the picked members, or of one
+    to the ground), body (of the picked nodes), run (of all drives). drives : name -> present value and unit, m or rad.
+
+    Raises
+    ------
+    InputError : something else must be picked.
+    """
+    if what in ("active", "beam", "bar"):
+        return _member(data, what, members)
+    if what == "angle_spring":
+        entry = {"coordinate": _angle(data, nodes, members), "stiffness": "10 N m/rad"}
+        return added_entry(data, "springs", "spring", entry)
+    if what == "body":
+        ends = [end for name in members for end in ends_of(_found(data, name)[1])]
+        carried = list(dict.fromkeys([*nodes, *ends]))
+        if len(carried) < 2:
+            raise InputError("Pick the nodes of the body first, two or more: Shift-click them, or Shift-drag a box.")
+        return added_entry(data, "bodies", "body", {"nodes": carried, "mass": "1 kg"})
+    return added_entry(data, "runs", "run", _run(drives))
+
+
+def with_analysis(data: Data, name: str, analysis: str) -> Data:
+    """The data with another analysis of a run, and without those fields of the run that it does not use."""
+    entry = (data.get("runs") or {}).get(name) or {}
+    found = data
+    for kept in (tuple(entry), ("samples", "load_cases", "condition"), ()):
+        run = {**{key: entry[key] for key in entry if key in kept}, "analysis": analysis}
+        found = {**data, "runs": {**(data.get("runs") or {}), name: run}}
+        try:
+            Model(**found)
+        except ModelError as error:
+            if any(fault.path[:2] == ("runs", name) for fault in error.faults):
+                continue
+        break
+    return found
+
+
+def _found(data: Data, name: str) -> tuple[str, Any]:
+    for table in MEMBERS:
+        if name in (data.get(table) or {}):
+            return table, data[table][name]
+    raise InputError(f"No member called {name!r}.")
+
+
+def _member(data: Data, what: str, members: Sequence[str]) -> tuple[Data, str, str]:
+    """The member in another table, with what both records have."""
+    if len(members) != 1:
+        raise InputError("Pick one member.")
+    name = members[0]
+    table, given = _found(data, name)
+    to = {"bar": "bars", "beam": "beams", "active": "active"}[what]
+    record = entry_of(given)
+    if to == table:
+        return data, table, name
+    entry: Any = {key: record[key] for key in SHARED if key in record}
+    if what == "active":
+        entry = {"ends": record["ends"], **_rods(data, record)}
+    elif what == "beam":
+        if not (entry.get("section") or data.get("section")):
+            entry["section"] = _tube(_length(data, record), OUTER)
+        if not (entry.get("material") or data.get("material")):
+            entry["material"] = MATERIAL
+    rest = without(data, table, name)
+    found = {**rest, to: {**(rest.get(to) or {}), name: entry if len(entry) > 1 else entry["ends"]}}
+    return clamped_where_beams_are(found), to, name
+
+
+def _length(data: Data, record: Mapping[str, Any]) -> float:
+    places = [[float(parse(value, "length")) for value in place_of(data, end)] for end in record["ends"]]
+    return math.dist(*places)
+
+
+def _rods(data: Data, record: Mapping[str, Any]) -> dict[str, Any]:
+    """Rods of three quarters of the length each, which overlap, with the screw and the motor of the library."""
+    length = _length(data, record)
+    if length == 0:
+        raise InputError("A member of length zero cannot be active.")
+    material = record.get("material") or data.get("material") or MATERIAL
+    rod = float(f"{0.75 * length:.3g}")
+    return {
+        "base": {"length": rod, "section": _tube(length, OUTER), "material": material},
+        "tube": {"length": rod, "section": _tube(length, INNER), "material": material},
+        "screw": "screw_lacy_slewing", "gear": "gear_lacy_slewing", "motor": "motor_lacy_slewing",
+        "limits": [float(f"{0.8 * length:.3g}"), float(f"{1.4 * length:.3g}")],
+    }  # fmt: skip
+
+
+def _tube(length: float, share: tuple[float, float]) -> dict[str, Any]:
+    outer, inner = (f"{1000 * part * length:.2g} mm" for part in share)
+    return {"kind": "tube", "outer": outer, "inner": inner}
+
+
+def _angle(data: Data, nodes: Sequence[str], members: Sequence[str]) -> dict[str, Any]:
+    """The angle between two members at their common node, in space about the line to a picked node; or of one member."""
+    dim = len(place_of(data, next(iter(data["nodes"])))) if data.get("nodes") else 2
+    ends = [ends_of(_found(data, name)[1]) for name in members]
+    if len(members) == 1:
+        return {"kind": "angle", "bar": members[0], **({"axis": "z"} if dim == 3 else {})}
+    shared = [end for end in ends[0] if end in ends[1]] if len(ends) == 2 else []
+    if len(shared) != 1:
+        raise InputError("Pick the two members that meet in the hinge, or one whose angle to the ground is meant.")
+    hinge = shared[0]
+    start, end = (next(other for other in pair if other != hinge) for pair in ends)
+    if dim == 2:
+        return {"kind": "hinge", "axis": [hinge], "start": start, "end": end}
+    if len(nodes) != 1 or nodes[0] in (hinge, start, end):
+        raise InputError(f"In space pick one more node: the axis of the hinge goes from {hinge} to it.")
+    return {"kind": "hinge", "axis": [hinge, nodes[0]], "start": start, "end": end}
+
+
+def _run(drives: Mapping[str, Any]) -> dict[str, Any]:
+    """A motion of all drives within two seconds: a tenth longer, or a turn of 30 degrees; without drives, the equilibrium."""
+    if not drives:
+        return {"analysis": "statics.equilibrium"}
+    moves = {}
+    for name, (value, unit) in drives.items():
+        start = float(f"{value:.9g}")
+        end = value + math.pi / 6 if unit == "rad" else value + 0.1 * (abs(value) or 1.0)
+        moves[name] = [start, float(f"{end:.4g}")]
+    return {
+        "analysis": "dynamics.inverse",
+        "trajectory": {"kind": "quintic", "moves": moves, "duration": "2 s"},
+        "samples": 101,
+    }

@@ -1,0 +1,140 @@
+"""Parts made from what is picked, forms of all records, typed values, runs from the drawing."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+import kinetruss as kt
+from kinetruss.io import schema
+from kinetruss.studio.editor import Desk
+from kinetruss.studio.editor.parts import forms
+
+
+def ask(desk: Desk, **command) -> dict:
+    return json.loads(json.dumps(desk.answer(json.dumps(command)), allow_nan=False))
+
+
+def done(desk: Desk, **command) -> dict:
+    found = ask(desk, **command)
+    assert found["kind"] == "drawing", found
+    return found
+
+
+@pytest.fixture
+def desk() -> Desk:
+    """A triangle on a pin and a roller."""
+    found = Desk()
+    for at in ([0, 0], [1, 0], [0.5, 0.75]):
+        done(found, do="add", at=at)
+    for ends in ("AC", "BC", "AB"):
+        done(found, do="bar", ends=list(ends))
+    done(found, do="set", path=["fixed"], value={"A": "xy", "B": "y"})
+    return found
+
+
+def test_forms_have_every_table_record_and_field_of_the_schema():
+    made = schema()
+    found = forms()
+    tables = {name for name, one in made["else"]["properties"].items() if isinstance(one.get("additionalProperties"), dict)}
+    assert set(found["tables"]) == tables
+    assert set(found["records"]) == set(made["$defs"])
+    for name, record in found["records"].items():
+        one = made["$defs"][name]
+        one = one if "properties" in one else one["anyOf"][0]
+        assert set(record["fields"]) | ({"kind"} if record["kind"] else set()) == set(one["properties"]), name
+        assert all(set(spec["of"]) <= set(made["$defs"]) for spec in record["fields"].values() if spec["type"] == "record")
+    run = found["records"]["Run"]["fields"]
+    assert "statics.equilibrium" in run["analysis"]["of"]
+    assert found["records"]["Spring"]["fields"]["stiffness"]["unit"] == "N/m, or N m/rad"
+    assert found["records"]["Active"]["fields"]["motor"] == {
+        "type": "record", "of": ["Motor"], "named": True, "needed": False}  # fmt: skip
+
+
+def test_a_bar_becomes_an_active_member_or_a_beam_and_a_bar_again(desk):
+    bars = desk.drawing.state.data["bars"]
+    found = done(desk, do="make", what="active", members=["b1"])
+    assert found["made"] == {"entry": ["active", "b1"], "member": "b1"}
+    assert "b1" not in found["data"]["bars"]
+    record = kt.Model(**found["data"]).active["b1"]
+    assert record.limits[0] < kt.Model(**found["data"]).nodes["C"].at[0] / 0.5 * 0.9013878 < record.limits[1]
+    assert record.base.length < record.limits[0] < record.limits[1] < record.base.length + record.tube.length
+    assert record.motor == "motor_lacy_slewing"
+    done(desk, do="set", path=["active", "b1", "limits"], value="[80 cm, 1.1]", typed=True)
+    assert desk.drawing.state.data["active"]["b1"]["limits"] == ["80 cm", 1.1]
+    assert "limits" in ask(desk, do="set", path=["active", "b1", "limits"], value="[1.1, 0.8]", typed=True)["message"]
+    found = done(desk, do="make", what="beam", members=["b1"])
+    assert kt.Model(**found["data"]).beams["b1"].ends == ("A", "C")
+    assert [one["kind"] for one in found["members"] if one["name"] == "b1"] == ["beam"]
+    assert set(found["nodes"]) == {"A", "B", "C"}  # without those that the beam adds
+    done(desk, do="undo")
+    done(desk, do="undo")
+    assert done(desk, do="undo")["data"]["bars"] == bars
+
+
+def test_bodies_springs_and_runs_are_made_from_what_is_picked(desk):
+    found = done(desk, do="make", what="angle_spring", members=["b1", "b2"])
+    assert found["data"]["springs"]["spring1"]["coordinate"] == {"kind": "hinge", "axis": ["C"], "start": "A", "end": "B"}
+    assert "meet" in ask(desk, do="make", what="angle_spring", members=["b1", "b2", "b3"])["message"]
+    assert "Pick the nodes" in ask(desk, do="make", what="body", nodes=["A"])["message"]
+    found = done(desk, do="make", what="body", members=["b1", "b2"])
+    assert found["data"]["bodies"] == {"body1": {"nodes": ["A", "C", "B"], "mass": "1 kg"}}
+    done(desk, do="undo")
+    done(desk, do="make", what="active", members=["b3"])
+    found = done(desk, do="make", what="run")
+    assert found["data"]["runs"]["run1"]["trajectory"]["moves"] == {"b3": [1.0, 1.1]}
+    before = desk.drawing.state
+    answer = ask(desk, do="run", name="run1")
+    assert answer["kind"] == "ran"
+    assert answer["words"].startswith("101 of 101 samples.")
+    assert "kinetruss-scene" in desk.results.pages[answer["number"]]
+    assert desk.drawing.state is before
+    assert "No run called" in ask(desk, do="run", name="other")["message"]
+    found = done(desk, do="set", path=["runs", "run1", "analysis"], value="kinematics.follow")
+    assert len(found["data"]["runs"]["run1"]["trajectory"]["moves"]) == 1
+    found = done(desk, do="set", path=["runs", "run1", "analysis"], value="statics.equilibrium")
+    assert "trajectory" not in found["data"]["runs"]["run1"]
+    done(desk, do="set", path=["runs", "run1"], value={"motion": "/etc/hosts"})
+    assert "reads a file" in ask(desk, do="run", name="run1")["message"]
+
+
+def test_a_spring_of_an_angle_in_space_needs_an_axis():
+    desk = Desk(dim=3)
+    for at in ([0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 0, 1]):
+        done(desk, do="add", at=at)
+    for ends in ("AB", "BC"):
+        done(desk, do="bar", ends=list(ends))
+    assert "from B to it" in ask(desk, do="make", what="angle_spring", members=["b1", "b2"])["message"]
+    found = done(desk, do="make", what="angle_spring", members=["b1", "b2"], nodes=["D"])
+    assert found["data"]["springs"]["spring1"]["coordinate"]["axis"] == ["B", "D"]
+
+
+def test_a_clamp_goes_with_the_last_beam_of_its_node(desk):
+    done(desk, do="make", what="beam", members=["b3"])
+    done(desk, do="set", path=["clamped"], value=["A", "B"])
+    assert "clamped" not in done(desk, do="make", what="bar", members=["b3"])["data"]
+    done(desk, do="undo")
+    done(desk, do="make", what="beam", members=["b1"])
+    found = done(desk, do="delete", nodes=["B"])
+    assert (found["data"]["clamped"], found["faults"]) == (["A"], [])
+    assert "clamped" not in done(desk, do="delete", members=["b1"])["data"]
+
+
+def test_the_picture_to_trace_is_kept_beside_the_drawing_and_its_file(tmp_path, desk):
+    text = desk.drawing.state.text
+    first = Desk(None, None, tmp_path)
+    done(first, do="text", text=text)
+    place = {"width": 4, "turn": [0.1, 0], "opacity": 0.5}
+    assert ask(first, do="picture", place=place, source="data:image/png;base64,AAAA")["kept"] is True
+    assert Desk(None, None, tmp_path).first()["picture"] == {"place": place, "source": "data:image/png;base64,AAAA"}
+    done(first, do="save", name="mine.yaml")
+    assert "picture" not in (tmp_path / "mine.yaml").read_text()
+    second = Desk(kt.read(tmp_path / "mine.yaml"), tmp_path / "mine.yaml", tmp_path)
+    assert second.first()["picture"]["place"] == place
+    assert ask(first, do="picture", place={**place, "opacity": 1})["kept"] is True  # moved: the same picture
+    assert second.first()["picture"]["source"].endswith("AAAA")
+    assert ask(second, do="picture", place=None)["kept"] is True
+    assert second.first()["picture"] is None
+    (tmp_path / ".kinetruss" / "untitled.picture.txt").write_text("<script>")
+    assert Desk(None, None, tmp_path).first()["picture"] is None
