@@ -124,11 +124,12 @@ def studio() -> None:
     """The studio is asked for its numbers over the network of this machine, and ends with Ctrl-C."""
     from websockets.sync.client import connect
 
+    os.environ["no_proxy"] = "127.0.0.1"  # websockets 14 knows no other way
     served = subprocess.Popen([PROGRAM, "studio", "beam.yaml", "--no-open"], stdout=subprocess.PIPE, text=True)
     try:
         address = re.search(r"http://\S+", served.stdout.readline())[0]
-        with connect(address.replace("http", "ws", 1) + "live", origin=address[: address.index("/", 8)], max_size=2**24,
-                     compression=None, proxy=None) as page:  # fmt: skip
+        options = {"origin": address[: address.index("/", 8)], "max_size": 2**24, "compression": None}
+        with connect(address.replace("http", "ws", 1) + "live", **options) as page:
             assert b'"scene"' in page.recv(60)[:1000]
             page.send(json.dumps({"do": "query"}))
             assert json.loads(page.recv(60))["kind"] == "numbers"

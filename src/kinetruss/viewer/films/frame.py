@@ -171,4 +171,4 @@ def _font(size: int, *, bold: bool = False) -> Any:
     """DejaVu Sans, as all figures have it; it comes with Matplotlib, which is not imported for it."""
     spec = find_spec("matplotlib")
     folder = Path((spec and spec.origin) or "").parent / "mpl-data" / "fonts" / "ttf"
-    return ImageFont.truetype(folder / f"DejaVuSans{'-Bold' if bold else ''}.ttf", size)
+    return ImageFont.truetype(str(folder / f"DejaVuSans{'-Bold' if bold else ''}.ttf"), size)
