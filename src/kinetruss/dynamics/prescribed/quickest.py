@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.results import Motion
+from kinetruss.results.records import MOTORS_UNCHECKED
 
 __all__ = ["Given", "Quickest", "quickest"]
 
@@ -120,6 +121,8 @@ def quickest(
         raise InputError("No drive moves, so there is nothing to make quicker. Give a motion that moves.")
     t = motion.arrays["time"].values
     made = _scaled(motion, best.factor)
+    if asked:
+        made.attrs.pop(MOTORS_UNCHECKED, None)
     use = _use(model, made, best, limits, load_case)
     return Quickest(
         motion=made,
