@@ -153,10 +153,12 @@ def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
     return {str(data["member"].values[k]): length[:, k] for k in order}
 
 
-def _forces(forces: Forces) -> Histories:
-    """The members with the largest forces, and the band of all; dotted: the same poses at rest."""
+def _forces(forces: Forces) -> Histories | None:
+    """The members with the largest forces, and the band of all; dotted: the same poses at rest. None without members."""
     data = forces.data
     values = data["member_force"].values
+    if not values.shape[1]:
+        return None
     order = np.argsort(-np.max(np.abs(values), axis=0))[: CURVES - 1]
     names = [str(data["member"].values[k]) for k in order]
     lines = {name: values[:, k] for name, k in zip(names, order, strict=True)}

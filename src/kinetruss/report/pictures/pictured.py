@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, Result, Simulation
+from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
 
 if TYPE_CHECKING:
@@ -59,6 +60,7 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
     if rest:
         position, force = (what.data[name].values for name in ("position", "member_force"))
         return Pictured(model=model, time=np.zeros(1), position=position[None], member_force=force)
+    check_samples(what)
     if isinstance(what, Forces):
         return _moving(model, what.motion, {what.load_case: what})
     return _moving(model, what, {})

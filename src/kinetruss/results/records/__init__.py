@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.results.records.records import MOTORS_UNCHECKED
+    from kinetruss.results.records.records import MOTORS_UNCHECKED, check_samples
     from kinetruss.results.records.rows import NOT_CHECKED
     from kinetruss.results.records.simulation import happened
     from kinetruss.results.records.wide import flat, labels
 
-__all__ = ["MOTORS_UNCHECKED", "NOT_CHECKED", "flat", "happened", "labels"]
+__all__ = ["MOTORS_UNCHECKED", "NOT_CHECKED", "check_samples", "flat", "happened", "labels"]
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "records": "MOTORS_UNCHECKED",
+        "records": "MOTORS_UNCHECKED check_samples",
         "rows": "NOT_CHECKED",
         "simulation": "happened",
         "wide": "flat labels",

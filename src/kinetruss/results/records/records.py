@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Self
 
+from kinetruss.errors import InputError
 from kinetruss.results.records.arrays import HELD, Arrays, Columns, columns_of
 from kinetruss.results.records.rows import NOT_CHECKED, Row, rows_of
 from kinetruss.results.records.wide import wide
@@ -13,7 +14,7 @@ from kinetruss.results.records.wide import wide
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["MOTORS_UNCHECKED", "Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict"]
+__all__ = ["MOTORS_UNCHECKED", "Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict", "check_samples"]
 
 MOTORS_UNCHECKED = "motors_unchecked"
 """Attribute of a motion: the limited quantities of its motors that only forces decide."""
@@ -131,6 +132,14 @@ class Motion(Result):
         return (
             f"Not checked without forces: {', '.join(quantities)} of the motors (dynamics.limits_kept)." if quantities else ""
         )
+
+
+def check_samples(result: Result) -> None:
+    """Refuse a motion, or forces, without a single sample, as one has that ended before its first good one."""
+    if not result.arrays["time"].values.size:
+        ended = "" if result.status.ok else f" {result.status.value}"
+        what = type(result).__name__.lower()
+        raise InputError(f"The {what} has no sample.{ended} Give at least one instant.")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -38,7 +39,7 @@ def wide(data: xr.Dataset) -> Any:
 
 def flat(data: xr.DataArray) -> Any:
     """A history as (times, values), in the order of `labels`."""
-    return data.values.reshape(data.sizes["time"], -1) if data.size else data.values.reshape(len(data.values), 0)
+    return data.values.reshape(data.shape[0], math.prod(data.shape[1:]))
 
 
 def labels(data: xr.DataArray) -> Iterator[tuple[str, ...]]:
