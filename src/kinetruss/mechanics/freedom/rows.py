@@ -142,9 +142,7 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
         rows = np.arange(J.shape[0])
     if wanted == 0:
         if not system.drives:
-            raise InputError(
-                "Nothing can move here: rigid bars and supports hold all nodes. Release a support, or let bars strain."
-            )
+            raise InputError("Nothing can move here: bars and supports hold all nodes. Release a support, or let a bar strain.")
         raise InputError("Nothing can move here: all drives are held. Name those that are let go, in dofs or free.")
     if dofs is None:
         dofs = _picked(system, J[rows], wanted)
