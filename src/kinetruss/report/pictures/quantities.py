@@ -48,6 +48,8 @@ FORCES = (
     "power",
     "energy_balance",
 )
+POWERS = FORCES[-4:]
+"""Quantities that poses at rest do not have."""
 SIMULATION = (
     "kinetic_energy",
     "potential_energy",
@@ -162,6 +164,8 @@ def curves(
     total, still = _found(run, quantity, chosen)
     total = total.transpose("time", ...)
     names = _names(total)
+    if missing := [str(axis) for axis, size in total.sizes.items() if not size]:
+        raise InputError(f"There is no {quantity}: the model has no {missing[0]}. Show another quantity.")
     _check_members(total, names, members, quantity)
     stations = _stations(total, quantity, station)
     time = total["time"].values
@@ -201,7 +205,12 @@ def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArra
             still = rest()
             return data[quantity], None if still is None else still[quantity]
     known = [name for name in (*QUANTITIES, *FED, *ALIASES, *BUNDLES) if _is_there(run, name)]
-    raise InputError(f"The run has no quantity called {quantity!r}. {nearest(quantity, known)}")
+    why = (
+        " (its poses are at rest)"
+        if quantity in POWERS and any(one.attrs.get("at_rest") for one in run.forces.values())
+        else ""
+    )
+    raise InputError(f"The run has no quantity called {quantity!r}{why}. {nearest(quantity, known)}")
 
 
 Source = tuple[Callable[[], Any], Callable[[], Any]]
@@ -265,6 +274,8 @@ def _is_there(run: RunResult, name: str) -> bool:
         return any(name in one.data for one in run.statics.values())
     if name in TURNING:
         return any(name in demand.data for demand in run.demand.values())
+    if name in FORCES:
+        return any(name in forces.data for forces in run.forces.values())
     return bool(run.demand) if name in DEMAND else bool(run.forces)
 
 

@@ -14,6 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.report._page import Page
+from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -67,6 +68,8 @@ def joints(
     >>> [line.split()[:3] for line in page.text.splitlines()[2:]]
     [['member', 'end', 'node'], ['coupler', 'A', 'B'], ['coupler', 'B', 'C']]
     """
+    if isinstance(run, MissionRun):
+        raise InputError(f"Run {run.name!r} is a mission, which has an envelope. Take the run of a pair (runs.governing).")
     if not run.forces or not run.good:
         raise InputError("The run has no forces: its analysis is kinematics.follow, or it has no good sample.")
     case = next(iter(run.forces)) if case is None else case
