@@ -148,7 +148,7 @@ TIMES = {
     "none": [], "unsorted": [0.0, 1.0, 0.5], "twice": [0.0, 0.5, 0.5, 1.0], "not a number": [0.0, NAN, 1.0],
     "infinite": [0.0, math.inf], "two axes": [[0.0, 1.0]], "text": "ab", "gap": [None, 1.0],
 }  # fmt: skip
-STILL = np.zeros((4, 2, 2)) + [(0, 0), (1, 0)]
+STILL = np.broadcast_to([(0.0, 0.0), (1.0, 0.0)], (4, 2, 2))
 CRANK = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"b": ("A", "B")}, drives={"turn": kt.AngleDrive("b")},
                  trajectories={"road": kt.ConstantRate(rates={"turn": 1.0}, duration=1.0)},
                  runs={"go": kt.Run(trajectory="road", samples=3)})  # fmt: skip
