@@ -13,6 +13,7 @@ from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.pictures.pictured import arrows
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -55,6 +56,7 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     """
     from kinetruss.report.pictures.draw import save
 
+    check_histories(run)
     return save(specifications(run), Path(folder), formats)
 
 

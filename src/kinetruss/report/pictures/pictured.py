@@ -13,6 +13,7 @@ from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, Result, Simulation
 from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -47,8 +48,7 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
     if isinstance(what, Model):
         return Pictured(model=what, time=np.zeros(1), position=_standing(what)[None])
     if isinstance(what, RunResult):
-        if not what.good:
-            raise InputError(f"{what.path or what.name} has no good sample to draw.")
+        check_histories(what)
         return _moving(what.model, what.motion, what.forces)
     if isinstance(what, Simulation):
         what = what.forces

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.model import nearest, turns
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -158,8 +159,7 @@ def curves(
     >>> curve.of, curve.unit, len(curve.time)
     ('coupler', 'N', 361)
     """
-    if not run.good:
-        raise InputError(f"{run.path or run.name} has no good sample to show.")
+    check_histories(run)
     chosen = _case(run, case)
     total, still = _found(run, quantity, chosen)
     total = total.transpose("time", ...)

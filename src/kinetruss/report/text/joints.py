@@ -14,7 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.report._page import Page
-from kinetruss.runs import MissionRun
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,10 +68,9 @@ def joints(
     >>> [line.split()[:3] for line in page.text.splitlines()[2:]]
     [['member', 'end', 'node'], ['coupler', 'A', 'B'], ['coupler', 'B', 'C']]
     """
-    if isinstance(run, MissionRun):
-        raise InputError(f"Run {run.name!r} is a mission, which has an envelope. Take the run of a pair (runs.governing).")
-    if not run.forces or not run.good:
-        raise InputError("The run has no forces: its analysis is kinematics.follow, or it has no good sample.")
+    check_histories(run)
+    if not run.forces:
+        raise InputError("The run has no forces: its analysis is kinematics.follow. Do a run of dynamics.inverse.")
     case = next(iter(run.forces)) if case is None else case
     for what, name, known in (
         ("load case", case, run.forces),
