@@ -64,7 +64,7 @@ def specifications(run: RunResult) -> list[Figure]:
     """The figures of a run; empty if no sample is good."""
     if not run.good:
         return []
-    found: list[Figure] = [_shape(run), _lengths(run)]
+    found: list[Figure] = [_shape(run), *_lengths(run)]
     if run.simulation is not None:
         found.append(_energies(run.simulation.data))
     for case, forces in run.forces.items():
@@ -118,7 +118,7 @@ def _driven(model: Model, members: list[str]) -> Iterator[bool]:
         yield name in named
 
 
-def _lengths(run: RunResult) -> Histories:
+def _lengths(run: RunResult) -> Iterator[Histories]:
     data = run.motion.data
     kinds = drive_kinds(run.model)
     panels = []
@@ -129,9 +129,10 @@ def _lengths(run: RunResult) -> Histories:
             for what, variable, per in ((kind, "drive_position", ""), ("rate", "drive_velocity", "/s")):
                 lines = {name: data[variable].values[:, k] for name, k in zip(names, chosen, strict=True)}
                 panels.append(Panel(quantity=what, unit=unit + per, lines=lines))
-    if not panels:
+    if not panels and data.sizes["member"]:
         panels = [Panel(quantity="length", unit="m", lines=_most_moving(data))]
-    return Histories(name="lengths", title="Driven lengths and angles", time=data["time"].values, panels=tuple(panels))
+    if panels:
+        yield Histories(name="lengths", title="Driven lengths and angles", time=data["time"].values, panels=tuple(panels))
 
 
 def _energies(data: Any) -> Histories:

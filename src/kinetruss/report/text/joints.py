@@ -107,7 +107,7 @@ def joints(
 
 def _instant(data: Any, time: float | None) -> int:
     if time is None:
-        return int(np.argmax(np.max(np.abs(data["member_force"].values), axis=1)))
+        return int(np.argmax(np.max(np.abs(data["member_force"].values), axis=1, initial=0.0)))
     if not math.isfinite(time):
         raise InputError(f"time is {time}. Give a finite number of seconds.")
     return int(np.argmin(np.abs(data["time"].values - time)))
