@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.model import nearest, turns
+from kinetruss.model import nearest
+from kinetruss.results.records import units_of
 from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
@@ -178,7 +179,7 @@ def curves(
             continue
         rest = None if still is None else _cut(_at(still, index), cut[1], quantity)[0]
         of = " ".join(label)
-        found.append(Curve(of=of, words=_words(total), unit=_unit(run, total, label), time=time, values=cut[0], static=rest))
+        found.append(Curve(of=of, words=_words(total), unit=_unit(total, index), time=time, values=cut[0], static=rest))
     if not found:
         raise InputError(_nothing(quantity, members))
     return found
@@ -340,10 +341,6 @@ def _words(data: xr.DataArray) -> str:
     return str(data.attrs.get("long_name") or str(data.name).replace("_", " "))
 
 
-def _unit(run: RunResult, data: xr.DataArray, label: Label) -> str:
-    """The unit; for a drive's coordinate it depends on the drive."""
-    unit = str(data.attrs.get("units", ""))
-    if " or " in unit and data.dims[1:] == ("drive",):
-        linear, angular = unit.split(" or ")
-        return angular if turns(run.model.all_drives[label[0]]) else linear
-    return unit
+def _unit(data: xr.DataArray, index: tuple[Any, ...]) -> str:
+    """The unit of one curve; the name of a coordinate stands for its entries."""
+    return next(units_of(data[(slice(0, 1), *(slice(k, k + 1) if isinstance(k, int) else slice(0, 1) for k in index))]))
