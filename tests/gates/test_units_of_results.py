@@ -30,7 +30,7 @@ def faults_of(data, where):
             continue
         for token in re.findall(r"[A-Za-z_]+", unit):
             if token.endswith("_unit"):
-                if token not in data.coords:
+                if token not in data.variables:
                     yield f"{where}.{name}: {unit!r} names no coordinate"
             elif token not in SYMBOLS and token != "per":
                 yield f"{where}.{name}: {unit!r} is no unit"

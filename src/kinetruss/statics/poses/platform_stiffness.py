@@ -83,7 +83,7 @@ def platform_stiffness(
             (*time, "wrench", "twist"), _inverse(C, found.attrs["length"], model.dim), "wrench_unit/twist_unit", "stiffness"
         ),
     }
-    units = {"twist_unit": ("twist", found["twist_unit"].values)}
+    units = {"twist_unit": ("twist", found["twist_unit"].values.tolist())}
     units["wrench_unit"] = ("wrench", ["N" if name.startswith("F") else "N m" for name in wrench])
     coords = {"twist": twist, "wrench": wrench, **units} | ({"time": found["time"]} if time else {})
     return xr.Dataset(data, coords=coords, attrs={"kind": "platform_stiffness"})

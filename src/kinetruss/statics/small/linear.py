@@ -216,7 +216,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds: members, springs, elements"),
         "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
     }
-    coords = {
+    coords: dict[str, Any] = {
         "node": list(system.nodes),
         "axis": ["x", "y", "z"][:dim],
         "member": list(system.members),
