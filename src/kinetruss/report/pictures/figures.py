@@ -56,7 +56,8 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     """
     from kinetruss.report.pictures.draw import save
 
-    check_histories(run)
+    if run.good:
+        check_histories(run)
     return save(specifications(run), Path(folder), formats)
 
 

@@ -73,8 +73,8 @@ class Simulation(Result):
 def happened(arrays: Mapping[str, Any]) -> dict[str, Column]:
     """The variables of a simulation without a time axis, from plain arrays.
 
-    events (k, 4) : index of the event, time, direction, value; event_names, event_units of all events; passages (k, 3) : time, smallest
-    pivot, 1 if the branch is certain.
+    events (k, 4) : index of the event, time, direction, value; event_names and event_units of all events; passages (k, 3) :
+    time, smallest pivot, 1 if the branch is certain.
     """
     if "events" not in arrays:
         return {}

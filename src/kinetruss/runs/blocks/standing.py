@@ -133,7 +133,7 @@ def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
             drive[0, k] = -float(data["member_force"].sel(member=one.bar).item())
     units, named = force_units(compile(model), "drive")
     data = data.assign(drive_force=variable(("time", "drive"), drive, units["drive"], "drive force or torque"))
-    data = data.assign_coords(drive=list(model.all_drives), **named)
+    data = data.assign_coords({"drive": list(model.all_drives), **named})
     own = model.load_cases.get(case)
     gravity = (None if own is None else own.gravity) or model.gravity or (0.0,) * model.dim
     data.attrs = {"kind": "forces", "load_case": case, "not_unique": [], "at_rest": 1, "gravity": list(gravity)}
