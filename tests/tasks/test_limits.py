@@ -127,7 +127,12 @@ def test_force_at_rest_and_speed_of_motors_are_compared_and_the_rest_is_named():
     rest = np.abs(forces.static.drive_force.values).max()
     assert motion.attrs["worst_ratio"] == pytest.approx(max(speed, rest), rel=1e-9)
     assert "force at rest" in motion.message and "does not depend on time" in motion.message
-    assert "Not checked without forces: voltage of the motors" in motion.message
+    assert motion.unchecked.startswith("Not checked without forces: voltage of the motors")
+    assert motion.unchecked in repr(motion) and motion.unchecked not in forces.message
+    model = model.with_(runs={"up": kt.Run(targets=task, samples=5), "way": kt.Run(analysis="kinematics.follow", targets=task)})
+    up, way = kt.run(model, "up"), kt.run(model, "way")
+    assert "Not checked" not in up.message and kt.report.summary(up).record["checks"]["motors"] == ["voltage"]
+    assert way.message.endswith(motion.unchecked) and kt.report.summary(way).record["checks"]["motors"] == []
     found = kt.dynamics.limits_kept(model, motion, forces, force=1.0)
     ratios = {(one.limit, one.drive): one.ratio for one in found.uses}
     assert ratios["voltage", "M7"] == pytest.approx(demand["utilisation"].sel(quantity="voltage", active="M7").item())

@@ -14,6 +14,7 @@ from kinetruss.exchange.robots import LeftOut
 from kinetruss.limits import hold
 from kinetruss.model import Model
 from kinetruss.results.store import whole_file
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -76,6 +77,8 @@ def write(what: Model | RunResult, path: str | Path, *, time: float | None = Non
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
         raise InputError(f"{path} has the suffix {path.suffix!r}. Files that are written: {', '.join(FORMATS)}.")
+    if not isinstance(what, Model):
+        check_histories(what)
     return FORMATS[suffix](what, path, time, overwrite)
 
 

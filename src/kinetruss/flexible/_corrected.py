@@ -20,6 +20,7 @@ from kinetruss.mechanics.constraints import factors_of
 from kinetruss.mechanics.freedom import Coordinate, coordinate_values, coordinates, derivatives_of
 from kinetruss.model import Model, Spline, nearest
 from kinetruss.results import Forces, Result, provenance, variable
+from kinetruss.results.records import unit_along
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -224,19 +225,19 @@ def _record(system: System, forces: Forces, wanted: list[Coordinate], rows: NDAr
     tension = np.array([one.tension for one in found])
     bars = system.row_kind == LENGTH
     tension[:, system.row_member[bars]] = np.array([one.N for one in found])[:, bars]
-    per = ("time", "drive")
+    per, (unit, named) = ("time", "drive"), unit_along("coordinate", [one.unit for one in wanted], "coordinate_unit", "m")
     data = {
         "drive_length": variable(per, rigid + change, "m", "length of the actuator without load"),
         "change": variable(per, change, "m", "change of the length"),
         "displacement": variable(("time", "node", "axis"), x - x0, "m", "displacement from the rigid motion"),
         "member_force": variable(("time", "member"), tension, "N", "mean axial force, tension positive"),
-        "error": variable(("time", "coordinate"), np.array([one.error for one in found]), "m or rad", "remaining error"),
+        "error": variable(("time", "coordinate"), np.array([one.error for one in found]), unit, "remaining error"),
         "steps": variable(("time",), np.array([one.steps for one in found]), "", "Newton's steps"),
     }
     coords = {
         name: forces.data.coords[name] for name in ("time", "pose", "node", "axis", "member") if name in forces.data.coords
     }
-    own = {"drive": [system.drives[d] for d in system.row_drive[rows]], "coordinate": [one.name for one in wanted]}
+    own = {"drive": [system.drives[d] for d in system.row_drive[rows]], "coordinate": [one.name for one in wanted], **named}
     frame = xr.Dataset(data, coords=own, attrs={"kind": "corrected", "load_case": forces.load_case}).assign_coords(coords)
     return Corrected(
         data=frame,

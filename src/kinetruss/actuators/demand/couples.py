@@ -9,6 +9,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.model import BodyCouple
 from kinetruss.model.hubs import hub_of
+from kinetruss.results.records import check_samples
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
@@ -60,6 +61,7 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
     if model.dim == 2:
         raise InputError("A planar model has no torque about the axis of a member. Make the model spatial.")
     time, position = motion.arrays["time"].values, motion.arrays["position"].values
+    check_samples(motion)
     if not np.array_equal(time, demand.arrays["time"].values):
         raise InputError("Motion and demand have other instants. Evaluate the demand along this motion.")
     nodes, found = list(model.nodes), {}
@@ -80,7 +82,7 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
                     f"node a hub with an arm for it: hubs={{{end!r}: kt.Hub(arms={{{name!r}: 0.05}})}}."
                 )
             moments = tuple(map(tuple, (sign * along).tolist()))
-            found[f"{name}.torque.{which}"] = BodyCouple(
-                body=f"{hub}.hub", times=tuple(time.tolist()), moments=moments, member=name
-            )
+            # of one instant: a constant couple
+            table = {"times": tuple(time.tolist()), "moments": moments} if len(time) > 1 else {"moment": moments[0]}
+            found[f"{name}.torque.{which}"] = BodyCouple(body=f"{hub}.hub", member=name, **table)
     return found

@@ -70,12 +70,13 @@ class Integration:
         return passages[passages[:, 0] <= self._last]
 
     def happened(self) -> dict[str, Any]:
-        """Events (k, 4) and passages (k, 3) so far, and the names of all events."""
+        """Events (k, 4) and passages (k, 3) so far, and the names and units of all events."""
         events = self.memory.events[: self.memory.events_met]
         return {
             "events": events[events[:, 1] <= self._last].copy(),
             "passages": self.passages().copy(),
             "event_names": np.array(list(self.problem.events), str),
+            "event_units": np.array(["m" if one.force is None else "N" for one in self.problem.events.values()], str),
         }
 
 

@@ -19,6 +19,7 @@ from kinetruss.mechanics.assembly import case_loads
 from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.model import Model, Pressure, body_mass, nearest
 from kinetruss.results import Forces, Simulation, variable
+from kinetruss.results.records import check_samples
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -73,6 +74,7 @@ def joint_reaction(
     [[0.0, 10.0]]
     """
     found = forces.forces if isinstance(forces, Simulation) else forces
+    check_samples(found)
     names = _joint_nodes(model, body, at)
     if point is not None and point not in model.nodes:
         raise InputError(f"No node called {point!r}. {nearest(point, model.nodes)}")

@@ -18,6 +18,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics.freedom import Basis, dof_basis
 from kinetruss.model import Model
 from kinetruss.results import Column, provenance, variable
+from kinetruss.results.records import force_units
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -151,6 +152,7 @@ def _state_space(
 
 def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], wanted: list[Output]) -> xr.Dataset:
     k, system = len(at.dofs), at.system
+    force, named = force_units(system, "drive")
     A, B, C, D = _state_space(at, found, signals, state, wanted)
     names = [one.name for one in at.dofs]
     columns = [column for one in signals for column in one.columns]
@@ -167,7 +169,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
             ("node", "axis", "dof"), found.X[0][:, :k].reshape(-1, 3, k)[:, : system.dim], "m per dof_unit", "F'"
         ),
         "member_force": variable(("member",), found.tension, "N", "mean axial force in the state, tension positive"),
-        "drive_force": variable(("drive",), drive_forces(state), "N or N m", "drive force or torque in the state"),
+        "drive_force": variable(("drive",), drive_forces(state), force["drive"], "drive force or torque in the state"),
         "position": variable(("node", "axis"), state.x[:, : system.dim], "m", "node position in the state"),
         **_modes(M, damping, K, found.X[0][:, :k], system),
         **_poles(A, k),
@@ -187,6 +189,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
         "axis": ["x", "y", "z"][: system.dim],
         "member": list(system.members),
         "drive": list(system.drives),
+        **named,
     }
     attrs = {"kind": "linearisation", "load_case": state.balance.name, "at_rest": int(state.still), "left": state.left}
     return xr.Dataset(data, coords=coords, attrs=attrs)

@@ -85,12 +85,13 @@ def reduced_equations(
     nodal = ("node", "axis")
     shaped = [y.reshape(-1, 3)[:, : model.dim] for y in (v, T @ second + bent)]
     data = {
-        "mass": variable(("dof", "by"), mass, "kg, or kg m^2", "reduced mass matrix"),
-        "force": variable(("dof",), force, "N or N m", "reduced force"),
-        "acceleration": variable(("dof",), second, "m/s^2 or rad/s^2", "acceleration of the degrees of freedom"),
-        "rate": variable(("dof",), q, "m/s or rad/s", "rate of the degrees of freedom"),
+        "mass": variable(("dof", "by"), mass, "kg m^2/dof_unit^2", "reduced mass matrix"),
+        "force": variable(("dof",), force, "N m/dof_unit", "reduced force"),
+        "acceleration": variable(("dof",), second, "dof_unit/s^2", "acceleration of the degrees of freedom"),
+        "rate": variable(("dof",), q, "dof_unit/s", "rate of the degrees of freedom"),
         "velocity": variable(nodal, shaped[0], "m/s", "node velocity"),
         "node_acceleration": variable(nodal, shaped[1], "m/s^2", "node acceleration"),
     }
-    coords = {"dof": names, "by": names, "node": list(system.nodes), "axis": ["x", "y", "z"][: model.dim]}
+    own = ("dof", [dof.unit for dof in at.dofs])
+    coords = {"dof": names, "by": names, "dof_unit": own, "node": list(system.nodes), "axis": ["x", "y", "z"][: model.dim]}
     return xr.Dataset(data, coords=coords, attrs={"kind": "reduced_equations"})

@@ -13,6 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.limited import Limits, Use, limit_values, motion_uses
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion
+from kinetruss.results.records import check_samples
 
 __all__ = ["LimitsKept", "limits_kept"]
 
@@ -78,6 +79,7 @@ def limits_kept(
     >>> found.kept, found.worst.limit
     (True, 'rate')
     """
+    check_samples(motion)
     names = [str(name) for name in motion.arrays["drive"].values]
     given = {"rate": rate, "acceleration": acceleration, "force": force}
     limits = Limits(**{what: limit_values(names, value, what) for what, value in given.items()}, others=())

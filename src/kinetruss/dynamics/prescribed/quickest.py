@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.results import Motion
+from kinetruss.results.records import MOTORS_UNCHECKED, check_samples
 
 __all__ = ["Given", "Quickest", "quickest"]
 
@@ -100,6 +101,7 @@ def quickest(
     """
     if not motion.status.ok:
         raise InputError(f"The motion ended early: {motion.message or motion.status.value} Give one that is whole.")
+    check_samples(motion)
     names = [str(name) for name in motion.arrays["drive"].values]
     limits = {what: limit_values(names, given, what) for what, given in
               (("rate", rate), ("acceleration", acceleration), ("force", force))}  # fmt: skip
@@ -120,6 +122,8 @@ def quickest(
         raise InputError("No drive moves, so there is nothing to make quicker. Give a motion that moves.")
     t = motion.arrays["time"].values
     made = _scaled(motion, best.factor)
+    if asked:
+        made.attrs.pop(MOTORS_UNCHECKED, None)
     use = _use(model, made, best, limits, load_case)
     return Quickest(
         motion=made,

@@ -39,6 +39,7 @@ from kinetruss.mechanics.beams import MODES
 from kinetruss.mechanics.configuration import ROTATION
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
+from kinetruss.results.records import force_units
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -115,11 +116,11 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at the ends"),
         "joint_force": variable((*per, "end", "axis"), every.joint_force[..., :dim], "N", "force on the member from its joint"),
         "reaction": variable(("time", "support", "axis"), every.reaction[..., :dim], "N", "support force on the structure"),
-        "drive_force": variable(("time", "drive"), every.drive_force, "N or N m", "drive force or torque"),
+        "drive_force": variable(("time", "drive"), every.drive_force, force_units(system)[0]["drive"], "drive force or torque"),
     }
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
-        data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, "N or N m", words)
+        data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, force_units(system)[0]["coupling"], words)
     if system.springs:
         if not at_rest:
             whole = refined(motion.arrays["time"].values, *_relative(solved), Passed.of(system, motion))
@@ -217,6 +218,7 @@ def _axes(system: System, case: str, shaped: bool) -> Axes:
         couplings |= {"beam": list(beams.names), "mode": list(MODES[system.dim])}
     return Axes(
         couplings
+        | force_units(system)[1]
         | action_coordinates(system, actions_of(system, case))
         | {
             "node": np.array(system.nodes, dtype=object).astype(str),
@@ -267,8 +269,10 @@ def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> 
     """Values of the coordinates of springs, and the forces on them."""
     found, per = spring_motions(system, x, v), ("time", "spring")
     return {
-        "spring_value": variable(per, found.value, "m or rad", "coordinate of the spring"),
-        "spring_force": variable(per, found.force, "N or N m", "force or torque of the spring on its coordinate"),
+        "spring_value": variable(per, found.value, force_units(system)[0]["spring_value"], "coordinate of the spring"),
+        "spring_force": variable(
+            per, found.force, force_units(system)[0]["spring"], "force or torque of the spring on its coordinate"
+        ),
     }
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results.records import flat, labels
+from kinetruss.results.records import flat, labels, units_of
 from kinetruss.results.store import Store, open_store, whole_file
 
 if TYPE_CHECKING:
@@ -134,10 +134,9 @@ def _timed(data: xr.DataArray) -> bool:
 
 
 def _heads(group: str, data: xr.DataArray) -> Iterator[str]:
-    unit = f" ({data.attrs['units']})" if data.attrs.get("units") else ""
-    for names in labels(data):
+    for names, unit in zip(labels(data), units_of(data), strict=True):
         inside = f"[{','.join(names)}]" if names else ""
-        yield f"{group.replace('/', '.')}.{data.name}{inside}{unit}"
+        yield f"{group.replace('/', '.')}.{data.name}{inside}{f' ({unit})' if unit else ''}"
 
 
 def _entries(data: xr.Dataset, path: Path) -> None:
@@ -175,7 +174,9 @@ def _parquet(store: Store, groups: list[str], path: Path) -> None:
 
 def _long(arrow: Any, schema: Any, group: str, data: xr.DataArray) -> Any:
     names = [",".join(found) for found in labels(data)]
-    count = data.sizes["time"]
+    count, own = data.sizes["time"], list(units_of(data))
+    units = list(dict.fromkeys(own)) or [""]
+    places = [units.index(unit) for unit in own]
     whole = count * len(names)
 
     def constant(text: str) -> Any:
@@ -184,7 +185,7 @@ def _long(arrow: Any, schema: Any, group: str, data: xr.DataArray) -> Any:
     columns = [
         constant(group),
         constant(str(data.name)),
-        constant(str(data.attrs.get("units", ""))),
+        arrow.DictionaryArray.from_arrays(np.tile(np.array(places, np.int32), count), arrow.array(units)),
         arrow.DictionaryArray.from_arrays(np.tile(np.arange(len(names), dtype=np.int32), count), arrow.array(names)),
         np.repeat(data["time"].values, len(names)),
         data.values.reshape(-1).astype(float),

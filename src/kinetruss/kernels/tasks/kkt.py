@@ -220,13 +220,16 @@ def corrected(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
 
 
 @kernel
-def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int) -> int:
+def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int, scale: float) -> int:
     """Coefficient k of drives and factors, o.q[k] and o.s[k], from what is guessed there; those of the nodes follow.
 
     The lower ones belong to the present state; those below k - 1 in `mu` too. Returns the number of repetitions, 0 where they
-    do not converge.
+    do not converge. Second rates may cancel: their round-off is that of squares of first rates, over the size `scale`, m.
     """
-    before, left = np.inf, 0.1
+    before, left, squares = np.inf, 0.1, 0.0
+    if k == 2:
+        for d in range(drives.row.size):
+            squares = larger(squares, o.q[1, d] * o.q[1, d] * larger(1.0, 1.0 / scale))
     forward(tape, o.x, o.p, k - 1, o.t)
     for step in range(25):
         carry(plan, w, tape, o, k, drives, 0)
@@ -242,6 +245,9 @@ def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int)
             carry(plan, w, tape, o, k, drives, 0)
             return step + 1
         if step > 0 and not left < 0.7:
-            return 0
+            if not size < 1e-12 * squares:
+                return 0
+            carry(plan, w, tape, o, k, drives, 0)
+            return step + 1
         before = size
     return 0

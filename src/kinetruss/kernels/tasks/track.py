@@ -216,7 +216,7 @@ def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given:
             if k == 1 or repeated > 0:
                 _guess_rate(given, o, out, i, k, n, m)
                 _stand(drives, o)
-                repeated = rates(plan, w, drives, tape, o, k)
+                repeated = rates(plan, w, drives, tape, o, k, given.scale)
         if repeated > 0:
             break
     if repeated == 0:

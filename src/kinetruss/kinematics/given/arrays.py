@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.given.own_motion import OWN, misfits
+from kinetruss.kinematics.given.own_motion import OWN, lengths_of, misfits
 from kinetruss.kinematics.path.follow import instants
 from kinetruss.kinematics.path.motion import Course, motion_of
 from kinetruss.kinematics.path.passed import refuse_uncounted
@@ -39,7 +39,7 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
 
     Raises
     ------
-    InputError : wrong shapes, numbers that are not finite, times that do not increase.
+    InputError : wrong shapes, numbers that are not finite, times that do not increase, a bar whose ends are at one place.
 
     Examples
     --------
@@ -57,6 +57,11 @@ def from_arrays(model: Model, time: ArrayLike, position: ArrayLike, velocity: Ar
         _full(system, len(t), values, name)
         for values, name in ((position, "position"), (velocity, "velocity"), (acceleration, "acceleration"))
     )
+    if len(flat := np.argwhere((lengths_of(system, x) == 0.0) & (system.length0 > 0.0))):
+        k, i = flat[0]
+        raise InputError(
+            f"position: {system.members[i]!r} has no length at t = {t[k]:g} s; its ends are at one place. Part them."
+        )
     shaped = [y.reshape(len(t), -1, 3) for y in (x, v, a)]
     course = Course(t=t, x=x, v=v, a=a, drive=drive_values(system, *shaped))
     motion = motion_of(system, course, "given", Status.COMPLETED, "")

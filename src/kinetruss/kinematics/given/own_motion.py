@@ -12,6 +12,7 @@ from kinetruss.mechanics import System, kept, measured
 from kinetruss.mechanics.configuration import drive_places, shortest
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.results import Motion
+from kinetruss.results.records import check_samples
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -48,11 +49,12 @@ def check_motion(system: System, motion: Motion, *, members: bool = False) -> No
 
     Raises
     ------
-    InputError : other nodes, members or drives; a fixed or rigid part of the model changes in the motion.
+    InputError : no sample; other nodes, members or drives; a fixed or rigid part of the model changes in the motion.
     """
     if not isinstance(motion, Motion):
         raise InputError(f"{shown(motion)} is not a motion. Give one, e.g. of kinematics.follow.")
     found = motion.arrays
+    check_samples(motion)
     if not _same(found["node"].values, system.nodes):
         raise InputError(f"The motion belongs to a model with other nodes. {MEND}")
     if members and not _same(found["member"].values, system.members):

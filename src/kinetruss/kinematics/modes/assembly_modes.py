@@ -200,7 +200,7 @@ def _dataset(
     values = system.drive_start.copy()
     driven = system.row_drive >= 0
     values[system.row_drive[driven]] = wanted[driven]
-    gauge = [float(np.linalg.svd(jacobian(system, good[k], values), compute_uv=False)[-1]) for k in order]
+    gauge = [float(np.linalg.svd(jacobian(system, good[k], values), compute_uv=False).min(initial=np.inf)) for k in order]
     data = {
         "position": variable(("mode", "node", "axis"), position, "m", "node position"),
         "distance": variable(("mode",), distance[order], "m", "root mean square distance from the model's configuration"),

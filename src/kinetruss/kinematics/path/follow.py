@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.arrays import array_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sweep import follow as kernel
@@ -198,18 +199,23 @@ def _reachable(model: Model, trajectory: Any, t: NDArray[np.float64]) -> tuple[S
 
 
 def instants(duration: float, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
-    """The time axis: `times` checked, or equally spaced over the duration; at most as many as a motion of `model` can hold."""
+    """The time axis: `times`, or equally spaced over the duration; at most as many as a motion of `model` can hold.
+
+    Raises
+    ------
+    InputError : no instant, no row of finite numbers, or an instant that is not after the one before; too many.
+    """
     if times is None:
         samples = whole(samples, "samples", least=2)
         a_sample = 1 if model is None else 9 * len(model.nodes) + 4 * len(model.members)
         hold(samples * a_sample, f"A motion of {samples:,} samples", "Take fewer, or write a run to a folder (out).")
         return np.linspace(0.0, duration, samples)
-    try:
-        t = np.atleast_1d(np.asarray(times, float))
-    except (TypeError, ValueError):
-        t = np.zeros(0)
-    if t.ndim != 1 or len(t) == 0 or not np.all(np.isfinite(t)) or np.any(np.diff(t) <= 0):
-        raise InputError("times must be one row of finite, increasing numbers (s).")
+    t = np.atleast_1d(array_of(times, "times", {}, {"times": None}, unit="s"))
+    if not len(t):
+        raise InputError("times has no instant. Give at least one, s.")
+    if len(back := np.flatnonzero(np.diff(t) <= 0)):
+        k = int(back[0])
+        raise InputError(f"times[{k + 1}]: {t[k + 1]:g} s is not after {t[k]:g} s. Sort times, and give each instant once.")
     return t
 
 

@@ -12,6 +12,7 @@ from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths
 from kinetruss.mechanics import System, kept
 from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
+from kinetruss.results.records import drive_unit
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,6 +33,7 @@ def _axes(system: System) -> Axes:
             "axis": list(AXES[: system.dim]),
             "member": np.array(system.members, dtype=object).astype(str),
             "drive": np.array(system.drives, dtype=object).astype(str),
+            **drive_unit(system)[1],
         }
     )
 
@@ -70,6 +72,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
     def shaped(y: NDArray[np.float64]) -> NDArray[np.float64]:
         return y.reshape(count, len(system.nodes), 3)[:, :, : system.dim]
 
+    unit = drive_unit(system)[0]
     data = {
         "position": variable(nodal, shaped(x), "m", "node position"),
         "velocity": variable(nodal, shaped(v), "m/s", "node velocity"),
@@ -77,9 +80,9 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
         "length": variable(member, L, "m", "member length"),
         "length_rate": variable(member, Ld, "m/s", "rate of member length"),
         "length_acceleration": variable(member, Ldd, "m/s^2", "second rate of member length"),
-        "drive_position": variable(driven, drive[0][:count], "m or rad", "drive coordinate"),
-        "drive_velocity": variable(driven, drive[1][:count], "m/s or rad/s", "drive rate"),
-        "drive_acceleration": variable(driven, drive[2][:count], "m/s^2 or rad/s^2", "drive acceleration"),
+        "drive_position": variable(driven, drive[0][:count], unit, "drive coordinate"),
+        "drive_velocity": variable(driven, drive[1][:count], f"{unit}/s", "drive rate"),
+        "drive_acceleration": variable(driven, drive[2][:count], f"{unit}/s^2", "drive acceleration"),
         "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
     }
     if found.passed is not None:

@@ -26,6 +26,7 @@ from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.mechanics.configuration import POSE, drive_values, number_of
 from kinetruss.model import Active, Coordinates, Model, Positioning, nearest
 from kinetruss.results import variable
+from kinetruss.results.records import drive_unit
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -350,7 +351,7 @@ def _dataset(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float
         "within": variable(per, within, "", "can be reached within the drives' limits"),
         "limit": variable(per, words.astype(str), "", "what stops the pose"),
         "stroke": variable((*per, "drive"), stroke, "", "share of the stroke of each drive"),
-        "drive_position": variable((*per, "drive"), drives, "m or rad", "drives there"),
+        "drive_position": variable((*per, "drive"), drives, drive_unit(system)[0], "drives there"),
         "serial": variable(per, serial, "", "smallest singular value of the task by the drives"),
         "parallel": variable(per, parallel, "", "gauge of the drives' hold"),
         "conditioning": variable(per, conditioning, "", "smallest over largest singular value, drives held"),
@@ -359,7 +360,7 @@ def _dataset(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float
     coords: dict[str, Any] = {
         name: (name, places, {"units": units[name]}) for name, places in zip(per, grid.places, strict=True)
     }
-    return xr.Dataset(data, coords=coords | {"drive": list(system.drives)}, attrs={"kind": "workspace"})
+    return xr.Dataset(data, coords=coords | {"drive": list(system.drives)} | drive_unit(system)[1], attrs={"kind": "workspace"})
 
 
 def _smallest(J: NDArray[np.float64]) -> tuple[float, float]:

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import InputError
 from kinetruss.kinematics.rates.jacobian import sensitivities, state_of
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.freedom import coordinate_values, coordinates
@@ -50,8 +49,6 @@ def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = 
     """
     system = compile(model)
     x, time = state_of(system, motion)
-    if not len(x):
-        raise InputError("The motion has no samples. Give one that has.")
     names = list(system.drives) if wrt is None else [wrt] if isinstance(wrt, str) else list(wrt)
     moved = coordinates(system, [*names, *_supports(system, names)])
     q = coordinate_values(system, moved, x)

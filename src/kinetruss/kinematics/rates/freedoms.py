@@ -150,13 +150,15 @@ def _dataset(
     switched = np.r_[False, np.any(rows[1:] != rows[:-1], axis=1)]
     names = np.array([one.name for one in candidates])[rows]
     starts = np.flatnonzero(np.r_[True, switched[1:]])
-    per = ("time", "dof")
+    per, units = ("time", "dof"), np.array([one.unit for one in candidates])[rows]
+    single = len(np.unique(units)) == 1
+    unit = str(units.flat[0]) if single else "dof_unit"
     data = {
         "chosen": variable(per, names, "", "degrees of freedom in use"),
-        "value": variable(per, np.array(numbers[0].tolist(), float), "m or rad", "value of the degree of freedom"),
-        "rate": variable(per, np.array(numbers[1].tolist(), float), "m/s or rad/s", "rate of the degree of freedom"),
+        "value": variable(per, np.array(numbers[0].tolist(), float), unit, "value of the degree of freedom"),
+        "rate": variable(per, np.array(numbers[1].tolist(), float), f"{unit}/s", "rate of the degree of freedom"),
         "grip": variable(("time",), grip, "", "smallest singular value of the set on the possible motions"),
         "switched": variable(("time",), switched, "", "a new set begins"),
     }
     attrs = {"kind": "freedoms", "sets": [", ".join(names[i]) for i in starts]}
-    return xr.Dataset(data, coords={"time": motion.data["time"]}, attrs=attrs)
+    return xr.Dataset(data, coords={"time": motion.data["time"]} | ({} if single else {"dof_unit": (per, units)}), attrs=attrs)

@@ -16,6 +16,7 @@ from kinetruss.mechanics import jacobian as rows_of
 from kinetruss.mechanics.configuration import centred, drive_values, number_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
+from kinetruss.results.records import drive_unit
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -80,16 +81,19 @@ def platform_jacobian(
     scale = np.ones(J.shape[1])
     scale[model.dim :] = float(np.sqrt(np.mean(np.sum(arms**2, axis=2)))) if length is None else length
     values = np.linalg.svd(J * scale[:, None], compute_uv=False)
+    unit, named = drive_unit(system)
     data = {
-        "jacobian": variable(("time", "twist", "drive"), J, "m or rad per unit", "twist of the platform per rate of a drive"),
+        "jacobian": variable(("time", "twist", "drive"), J, f"twist_unit/{unit}", "twist of the platform per rate of a drive"),
         "inverse": variable(
-            ("time", "drive", "twist"), np.linalg.pinv(J, rcond=1e-12), "unit per m or rad", "drives per twist"
+            ("time", "drive", "twist"), np.linalg.pinv(J, rcond=1e-12), f"{unit}/twist_unit", "drives per twist"
         ),
         "serial": variable(("time",), values[:, -1] / np.maximum(values[:, 0], 1e-300), "", "smallest over largest value"),
         "parallel": variable(("time",), _least_of_rows(system, x), "", "smallest singular value of the rows"),
         "manipulability": variable(("time",), np.prod(values, axis=1), "", "product of the singular values"),
     }
-    coords = {"twist": list(TWIST[model.dim]), "drive": list(system.drives)}
+    twist = list(TWIST[model.dim])
+    own = ["m" if name.startswith("v") else "rad" for name in twist]
+    coords = {"twist": twist, "drive": list(system.drives), "twist_unit": ("twist", own), **named}
     attrs = {"kind": "platform_jacobian", "length": float(scale[-1])}
     found = xr.Dataset(data, coords=coords, attrs=attrs)
     return found.isel(time=0) if time is None else found.assign_coords(time=time)

@@ -20,6 +20,7 @@ from kinetruss.limits import whole
 from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import variable
+from kinetruss.results.records import drive_unit, unit_along
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -110,13 +111,13 @@ def _dataset(given: Problem, names: list[str], parameters: Any, states: list[Sta
     for k in np.flatnonzero(~reached):
         lacking = cannot(given, given.linear(given.begin, parameters[k])[1])
         said[k] = f"{lacking} {nearest_text(given, states[k], parameters[k])}".strip()
+    unit, named = drive_unit(system)
+    asked, also = unit_along("coordinate", [given.tasks.unit(one) for one in given.tasks.asked], "coordinate_unit", "m")
     data = {
-        "drive_position": variable(("pose", "drive"), np.stack([one.q for one in states]), "m or rad", "drive coordinate"),
+        "drive_position": variable(("pose", "drive"), np.stack([one.q for one in states]), unit, "drive coordinate"),
         "position": variable(("pose", "node", "axis"), x, "m", "node position"),
-        "asked": variable(
-            ("pose", "coordinate"), np.stack([asked_for(given, row) for row in parameters]), "m or rad", "asked for"
-        ),
-        "found": variable(("pose", "coordinate"), given.tasks.read(np.stack([one.x for one in states])), "m or rad", "found"),
+        "asked": variable(("pose", "coordinate"), np.stack([asked_for(given, row) for row in parameters]), asked, "asked for"),
+        "found": variable(("pose", "coordinate"), given.tasks.read(np.stack([one.x for one in states])), asked, "found"),
         "miss": variable(("pose",), far, "m", "largest miss of a coordinate"),
         "reached": ("pose", reached),
         "starts": ("pose", np.array([one.starts for one in states])),
@@ -124,4 +125,4 @@ def _dataset(given: Problem, names: list[str], parameters: Any, states: list[Sta
         "message": ("pose", said),
     }
     coords = {"drive": list(system.drives), "node": list(system.nodes), "axis": list("xyz"[: system.dim]), "coordinate": names}
-    return xr.Dataset(data, coords=coords, attrs={"kind": "reach"})
+    return xr.Dataset(data, coords=coords | named | also, attrs={"kind": "reach"})

@@ -141,6 +141,8 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
     else:
         rows = np.arange(J.shape[0])
     if wanted == 0:
+        if not system.drives:
+            raise InputError("Nothing can move here: bars and supports hold all nodes. Release a support, or let a bar strain.")
         raise InputError("Nothing can move here: all drives are held. Name those that are let go, in dofs or free.")
     if dofs is None:
         dofs = _picked(system, J[rows], wanted)
@@ -185,7 +187,7 @@ def independent(J: Any) -> NDArray[np.int64]:
     """A largest set of independent rows of unit size."""
     from scipy.linalg import qr
 
-    if J.shape[0] == 0:
+    if 0 in J.shape:
         return np.zeros(0, np.int64)
     R, order = qr(J.toarray().T, mode="r", pivoting=True)
     size = np.abs(np.diag(R))

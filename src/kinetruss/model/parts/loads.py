@@ -42,8 +42,10 @@ class InTime(Record):
             has = f"neither a {one} nor a table of {many}" if value is None else f"both a {one} and a table of {many}"
             raise ValueError(f"has {has}. Give one: {one}, or times and {many}.")
         if table is not None:
-            if times is None or len(times) != len(table) or len(times) < 2:
-                raise ValueError(f"the table has not as many times as {many}, or less than two. Give one for each time.")
+            if times is None or len(times) != len(table):
+                raise ValueError(f"has {len(times or ())} times and {len(table)} {many}. Give one of {many} for each time.")
+            if len(times) < 2:
+                raise ValueError(f"has a table of {len(times)} times. Give at least two, or one constant {one}.")
             check_times(times)
 
 

@@ -80,7 +80,7 @@ def _canvas(width: float, height: float) -> Canvas:
 def _histories(figure: Histories) -> Canvas:
     count = len(figure.panels)
     height = 0.9 + 2.0 * count
-    width = 6.4 + max(1.6, 0.5 + CHARACTER * max(len(label) for panel in figure.panels for label in panel.lines))
+    width = 6.4 + max(1.6, 0.5 + CHARACTER * max((len(label) for panel in figure.panels for label in panel.lines), default=0))
     canvas = _canvas(width, height)
     axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
     canvas.subplots_adjust(left=0.88 / width, right=6.4 / width, top=1 - 0.42 / height, bottom=0.48 / height, hspace=0.16)
@@ -215,7 +215,7 @@ def _shape(figure: Shape) -> Canvas:
     flat = [projected(pose.position) for pose in figure.poses]
     whole = np.concatenate([*flat, *(projected(np.array(pair)) for pose in figure.poses for pair in pose.loads)])
     low, high = whole.min(axis=0), whole.max(axis=0)
-    margin = 0.08 * float(np.max(high - low))
+    margin = 0.08 * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
     for ax, pose, points in zip(axes, figure.poses, flat, strict=True):
         ax.set_title(pose.caption, fontsize=9, fontweight="normal")
         ax.set_xlim(low[0] - margin, high[0] + margin)

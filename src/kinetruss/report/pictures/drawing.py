@@ -97,7 +97,7 @@ def _box(figure: Drawing) -> tuple[Any, Any]:
         shown.append(figure.ghost)
     points = np.concatenate(shown)
     low, high = points.min(axis=0), points.max(axis=0)
-    margin = (0.09 if figure.names else 0.06) * float(np.max(high - low))
+    margin = (0.09 if figure.names else 0.06) * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
     return low - margin, high + margin
 
 

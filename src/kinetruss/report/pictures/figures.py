@@ -13,6 +13,7 @@ from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.pictures.pictured import arrows
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -55,6 +56,8 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     """
     from kinetruss.report.pictures.draw import save
 
+    if run.good:
+        check_histories(run)
     return save(specifications(run), Path(folder), formats)
 
 
@@ -62,7 +65,7 @@ def specifications(run: RunResult) -> list[Figure]:
     """The figures of a run; empty if no sample is good."""
     if not run.good:
         return []
-    found: list[Figure] = [_shape(run), _lengths(run)]
+    found: list[Figure] = [_shape(run), *_lengths(run)]
     if run.simulation is not None:
         found.append(_energies(run.simulation.data))
     for case, forces in run.forces.items():
@@ -116,7 +119,7 @@ def _driven(model: Model, members: list[str]) -> Iterator[bool]:
         yield name in named
 
 
-def _lengths(run: RunResult) -> Histories:
+def _lengths(run: RunResult) -> Iterator[Histories]:
     data = run.motion.data
     kinds = drive_kinds(run.model)
     panels = []
@@ -127,9 +130,10 @@ def _lengths(run: RunResult) -> Histories:
             for what, variable, per in ((kind, "drive_position", ""), ("rate", "drive_velocity", "/s")):
                 lines = {name: data[variable].values[:, k] for name, k in zip(names, chosen, strict=True)}
                 panels.append(Panel(quantity=what, unit=unit + per, lines=lines))
-    if not panels:
+    if not panels and data.sizes["member"]:
         panels = [Panel(quantity="length", unit="m", lines=_most_moving(data))]
-    return Histories(name="lengths", title="Driven lengths and angles", time=data["time"].values, panels=tuple(panels))
+    if panels:
+        yield Histories(name="lengths", title="Driven lengths and angles", time=data["time"].values, panels=tuple(panels))
 
 
 def _energies(data: Any) -> Histories:
@@ -153,10 +157,12 @@ def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
     return {str(data["member"].values[k]): length[:, k] for k in order}
 
 
-def _forces(forces: Forces) -> Histories:
-    """The members with the largest forces, and the band of all; dotted: the same poses at rest."""
+def _forces(forces: Forces) -> Histories | None:
+    """The members with the largest forces, and the band of all; dotted: the same poses at rest. None without members."""
     data = forces.data
     values = data["member_force"].values
+    if not values.shape[1]:
+        return None
     order = np.argsort(-np.max(np.abs(values), axis=0))[: CURVES - 1]
     names = [str(data["member"].values[k]) for k in order]
     lines = {name: values[:, k] for name, k in zip(names, order, strict=True)}

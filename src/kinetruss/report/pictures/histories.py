@@ -57,7 +57,7 @@ def _panel(result: Result, name: str) -> Panel | None:
     """The curves with the largest values of one quantity; None if the result does not have it along time."""
     if name not in result.arrays or result.arrays[name].dims[:1] != ("time",) or not result.arrays[name].values.size:
         return None
-    from kinetruss.results.records import flat, labels
+    from kinetruss.results.records import flat, labels, units_of
 
     array: Any = result.data[name]
     values = np.asarray(flat(array), float)
@@ -66,6 +66,9 @@ def _panel(result: Result, name: str) -> Panel | None:
     if not moving.any():
         return None
     chosen = sorted(np.argsort(-np.where(moving, size, -1))[: min(CURVES, int(moving.sum()))])
-    factor, unit = scale(float(size[chosen].max()), str(array.attrs.get("units", "")))
+    own = list(units_of(array))
+    # of drives with other units, those of the first
+    chosen = [k for k in chosen if own[k] == own[chosen[0]]]
+    factor, unit = scale(float(size[chosen].max()), own[chosen[0]])
     names = list(labels(array))
     return Panel(quantity=SHOWN[name], unit=unit, lines={" ".join(names[k]): factor * values[:, k] for k in chosen})

@@ -11,7 +11,9 @@ import numpy as np
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, Result, Simulation
+from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -46,8 +48,7 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
     if isinstance(what, Model):
         return Pictured(model=what, time=np.zeros(1), position=_standing(what)[None])
     if isinstance(what, RunResult):
-        if not what.good:
-            raise InputError(f"{what.path or what.name} has no good sample to draw.")
+        check_histories(what)
         return _moving(what.model, what.motion, what.forces)
     if isinstance(what, Simulation):
         what = what.forces
@@ -59,6 +60,7 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
     if rest:
         position, force = (what.data[name].values for name in ("position", "member_force"))
         return Pictured(model=model, time=np.zeros(1), position=position[None], member_force=force)
+    check_samples(what)
     if isinstance(what, Forces):
         return _moving(model, what.motion, {what.load_case: what})
     return _moving(model, what, {})

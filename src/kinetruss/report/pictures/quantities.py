@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.model import nearest, turns
+from kinetruss.model import nearest
+from kinetruss.results.records import units_of
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -48,6 +50,8 @@ FORCES = (
     "power",
     "energy_balance",
 )
+POWERS = FORCES[-4:]
+"""Quantities that poses at rest do not have."""
 SIMULATION = (
     "kinetic_energy",
     "potential_energy",
@@ -156,12 +160,13 @@ def curves(
     >>> curve.of, curve.unit, len(curve.time)
     ('coupler', 'N', 361)
     """
-    if not run.good:
-        raise InputError(f"{run.path or run.name} has no good sample to show.")
+    check_histories(run)
     chosen = _case(run, case)
     total, still = _found(run, quantity, chosen)
     total = total.transpose("time", ...)
     names = _names(total)
+    if missing := [str(axis) for axis, size in total.sizes.items() if not size]:
+        raise InputError(f"There is no {quantity}: the model has no {missing[0]}. Show another quantity.")
     _check_members(total, names, members, quantity)
     stations = _stations(total, quantity, station)
     time = total["time"].values
@@ -174,7 +179,7 @@ def curves(
             continue
         rest = None if still is None else _cut(_at(still, index), cut[1], quantity)[0]
         of = " ".join(label)
-        found.append(Curve(of=of, words=_words(total), unit=_unit(run, total, label), time=time, values=cut[0], static=rest))
+        found.append(Curve(of=of, words=_words(total), unit=_unit(total, index), time=time, values=cut[0], static=rest))
     if not found:
         raise InputError(_nothing(quantity, members))
     return found
@@ -201,7 +206,12 @@ def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArra
             still = rest()
             return data[quantity], None if still is None else still[quantity]
     known = [name for name in (*QUANTITIES, *FED, *ALIASES, *BUNDLES) if _is_there(run, name)]
-    raise InputError(f"The run has no quantity called {quantity!r}. {nearest(quantity, known)}")
+    why = (
+        " (its poses are at rest)"
+        if quantity in POWERS and any(one.attrs.get("at_rest") for one in run.forces.values())
+        else ""
+    )
+    raise InputError(f"The run has no quantity called {quantity!r}{why}. {nearest(quantity, known)}")
 
 
 Source = tuple[Callable[[], Any], Callable[[], Any]]
@@ -265,6 +275,8 @@ def _is_there(run: RunResult, name: str) -> bool:
         return any(name in one.data for one in run.statics.values())
     if name in TURNING:
         return any(name in demand.data for demand in run.demand.values())
+    if name in FORCES:
+        return any(name in forces.data for forces in run.forces.values())
     return bool(run.demand) if name in DEMAND else bool(run.forces)
 
 
@@ -329,10 +341,6 @@ def _words(data: xr.DataArray) -> str:
     return str(data.attrs.get("long_name") or str(data.name).replace("_", " "))
 
 
-def _unit(run: RunResult, data: xr.DataArray, label: Label) -> str:
-    """The unit; for a drive's coordinate it depends on the drive."""
-    unit = str(data.attrs.get("units", ""))
-    if " or " in unit and data.dims[1:] == ("drive",):
-        linear, angular = unit.split(" or ")
-        return angular if turns(run.model.all_drives[label[0]]) else linear
-    return unit
+def _unit(data: xr.DataArray, index: tuple[Any, ...]) -> str:
+    """The unit of one curve; the name of a coordinate stands for its entries."""
+    return next(units_of(data[(slice(0, 1), *(slice(k, k + 1) if isinstance(k, int) else slice(0, 1) for k in index))]))

@@ -17,6 +17,7 @@ from kinetruss.report.run_text.simulation import simulation_lines, simulation_re
 from kinetruss.report.run_text.springs import spring_loads, springs_text
 from kinetruss.report.run_text.statics import statics_lines, statics_record, statics_title
 from kinetruss.report.run_text.trains import MOST, exceeded, trains, trains_text
+from kinetruss.results.records import MOTORS_UNCHECKED
 from kinetruss.runs import MissionRun
 from kinetruss.strength.verdict import headline
 
@@ -265,7 +266,9 @@ def _nearest_limits(demand: Demand) -> dict[str, dict[str, Any]]:
 
 
 def checks(run: RunResult) -> dict[str, Any]:
-    """Energy balance, singularity measure, members whose force is not unique, missing strength checks."""
+    """Energy balance, singularity measure, members whose force is not unique, limits of motors that the motion alone left
+    open and the forces decided, missing strength checks.
+    """
     gauge = run.motion.data["singularity"].values
     record: dict[str, Any] = {"singularity": None, "energy_balance": None, "not_unique": []}
     if len(gauge) and not np.isnan(gauge).all():
@@ -276,6 +279,7 @@ def checks(run: RunResult) -> dict[str, Any]:
     if balances:
         record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
     record["not_held"] = [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
+    record["motors"] = list(run.motion.attrs.get(MOTORS_UNCHECKED, ())) if run.demand else []
     record["not_unique"] = list(
         dict.fromkeys(m for forces in run.forces.values() for m in forces.data.attrs.get("not_unique", []))
     )
@@ -322,6 +326,8 @@ def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
     if run.forces:
         unique = found["not_unique"]
         yield "unique forces", "all" if not unique else f"all but {', '.join(unique)}"
+    if found["motors"]:
+        yield "motors", f"checked with the forces of this run: {', '.join(found['motors'])}"
     yield from (("strength", sentence) for sentence in found["not_held"])
 
 

@@ -12,6 +12,7 @@ from kinetruss.display import Table, number, quantity
 from kinetruss.errors import InputError
 from kinetruss.model import turns
 from kinetruss.report._page import Page
+from kinetruss.results.records import check_samples
 from kinetruss.strength import sections, stresses
 
 if TYPE_CHECKING:
@@ -73,6 +74,7 @@ def beside(ideal: tuple[Model, Forces], real: tuple[Model, Forces]) -> Page:
     drive_force   turn  14.71 N m  14.89 N m  176.8 mN m  1.012
     """
     (one, first), (two, second) = ideal, real
+    check_samples(first)
     if not np.array_equal(first.arrays["time"].values, second.arrays["time"].values):
         raise InputError("The two have other instants. Follow the same trajectory with the same samples.")
     found: list[Both] = []

@@ -87,7 +87,7 @@ def _forces(body: Body) -> str:
     axes = list("xyz"[: len(body.inertia.force)])
     head = axes + ["along 1", "across 2", "across 3"][:local]
     rows: list[Row] = [(t.symbol, t.source, [*t.force, *t.local]) for t in body.terms if t.symbol not in COUPLES]
-    total = [*body.force_sum, *np.sum([t.local for t in body.terms], axis=0)]
+    total = [*body.force_sum, *sum((t.local for t in body.terms), np.zeros(local))]
     push = [*body.inertia.force, *body.inertia.local]
     right = "mass times acceleration" if body.mass else "no mass"
     return _sheet("Forces (N)", head, [*rows, ("", "", None), ("sum", "of all", total), ("m a", right, push)], total, push)

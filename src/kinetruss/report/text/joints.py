@@ -14,6 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.report._page import Page
+from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -67,8 +68,9 @@ def joints(
     >>> [line.split()[:3] for line in page.text.splitlines()[2:]]
     [['member', 'end', 'node'], ['coupler', 'A', 'B'], ['coupler', 'B', 'C']]
     """
-    if not run.forces or not run.good:
-        raise InputError("The run has no forces: its analysis is kinematics.follow, or it has no good sample.")
+    check_histories(run)
+    if not run.forces:
+        raise InputError("The run has no forces: its analysis is kinematics.follow. Do a run of dynamics.inverse.")
     case = next(iter(run.forces)) if case is None else case
     for what, name, known in (
         ("load case", case, run.forces),
@@ -105,7 +107,7 @@ def joints(
 
 def _instant(data: Any, time: float | None) -> int:
     if time is None:
-        return int(np.argmax(np.max(np.abs(data["member_force"].values), axis=1)))
+        return int(np.argmax(np.max(np.abs(data["member_force"].values), axis=1, initial=0.0)))
     if not math.isfinite(time):
         raise InputError(f"time is {time}. Give a finite number of seconds.")
     return int(np.argmin(np.abs(data["time"].values - time)))

@@ -7,17 +7,24 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.results.records.records import MOTORS_UNCHECKED, check_samples
     from kinetruss.results.records.rows import NOT_CHECKED
     from kinetruss.results.records.simulation import happened
-    from kinetruss.results.records.wide import flat, labels
+    from kinetruss.results.records.units import drive_unit, force_units, unit_along
+    from kinetruss.results.records.wide import flat, labels, units_of
 
-__all__ = ["NOT_CHECKED", "flat", "happened", "labels"]
+__all__ = [
+    "MOTORS_UNCHECKED", "NOT_CHECKED", "check_samples", "drive_unit", "flat", "force_units", "happened", "labels", "unit_along",
+    "units_of",
+]  # fmt: skip
 
 __getattr__, __dir__ = late(
     __name__,
     {
+        "records": "MOTORS_UNCHECKED check_samples",
         "rows": "NOT_CHECKED",
         "simulation": "happened",
-        "wide": "flat labels",
+        "units": "drive_unit force_units unit_along",
+        "wide": "flat labels units_of",
     },
 )

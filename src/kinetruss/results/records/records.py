@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Self
 
+from kinetruss.errors import InputError
 from kinetruss.results.records.arrays import HELD, Arrays, Columns, columns_of
 from kinetruss.results.records.rows import NOT_CHECKED, Row, rows_of
 from kinetruss.results.records.wide import wide
@@ -13,7 +14,10 @@ from kinetruss.results.records.wide import wide
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict"]
+__all__ = ["MOTORS_UNCHECKED", "Demand", "Forces", "Motion", "Result", "Sections", "Status", "Verdict", "check_samples"]
+
+MOTORS_UNCHECKED = "motors_unchecked"
+"""Attribute of a motion: the limited quantities of its motors that only forces decide."""
 
 LONGEST = 300
 """Largest number of characters of status and message in `repr`."""
@@ -86,6 +90,11 @@ class Result:
             known = ", ".join(str(key) for key in self.data.data_vars)
             raise AttributeError(f"{type(self).__name__} has no {name!r}. It has: {known}.") from None
 
+    @property
+    def unchecked(self) -> str:
+        """What this result alone leaves unchecked, as a sentence; empty if there is nothing."""
+        return ""
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(str(name) for name in self.data.variables)]
 
@@ -98,7 +107,8 @@ class Result:
         wide, deep = (max((len(row[k]) for row in rows), default=0) for k in (0, 1))
         lines = [f"  {name:{wide}}  {axes:{deep}}  {unit}".rstrip() for name, axes, unit in rows]
         head = f"{type(self).__name__}: {self.status.value} {self.message}".rstrip()
-        return "\n".join([head if len(head) <= LONGEST else f"{head[: LONGEST - 3]}...", *lines])
+        left = [self.unchecked] if self.unchecked else []
+        return "\n".join([head if len(head) <= LONGEST else f"{head[: LONGEST - 3]}...", *left, *lines])
 
     def to_dataframe(self) -> Any:
         """A pandas table: one row per instant (or pose), one column per value, e.g. ``member_force[M1]``; units as in
@@ -114,6 +124,22 @@ class Result:
 
 class Motion(Result):
     """Positions, velocities and accelerations of all nodes over time, and derived quantities."""
+
+    @property
+    def unchecked(self) -> str:
+        """Limits of its motors that only forces decide, as a sentence; empty if there are none."""
+        quantities = self.attrs.get(MOTORS_UNCHECKED, ())
+        return (
+            f"Not checked without forces: {', '.join(quantities)} of the motors (dynamics.limits_kept)." if quantities else ""
+        )
+
+
+def check_samples(result: Result) -> None:
+    """Refuse a motion, or forces, without a single sample, as one has that ended before its first good one."""
+    if not result.arrays["time"].values.size:
+        ended = "" if result.status.ok else f" {result.status.value}"
+        what = type(result).__name__.lower()
+        raise InputError(f"The {what} has no sample.{ended} Give at least one instant.")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

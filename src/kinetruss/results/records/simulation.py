@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.results.records.arrays import Column, variable
 from kinetruss.results.records.records import Forces, Motion, Result
+from kinetruss.results.records.units import unit_along
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -72,23 +73,26 @@ class Simulation(Result):
 def happened(arrays: Mapping[str, Any]) -> dict[str, Column]:
     """The variables of a simulation without a time axis, from plain arrays.
 
-    events (k, 4) : index of the event, time, direction, value; event_names of all events; passages (k, 3) : time, smallest
-    pivot, 1 if the branch is certain.
+    events (k, 4) : index of the event, time, direction, value; event_names and event_units of all events; passages (k, 3) :
+    time, smallest pivot, 1 if the branch is certain.
     """
     if "events" not in arrays:
         return {}
     events, passed = arrays["events"], arrays["passages"]
     names = np.array([str(arrays["event_names"][int(k)]) for k in events[:, 0]], str)
+    units = [str(arrays["event_units"][int(k)]) for k in events[:, 0]]
+    unit, own = unit_along("occurrence", units, "event_unit", "m")
+    several = {"event_unit": variable(("occurrence",), np.array(units, str), "", "unit of the value")} if own else {}
     one, other = ("occurrence",), ("passage",)
     return {
         "event_name": variable(one, names, "", "event"),
         "event_time": variable(one, events[:, 1].copy(), "s", "time of the event"),
         "event_direction": variable(one, events[:, 2].copy(), "", "1 rising, -1 falling"),
-        "event_value": variable(one, events[:, 3].copy(), "m or N", "value at the event"),
+        "event_value": variable(one, events[:, 3].copy(), unit, "value at the event"),
         "passage_time": variable(other, passed[:, 0].copy(), "s", "time of the passage of a singular position"),
         "passage_pivot": variable(other, passed[:, 1].copy(), "", "smallest scaled pivot there"),
         "passage_certain": variable(other, passed[:, 2].copy(), "", "1 if the branch is certain"),
-    }
+    } | several
 
 
 def occurrences(data: xr.Dataset) -> tuple[Occurrence, ...]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import itertools
+import math
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["flat", "labels", "wide"]
+__all__ = ["flat", "labels", "units_of", "wide"]
 
 
 def wide(data: xr.Dataset) -> Any:
@@ -38,12 +40,23 @@ def wide(data: xr.Dataset) -> Any:
 
 def flat(data: xr.DataArray) -> Any:
     """A history as (times, values), in the order of `labels`."""
-    return data.values.reshape(data.sizes["time"], -1) if data.size else data.values.reshape(len(data.values), 0)
+    return data.values.reshape(data.shape[0], math.prod(data.shape[1:]))
 
 
 def labels(data: xr.DataArray) -> Iterator[tuple[str, ...]]:
     """Names of the values of one instant, in the order of the flat array."""
     return itertools.product(*([_label(value) for value in data[dim].values] for dim in data.dims[1:]))
+
+
+def units_of(data: xr.DataArray) -> Iterator[str]:
+    """Units of the values of one instant, in the order of `labels`; the name of a coordinate stands for its entries."""
+    text = str(data.attrs.get("units", ""))
+    named = [name for name in re.findall(r"\w+_unit\b", text) if name in data.coords and data[name].dims]
+    for place in itertools.product(*(range(size) for size in data.shape[1:])):
+        unit, at = text, dict(zip(data.dims[1:], place, strict=True))
+        for name in named:
+            unit = unit.replace(name, str(data[name].values[at[data[name].dims[0]]]))
+        yield unit
 
 
 def _label(value: Any) -> str:

@@ -21,8 +21,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-import numpy as np
-
 from kinetruss.errors import StoreError
 from kinetruss.results.store.checkpoint import drop_states, read_state, write_state
 from kinetruss.results.store.folder import (
@@ -50,6 +48,7 @@ from kinetruss.results.store.zarr import (
     describe_group,
     is_array,
     is_text,
+    names_of,
     plain,
     resize,
     text_of,
@@ -326,8 +325,7 @@ def _read(path: Path, group: str, ledger: Ledger) -> xr.Dataset:
     names, attrs, coords, order = (data.attrs.pop(key, {}) for key in ("names", "attrs", "coords", "order"))
     if "time" in data.dims:
         data = data.isel(time=slice(0, ledger.committed))
-    texts = {name: (text["dims"], np.asarray(text["values"]), text["attrs"]) for name, text in names.items()}
-    data = data.assign(texts)
+    data = data.assign({name: names_of(text) for name, text in names.items()})
     if ledger.state != "finished":
         order = [name for name in order if name in data.variables and "time" in data.variables[name].dims]
     if lost := [name for name in (*coords, *order) if name not in data.variables]:

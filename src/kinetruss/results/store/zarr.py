@@ -31,6 +31,7 @@ __all__ = [
     "is_text",
     "plain",
     "resize",
+    "names_of",
     "text_of",
     "write_chunk",
 ]
@@ -114,8 +115,20 @@ def is_text(variable: Any) -> bool:
 
 
 def text_of(variable: Any) -> dict[str, Any]:
-    """A variable of names as an attribute."""
-    return {"dims": list(variable.dims), "values": variable.values.astype(str).tolist(), "attrs": plain(variable.attrs)}
+    """A variable of names as an attribute; with its shape, which lists of no entries do not tell."""
+    values = variable.values.astype(str)
+    return {
+        "dims": list(variable.dims),
+        "shape": list(values.shape),
+        "values": values.tolist(),
+        "attrs": plain(variable.attrs),
+    }
+
+
+def names_of(text: Mapping[str, Any]) -> tuple[list[str], NDArray[Any], dict[str, str]]:
+    """The variable of `text_of`: its axes, values and attributes."""
+    values = np.asarray(text["values"], dtype=str)
+    return text["dims"], values.reshape(text.get("shape", values.shape)), text["attrs"]
 
 
 def plain(attributes: Mapping[Any, Any]) -> dict[str, str]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss import dynamics, kinematics
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kinematics.path import instants
 from kinetruss.model import Model
 from kinetruss.runs.blocks.conditioned import followed
 from kinetruss.runs.blocks.planned import SIMULATED, STATIC, Plan, plan
@@ -52,7 +53,7 @@ def forces_at(model: Model, name: str | None, times: ArrayLike, *, load_case: st
     [0.25, 0.75]
     """
     job = plan(model, name)
-    t = np.atleast_1d(np.asarray(times, float))
+    t = instants(0.0, 2, times)
     _inside(job, t)
     return _forces(job, t, load_case)
 

@@ -40,7 +40,8 @@ class Accumulator:
         """Take one more block into account."""
         self.count += int(block.motion.data.sizes["time"])
         self.status = block.motion.status
-        self.message = " ".join(notes_of(block)) or self.message
+        left = [] if block.demand or not block.motion.unchecked else [block.motion.unchecked]
+        self.message = " ".join([*notes_of(block), *left]) or self.message
         if BETWEEN in block.motion.data.dims:
             # a simulation tells all of them so far
             before = [] if block.simulation is not None else self.between

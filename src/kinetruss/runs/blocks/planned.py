@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.given import check_supports
 from kinetruss.limits import whole
 from kinetruss.model import Condition, Model, Run
-from kinetruss.model.motion import FLEXIBLE, STANDING, STATIC
+from kinetruss.model.motion import FLEXIBLE, MISSION, STANDING, STATIC
 from kinetruss.results import Motion
 from kinetruss.runs.blocks.conditioned import SIMULATED, conditioned
 
@@ -53,10 +53,15 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
 
     Raises
     ------
-    InputError : no run of that name, or several and none named.
+    InputError : no run of that name, or several and none named; a mission.
     """
     chosen = chosen_run(model, name)
     run = model.runs[chosen]
+    if run.analysis == MISSION:
+        raise InputError(
+            f"Run {chosen!r} is a mission: it has an envelope, and no history of its own. Name one of its motions that is a "
+            f"run ({', '.join(run.motions)}), or take the run of a pair (runs.governing)."
+        )
     cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
     given, origin = None, model
     model, run, condition = conditioned(model, run)

@@ -15,6 +15,7 @@ from kinetruss.mechanics.assembly import case_loads
 from kinetruss.model import LengthDrive, Model
 from kinetruss.model.motion import FLEXIBLE
 from kinetruss.results import Forces, Motion, Result, Status, variable
+from kinetruss.results.records import force_units
 from kinetruss.runs.blocks.block import Block, judged
 from kinetruss.runs.blocks.conditioned import poses_under
 from kinetruss.runs.blocks.planned import Plan
@@ -130,8 +131,9 @@ def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     for k, one in enumerate(model.all_drives.values()):
         if isinstance(one, LengthDrive):
             drive[0, k] = -float(data["member_force"].sel(member=one.bar).item())
-    data = data.assign(drive_force=variable(("time", "drive"), drive, "N or N m", "drive force or torque"))
-    data = data.assign_coords(drive=list(model.all_drives))
+    units, named = force_units(compile(model), "drive")
+    data = data.assign(drive_force=variable(("time", "drive"), drive, units["drive"], "drive force or torque"))
+    data = data.assign_coords({"drive": list(model.all_drives), **named})
     own = model.load_cases.get(case)
     gravity = (None if own is None else own.gravity) or model.gravity or (0.0,) * model.dim
     data.attrs = {"kind": "forces", "load_case": case, "not_unique": [], "at_rest": 1, "gravity": list(gravity)}

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import StoreError
+from kinetruss.errors import InputError, StoreError
 from kinetruss.model import Model
 from kinetruss.model.motion import MISSION
 from kinetruss.results import Motion, Status, variable
@@ -21,7 +21,7 @@ from kinetruss.runs.missions.drives import DriveEnvelope, drives_of
 from kinetruss.runs.missions.pairs import Pair, pairs_of
 from kinetruss.strength.envelopes import Gathering, extremes_of, verdict_of
 
-__all__ = ["Envelope", "MissionRun", "load", "mission_from_store", "mission_of"]
+__all__ = ["Envelope", "MissionRun", "check_histories", "load", "mission_from_store", "mission_of"]
 
 RULES = ("", "", "", "yield", "buckling", "beam-column")
 NUMBERS = ("utilisation", "subject", "rule", "time", "samples")
@@ -138,6 +138,15 @@ def _subject(row: tuple[float, ...], parts: list[str], members: list[str]) -> st
     if not row[0] >= 0:
         return ""
     return (parts if int(row[2]) == 3 else members)[int(row[1])]
+
+
+def check_histories(run: RunResult) -> None:
+    """Refuse a run without histories to show: a mission, and a run without a good sample."""
+    name = run.path or run.name
+    if isinstance(run, MissionRun):
+        raise InputError(f"{name} is a mission: it has an envelope, and no histories. Take the run of a pair (runs.governing).")
+    if not run.good:
+        raise InputError(f"{name} has no good sample to show.")
 
 
 def mission_of(found: Envelope, **others: Any) -> MissionRun:

@@ -18,6 +18,7 @@ from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
+from kinetruss.results.records import force_units
 from kinetruss.statics.large.saddle import LOOKED_AT
 from kinetruss.statics.large.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
 from kinetruss.statics.small.accuracy import SILENT, accuracy_note
@@ -218,7 +219,9 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         "member": list(system.members),
         "drive": list(system.drives),
         "support": list(system.supports),
-    } | ({"spring": list(system.springs)} if system.springs else {})
+        **({"spring": list(system.springs)} if system.springs else {}),
+        **force_units(system, "drive", "spring")[1],
+    }
     ways = [moves_text(shape, system.nodes) for shape in shapes[: found.negative + found.neutral]]
     attrs = {
         "kind": "equilibrium",
@@ -277,18 +280,18 @@ def forces_of(
     support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
     carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
     mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
-    springs = {}
+    springs, units = {}, force_units(system)[0]
     if system.springs:
         value, _, force, _ = spring_motions(system, x[None])
         words = "force or torque of the spring on its coordinate"
         springs = {
-            "spring_value": variable(("spring",), value[0], "m or rad", "coordinate of the spring"),
-            "spring_force": variable(("spring",), force[0], "N or N m", words),
+            "spring_value": variable(("spring",), value[0], units["spring_value"], "coordinate of the spring"),
+            "spring_force": variable(("spring",), force[0], units["spring"], words),
         }
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
-        "drive_force": variable(("drive",), drive, "N or N m", "drive force or torque"),
+        "drive_force": variable(("drive",), drive, units["drive"], "drive force or torque"),
     } | springs
 
 

@@ -151,6 +151,8 @@ def dense_solver(matrix: NDArray[np.float64]) -> Any:
     """Solver of a matrix, or None if it is singular."""
     from scipy.linalg import get_lapack_funcs
 
+    if not len(matrix):
+        return lambda right: right
     getrf, getrs = get_lapack_funcs(("getrf", "getrs"), (matrix,))
     lu, pivots, info = getrf(matrix)
     return None if info else lambda right: getrs(lu, pivots, right)[0]

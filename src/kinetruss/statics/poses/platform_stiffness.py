@@ -77,14 +77,15 @@ def platform_stiffness(
     time = ("time",) if "time" in found["jacobian"].dims else ()
     twist = list(found["twist"].values)
     wrench = [name.replace("v", "F").replace("w", "M") for name in twist]
-    unit = "m or rad per N or N m"
     data = {
-        "compliance": variable((*time, "twist", "wrench"), C, unit, "compliance of the platform"),
+        "compliance": variable((*time, "twist", "wrench"), C, "twist_unit/wrench_unit", "compliance of the platform"),
         "stiffness": variable(
-            (*time, "wrench", "twist"), _inverse(C, found.attrs["length"], model.dim), f"1/({unit})", "stiffness"
+            (*time, "wrench", "twist"), _inverse(C, found.attrs["length"], model.dim), "wrench_unit/twist_unit", "stiffness"
         ),
     }
-    coords = {"twist": twist, "wrench": wrench} | ({"time": found["time"]} if time else {})
+    units = {"twist_unit": ("twist", found["twist_unit"].values.tolist())}
+    units["wrench_unit"] = ("wrench", ["N" if name.startswith("F") else "N m" for name in wrench])
+    coords = {"twist": twist, "wrench": wrench, **units} | ({"time": found["time"]} if time else {})
     return xr.Dataset(data, coords=coords, attrs={"kind": "platform_stiffness"})
 
 

@@ -25,6 +25,7 @@ from kinetruss.mechanics.assembly import (
 from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.results.records import force_units
 from kinetruss.statics.small.accuracy import NOTHING, accuracy_note
 from kinetruss.statics.small.stiffness import Solved, flexibility, solve, spring_rows, stiff_rows
 from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
@@ -215,7 +216,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds: members, springs, elements"),
         "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
     }
-    coords = {
+    coords: dict[str, Any] = {
         "node": list(system.nodes),
         "axis": ["x", "y", "z"][:dim],
         "member": list(system.members),
@@ -223,8 +224,11 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         "support": list(system.supports),
     }
     if system.springs:
-        coords["spring"] = list(system.springs)
-        data["spring_force"] = variable(("spring",), on_springs, "N or N m", "force or torque of the spring on its coordinate")
+        units, named = force_units(system, "spring")
+        coords |= {"spring": list(system.springs), **named}
+        data["spring_force"] = variable(
+            ("spring",), on_springs, units["spring"], "force or torque of the spring on its coordinate"
+        )
     return xr.Dataset(data, coords=coords)
 
 

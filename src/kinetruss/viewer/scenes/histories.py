@@ -77,7 +77,7 @@ def moving(
         "rounded": rounded,
         "samples": {"all": count, "shown": len(time)},
         "status": motion.status.value,
-        "message": " ".join(filter(None, [motion.message, *_not_held(run)])),
+        "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
         "not_checked": _unchecked(model) if told else {},
         "channels": channels,
         "over_run": over_run,

@@ -15,6 +15,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
+from kinetruss.runs.missions import check_histories
 from kinetruss.strength import check
 from kinetruss.viewer.scenes.histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
 from kinetruss.viewer.scenes.modes import mechanisms, vibrations
@@ -114,8 +115,7 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
     if isinstance(what, Model):
         return _Subject(model=what, kind="model")
     if isinstance(what, RunResult):
-        if not what.good:
-            raise InputError(f"{what.path or what.name} has no good sample to show.")
+        check_histories(what)
         if case is not None and case not in what.forces:
             raise InputError(f"No load case called {case!r}. {nearest(case, what.forces)}")
         forces = list(what.forces.values()) if case is None else [what.forces[case]]

@@ -256,6 +256,8 @@ def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
         names = found["not_unique"]
         words = "in a redundant structure forces depend on stiffness or convention"
         yield "unique forces", "all" if not names else f"all but {', '.join(names)}", words
+    if found["motors"]:
+        yield "motors", "checked", f"limits that only forces decide: {', '.join(found['motors'])}"
 
 
 def _model(record: Record) -> tuple[str, str, str]:
