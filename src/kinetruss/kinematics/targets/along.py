@@ -169,8 +169,8 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     starts = f"best of {state.starts} starts, {state.same} of them came as near" if state.starts > 1 else "from one start"
     if state.far < ALMOST * shortest(given.system) and not at:
         return (
-            f"The nearest pose found ({starts}) is only {state.far:.2g} m away: the end itself is a singular position, or the edge "
-            "of the reach. Ask for a little less."
+            f"The nearest pose found ({starts}) is only {state.far:.2g} m away: the end itself is a singular position, or the "
+            "edge of the reach. Ask for a little less."
         )
     return (
         f"The nearest pose found ({starts}) has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} "
