@@ -12,7 +12,6 @@ from kinetruss.errors import InputError, UnitError
 
 if TYPE_CHECKING:
     from kinetruss.exchange import Imported
-    from kinetruss.model import Model
 
 __all__ = ["import_file"]
 
