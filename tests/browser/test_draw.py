@@ -223,6 +223,18 @@ def test_keys_alone_draw_a_triangle_and_the_text_follows_both_ways(show, served)
     assert (hand.shown.requests, hand.shown.complaints) == ([], [])
 
 
+def test_a_bar_from_beside_a_node_starts_at_the_node_to_which_the_grid_leads(show, served):
+    hand = drawn(show, served)
+    assert hand.page.locator(".faults").inner_text().strip() == ""  # an empty drawing has no faults
+    step = hand.js("draw.camera.grid")
+    hand.pull((-4 * step, 0, 0), (0, 2 * step, 0))
+    beside = (0.3 * step, 1.7 * step, 0)  # farther from the node than a click may be, nearer than to the next line of the grid
+    assert hand.js("draw.canvas.hit(draw.camera.project(given))", list(beside)) is None
+    hand.pull(beside, (4 * step, 0, 0))
+    assert [one["ends"] for one in hand.state()["members"]] == [["A", "B"], ["B", "C"]]
+    assert (hand.shown.requests, hand.shown.complaints) == ([], [])
+
+
 def test_a_lost_studio_keeps_the_drawing_and_goes_on_with_it(show, served):
     hand = drawn(show, served)
     hand.press("b")

@@ -53,8 +53,19 @@ def test_no_file_is_replaced(tmp_path, monkeypatch):
     assert done.exit_code == 2
     assert "exists already" in done.stderr
     assert Path("leg.yaml").read_text() == "mine"
-    assert "No example called 'leeg'" in call("new", "other", "--like", "leeg").stderr
+    assert "No example or mechanism called 'leeg'" in call("new", "other", "--like", "leeg").stderr
+    assert "Did you mean 'four_bar'" in call("new", "other", "--like", "fourbar").stderr
     assert not Path("other.yaml").exists()
+
+
+def test_a_mechanism_of_the_library_becomes_a_model_that_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert call("new", "press", "--like", "slider_crank").exit_code == 0
+    made = kt.read("press.yaml")
+    assert made.with_(title="Slider-crank", runs={}) == kt.library.mechanisms.slider_crank()
+    turned = kt.run(made).motion.drive_position.sel(drive="motor")
+    assert float(turned[-1] - turned[0]) == pytest.approx(6.283185307179586, abs=1e-9)
+    assert call("new", "hook", "--like", "mechanisms.bricard").exit_code == 0
 
 
 def test_as_json(tmp_path, monkeypatch):

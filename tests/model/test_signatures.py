@@ -41,7 +41,9 @@ def test_a_result_is_shown_by_its_arrays():
     ):
         lines = repr(result).splitlines()
         assert lines[0] == f"{type(result).__name__}: {result.status.value} {result.message}".rstrip()[:300]
-        assert [line.split()[0] for line in lines[1:]] == [str(name) for name in result.data.data_vars]
+        assert [line.split()[0] for line in lines[1:] if "highest:" not in line] == [
+            str(name) for name in result.data.data_vars
+        ]
         assert len(repr(result)) < 2500
     assert "  reaction        (time: 11, support: 2, axis: 2)         N" in repr(forces).splitlines()
 

@@ -39,6 +39,13 @@ def triangle(desk: Desk) -> dict:
     return done(desk, do="set", path=["loads", "push"], value={"node": "C", "force": [0, "-2 kN"]})
 
 
+def test_an_empty_drawing_says_how_to_begin_and_has_no_faults():
+    desk = Desk()
+    for found in (done(desk, do="show"), done(desk, do="add", at=[0, 0]), done(desk, do="delete", nodes=["A"], members=[])):
+        assert found["faults"] == []
+    assert found["nodes"] == [] and "There is no node yet" in json.dumps(found)
+
+
 def test_a_triangle_is_drawn_and_has_the_forces_of_statics_by_hand():
     found = triangle(Desk())
     strut = -1000 * math.hypot(1, 1.5) / 1.5  # vertical balance at the apex

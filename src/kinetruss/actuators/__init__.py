@@ -20,9 +20,12 @@ from kinetruss.actuators.trains.screw import (
     screw_torque,
 )
 from kinetruss.actuators.trains.train_of import train_of
+from kinetruss.late import listed
 
 __all__ = [
     "Exceeded", "Gains", "Move", "breakaway_torque", "evaluate", "exceeded", "gear_ratio_for", "holding_torque",
     "is_self_locking", "largest_self_locking_lead", "lowering_torque", "merge_summaries", "motor_demand", "moves",
     "place_poles", "power_flow", "raising_torque", "screw_couples", "screw_torque", "simulate_drive", "summarise", "train_of",
 ]  # fmt: skip
+
+__dir__ = listed(__name__)

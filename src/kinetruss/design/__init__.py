@@ -4,6 +4,7 @@ from kinetruss.design._catalogue import catalogue
 from kinetruss.design._size import size
 from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
 from kinetruss.design._table import record, table
+from kinetruss.late import listed
 
 __all__ = [
     "DriveRow",
@@ -14,3 +15,5 @@ __all__ = [
     "size",
     "table",
 ]
+
+__dir__ = listed(__name__)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from kinetruss.late import listed
 from kinetruss.model import Amplifier, DriveTrain, Gear, LeadScrew, Motor
 
 __all__ = [
@@ -22,6 +23,8 @@ __all__ = [
     "TRAIN_LACY",
     "TRAIN_LACY_SLEWING",
 ]
+
+__dir__ = listed(__name__)
 
 INCH = 0.0254
 

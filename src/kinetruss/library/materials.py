@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kinetruss.late import listed
 from kinetruss.model import Material
 
 __all__ = [
@@ -21,6 +22,8 @@ __all__ = [
     "STEEL_S355",
     "TITANIUM_6AL4V",
 ]
+
+__dir__ = listed(__name__)
 
 KSI = 6894757.293168361  # Pa
 FAHRENHEIT = 1.8  # 1/K of 1/F

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from kinetruss.late import listed
 from kinetruss.model import Tube
 
 __all__ = ["SECTIONS", "TUBE_LACY_PLANAR", "TUBE_LACY_SPATIAL", "TUBE_LACY_SPATIAL_THICK"]
+
+__dir__ = listed(__name__)
 
 INCH = 0.0254
 

@@ -1,5 +1,6 @@
 """What the user describes: frozen records, data only."""
 
+from kinetruss.late import listed
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._data import FORMAT
@@ -251,3 +252,5 @@ __all__ = [
     "ReadOnly",
     "Table",
 ]
+
+__dir__ = listed(__name__)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from inspect import Parameter, Signature, get_annotations
 from numbers import Integral
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NoReturn, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NoReturn, Self, cast
 
 from pydantic import (
     BaseModel,
@@ -106,7 +106,7 @@ class _Raising(ModelMetaclass):
 
     def __call__(self, /, *args: Any, **data: Any) -> Any:
         if len(args) > len(self._positional):
-            raise ArgumentError(f"{self.__name__} takes its fields by name: {self.__name__}(field=value, ...).")
+            raise ArgumentError(f"{self.__name__} takes its fields by name: {self.__name__}({self._first_fields()}).")
         if twice := [name for name in self._positional[: len(args)] if name in data]:
             raise ArgumentError(f"{self.__name__}: {twice[0]!r} is given twice. Give it once.")
         data |= dict(zip(self._positional, args, strict=False))
@@ -114,6 +114,18 @@ class _Raising(ModelMetaclass):
             return super().__call__(**data)
         except ValidationError as error:
             raise ModelError(self._faults(error, data)) from None
+
+    def _first_fields(self) -> str:
+        """How to write the record: up to three of its fields, those that it needs first."""
+        fields = {
+            name: one for name, one in cast("type[Record]", self).model_fields.items() if name not in ("kind", "kinetruss")
+        }
+        names = sorted(fields, key=lambda name: not fields[name].is_required())
+        return ", ".join([*(f"{name}=..." for name in names[:3]), *(["..."] if len(names) > 3 else [])])
+
+    def __dir__(self) -> list[str]:
+        """Own names, without those of pydantic: `help` and completion list no others."""
+        return [name for name in super().__dir__() if not hasattr(BaseModel, name) and not name.startswith("_")]
 
     def _faults(self, error: ValidationError, data: dict[str, Any]) -> Any:
         return [replace(fault, path=(self.__name__, *fault.path)) for fault in faults_of(error, data, self)]

@@ -7,8 +7,9 @@ from typing import Annotated, Any, NoReturn, TypeVar
 from pydantic import AfterValidator, BeforeValidator, Field, GetCoreSchemaHandler
 from pydantic_core import core_schema
 
-from kinetruss.errors import FrozenError
+from kinetruss.errors import FrozenError, shown
 from kinetruss.limits import MOST_ENTRIES
+from kinetruss.model._words import nearest
 
 __all__ = ["Filled", "ReadOnly", "Table"]
 
@@ -39,6 +40,9 @@ model.with_(nodes=model.nodes | {...}).
         raise FrozenError(
             "A record's tables are read-only. Make a new record with other ones, e.g. model.with_(nodes=model.nodes | {...})."
         )
+
+    def __missing__(self, key: object) -> NoReturn:
+        raise KeyError(f"{shown(key)} is not in this table. {nearest(key, self)}")
 
     __setitem__ = __delitem__ = __ior__ = _refuse
     clear = pop = popitem = setdefault = update = _refuse

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 from typing import TYPE_CHECKING, Annotated, Any, get_args, get_origin
 
 from kinetruss.errors import Fault, one_line, shown
@@ -18,17 +18,33 @@ __all__ = ["faults_of", "nearest"]
 
 Path = tuple[str | int, ...]
 _LONGEST = 200  # characters of a name
+_APART = 0.2  # names less similar than the most similar one by more than this are not offered
 _OFFERED = 500  # largest number of faults for which a similar name is searched
 _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
 # type of a pydantic error -> (expected, fix)
 _SHAPES = {
-    "dict_type": ("a table of names", "Write for example {{name: ...}}, or remove the key."),
+    "dict_type": ("a table of names", "Write for example {{{entry}}}, or remove the key."),
     "model_type": ("a table of fields", "Write for example {{field: value, ...}}."),
     "model_attributes_type": ("a table of fields", "Write for example {{kind: ..., ...}}."),
-    "tuple_type": ("a list", "Write for example [a, b]."),
+    "tuple_type": ("a list", "Write for example {entry}."),
     "string_type": ("text", 'Write a name or text; a number used as a name needs quotes, e.g. "3".'),
 }
+
+# field -> an entry of it; of a table or a list without one: _ENTRIES
+_EXAMPLES = {
+    "at": "[0, 100 mm]",
+    "bars": "crank: [A, B]",
+    "drives": "motor: {kind: angle, bar: crank}",
+    "ends": "[A, B]",
+    "fixed": "A: xy, D: xy",
+    "force": "[0, -100 N]",
+    "gravity": "[0, -9.81]",
+    "loads": "weight: {node: B, force: [0, -100 N]}",
+    "moves": "[0, 90 deg], the first and the last value",
+    "nodes": "A: [0, 0], B: [1 m, 0]",
+}
+_ENTRIES = {"dict_type": "name: ...", "tuple_type": "[a, b]"}
 
 # record that may be given as a list -> the same
 _SHORT = {
@@ -48,8 +64,15 @@ def nearest(name: object, known: Iterable[object]) -> str:
     wanted = name if isinstance(name, str) else shown(name)
     near = get_close_matches(wanted[:_LONGEST], names, n=3, cutoff=0.5)
     if near:
+        best = _alike(wanted, near[0])
+        near = [name for name in near if _alike(wanted, name) > best - _APART]
         return f"Did you mean {', '.join(map(shown, near))}?"
     return f"There are: {', '.join(map(one_line, names[:12])) or 'none'}{', ...' if len(names) > 12 else ''}."
+
+
+def _alike(one: str, other: str) -> float:
+    """Similarity of two names, 0 to 1."""
+    return SequenceMatcher(None, one[:_LONGEST], other).ratio()
 
 
 def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> list[Fault]:
@@ -77,11 +100,17 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
         if callable(given):
             mend = "A motion goes into a table (kt.Spline), forces in time into user_force. Or: " + mend
         what = "is empty" if given is None else "is a function" if callable(given) else f"is {shown(given)}"
-        return Fault(path, f"{what}; expected {expected}.", mend.format())
+        return Fault(path, f"{what}; expected {expected}.", mend.format(entry=_example(kind, path)))
     if kind == "union_tag_not_found":
         return Fault(path, "has no kind.", f"Add kind: one of {', '.join(_kinds(record, item['loc']))}.")
     message, mend = _worded(kind, given, item.get("ctx", {})) or _split(item["msg"])
     return Fault(path, message, mend)
+
+
+def _example(kind: str, path: Path) -> str:
+    """An entry of the field at a place, or of the table that the place is in (``moves.motor``)."""
+    names = path[-1:] if kind == "dict_type" else path[-1:-3:-1]
+    return next((_EXAMPLES[name] for name in names if name in _EXAMPLES), _ENTRIES.get(kind, ""))
 
 
 def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:

@@ -15,11 +15,12 @@ from kinetruss.results.records import happened
 from kinetruss.results.store import Store, is_locked, key, open_store
 from kinetruss.runs.blocks.conditioned import conditioned
 from kinetruss.runs.blocks.derived import derived
+from kinetruss.strength.verdict import headline
 
 __all__ = ["RunResult", "load", "model_of"]
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RunResult:
     """The results of one run.
 
@@ -53,6 +54,21 @@ class RunResult:
     provenance: Mapping[str, Any] = field(default_factory=dict)
     wall_time: float = 0.0
     settings: Mapping[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        """The name, how it ended, the verdict, and what it holds."""
+        lines = [f"<Run {self.name!r} of {self.model.title or 'a model'!r}: {self.status.value} {self.message}".rstrip()]
+        if self.verdict is not None or self.demand:
+            found = headline(self.verdict, self.demand)
+            lines.append(f"  {found.text}; {found.governing.text}" if found.governing else f"  {found.text}")
+        cases = f", load cases: {', '.join(map(str, self.forces))}" if self.forces else ""
+        held = [
+            name
+            for name in ("motion", "forces", "sections", "verdict", "demand", "statics", "simulation")
+            if getattr(self, name)
+        ]
+        lines.append(f"  {self.good} of {self.samples} samples{cases}; it has {', '.join(held)}>")
+        return "\n".join(lines)
 
     @property
     def origin(self) -> Model:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError
+from kinetruss.io import read
 from kinetruss.limits import hold
 from kinetruss.model import Model
 from kinetruss.model.motion import MISSION
@@ -31,7 +32,7 @@ Progress = Callable[[int, int], None]
 
 
 def run(
-    model: Model,
+    model: Model | str | Path,
     name: str | None = None,
     out: str | Path | None = None,
     *,
@@ -47,7 +48,7 @@ def run(
 
     Parameters
     ----------
-    name : a run of the model; may be omitted if there is only one.
+    model : a model, or a model file. name : a run of the model; may be omitted if there is only one.
     out : folder to write to, block by block; None keeps everything in memory.
     overwrite : replace the kinetruss run in `out`; any other folder that is not empty is still refused.
     progress : called with (samples done, samples requested) after each block.
@@ -77,6 +78,7 @@ def run(
     ('crank', 'yield', 0.036)
     """
     started = time.perf_counter()
+    model = model if isinstance(model, Model) else read(model)
     if (chosen := chosen_run(model, name)) and model.runs[chosen].analysis == MISSION:
         return run_mission(model, chosen, out, overwrite=overwrite, progress=progress, settings=settings)
     job = plan(model, name, block)

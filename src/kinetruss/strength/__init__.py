@@ -1,5 +1,6 @@
 """Strength of members: section forces, stress, buckling, utilisation."""
 
+from kinetruss.late import listed
 from kinetruss.strength.members.beams import beams
 from kinetruss.strength.members.components import components
 from kinetruss.strength.members.elements import elements
@@ -48,3 +49,5 @@ __all__ = [
     "transition",
     "utilisation",
 ]
+
+__dir__ = listed(__name__)

@@ -172,6 +172,12 @@ export class Draw {
     return this.camera.snapped(point, this.state.places.filter((_, k) => !except.has(this.state.nodes[k])));
   }
 
+  /** The node at a point, to less than a pixel. */
+  nodeAt(point) {
+    const { places, nodes } = this.state;
+    return nodes[places.findIndex((place) => point.every((value, k) => Math.abs(value - (place[k] || 0)) * this.camera.scale < 0.5))];
+  }
+
   /** Whether a node lies in the work plane. */
   inPlane(name) {
     const { axis, at } = this.camera.plane;

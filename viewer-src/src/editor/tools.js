@@ -39,7 +39,8 @@ export class Tools {
       draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
       return null;
     }
-    return { point: draw.snapped(point) };
+    const there = draw.snapped(point), own = draw.nodeAt(there); // the grid may lead to a node that was not hit
+    return own === undefined ? { point: there } : { node: own, point: draw.at(own) };
   }
 
   down(event) {

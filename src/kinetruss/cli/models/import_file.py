@@ -20,7 +20,7 @@ Examples:
   kinetruss import robot.urdf --closures robot.yaml -o robot_model.yaml
   kinetruss import arm.xml --at elbow="20 deg" -o arm.yaml
   kinetruss import tower.dxf --unit mm --active JACKS --fixed SUPPORTS -o tower.yaml
-  kinetruss import nodes.csv --members members.csv --fixed A --fixed B -o truss.yaml
+  kinetruss import nodes.csv --members members.csv --fixed A --fixed B:y -o truss.yaml
 """
 
 
@@ -73,6 +73,9 @@ def import_file(file: Path, out: Path, overwrite: bool, as_json: bool, max_size:
 
     URDF (.urdf), MJCF (.xml), DXF lines (.dxf), tables of nodes and members (.csv), COMPAS (.json), meshes (.vtu, .msh, ...).
     Prints what the model has, its loops and freedoms, and everything of the file that it does not have.
+
+    Tables have a header: node, x [mm], y [mm], and if wanted z [mm], mass [kg]; member, from, to, and if wanted kind (rigid,
+    driven, elastic, cable, free), section, material, mass [kg]. Cells are separated by commas, semicolons or tabs.
     """
     if out.exists() and not overwrite:
         raise InputError(f"{out} is there already. Name another file, or give --overwrite.")

@@ -112,11 +112,8 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
     click.echo(one_line(model.title or str(path), 200))
-    click.echo(f"{counts['nodes']} nodes, {counts['active_members']} active members, {model.dim}-D")
-    click.echo(
-        f"{counts['bars']} bars, {found.coordinates} coordinates, {found.fixed} fixed, rank {found.rank}, "
-        f"{found.degrees_of_freedom} degrees of freedom before drives, {found.undriven} after"
-    )
+    active = f", {len(model.active)} active members" if model.active else ""
+    click.echo(f"{'planar' if model.dim == 2 else 'spatial'}: {len(model.nodes)} nodes, {len(model.bars)} bars{active}")
     click.echo(str(found))
     for one in beam_records(model):
         click.echo(beam_text(one))

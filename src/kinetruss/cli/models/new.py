@@ -16,27 +16,37 @@ __all__ = ["new"]
 EPILOG = """\b
 Examples:
   kinetruss new leg --like four_bar
+  kinetruss new press --like slider_crank
   kinetruss check leg.yaml && kinetruss run leg.yaml -o runs/leg
-`kinetruss examples` lists what a model can be like.
+`kinetruss examples` lists the examples; the mechanisms are those of the library: four_bar, slider_crank, watt_six_bar, ...
 """
+
+
+MECHANISMS = "mechanisms."
+"""Start of the names of mechanisms of the library."""
+
+SCHEMA = "# yaml-language-server: $schema="
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
 @click.argument("name")
-@click.option("--like", default="four_bar", show_default=True, metavar="EXAMPLE", help="The example to start from.")
+@click.option(
+    "--like",
+    default="four_bar",
+    show_default=True,
+    metavar="EXAMPLE",
+    help="An example, or a mechanism of the library.",
+)
 @json_option
 def new(name: str, like: str, as_json: bool) -> None:
-    """Make a model file NAME.yaml to work on: an example, with a comment above every table."""
-    from kinetruss.library import example_files, example_text
+    """Make a model file NAME.yaml to work on: an example or a mechanism, with a comment above every table."""
+    from kinetruss.library import example_text
 
-    shelf = example_files()
-    if like not in shelf:
-        raise InputError(f"No example called {like!r}. There are: {', '.join(shelf)}.")
+    source, others = _source(like)
     file = Path(name) if Path(name).suffix == ".yaml" else Path(f"{name}.yaml")
     if file.exists():
         raise InputError(f"{file} exists already. Give another name; no file is replaced.")
-    model, *others = shelf[like]
-    text = "\n".join(_commented(file, example_text(model))) + "\n"
+    text = "\n".join(_commented(file, source)) + "\n"
     tables = {file.parent / other.name: example_text(other) for other in others if other.suffix == ".csv"}
     from kinetruss.cli.models.examples import write_new
 
@@ -49,6 +59,38 @@ def new(name: str, like: str, as_json: bool) -> None:
     click.echo(f"  kinetruss check {file}")
     click.echo(f"  kinetruss run {file} -o runs/{file.stem}" if run else f"  kinetruss view {file}")
     click.echo(f"  kinetruss studio {file}")
+
+
+def _source(like: str) -> tuple[str, list[Path]]:
+    """Text of an example or of a mechanism of the library, and the other files of an example."""
+    from kinetruss.library import builders, example_files, example_text
+    from kinetruss.model import nearest
+
+    shelf = example_files()
+    if like in shelf:
+        model, *others = shelf[like]
+        return example_text(model), list(others)
+    mechanisms = [name.removeprefix(MECHANISMS) for name in builders() if name.startswith(MECHANISMS)]
+    if like.removeprefix(MECHANISMS) in mechanisms:
+        return _built(like.removeprefix(MECHANISMS)), []
+    known = list(dict.fromkeys([*shelf, *mechanisms]))
+    fix = nearest(like, known)
+    offer = fix if fix.startswith("Did") else f"There are: {', '.join(known)}."
+    raise InputError(f"No example or mechanism called {like!r}. {offer}")
+
+
+def _built(name: str) -> str:
+    """A mechanism of the library as a model file; its crank, if it has one drive of an angle, makes a turn."""
+    from kinetruss.io import schema_file
+    from kinetruss.io.models import text_of
+    from kinetruss.library import build
+
+    model = build(f"{MECHANISMS}{name}")
+    text = text_of(model)
+    if not model.runs and [one.kind for one in model.all_drives.values()] == ["angle"]:
+        rates = f"{{{next(iter(model.drives))}: 1 rev/s}}"
+        text += f"runs:\n  turn: {{trajectory: {{kind: constant_rate, rates: {rates}, duration: 1 s}}, samples: 361}}\n"
+    return f"{SCHEMA}{schema_file().as_uri()}\n{text}"
 
 
 def _commented(file: Path, text: str) -> Iterator[str]:

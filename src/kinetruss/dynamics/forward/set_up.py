@@ -46,6 +46,7 @@ from kinetruss.model import (
     task_faults,
     trajectory_faults,
 )
+from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -212,8 +213,10 @@ def seconds(t_end: Any) -> float:
 
     Raises
     ------
-    InputError : not a number, or not after the start at 0.
+    InputError : not a number or a text such as ``"2 s"``, or not after the start at 0.
     """
+    if isinstance(t_end, str):
+        t_end = parse(t_end, "time")
     if isinstance(t_end, bool) or not isinstance(t_end, (int, float, np.integer, np.floating)):
         raise InputError(f"t_end is {t_end!r}. Give a number (s).")
     if not (np.isfinite(t_end) and t_end > 0):

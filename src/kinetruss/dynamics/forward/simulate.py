@@ -23,7 +23,7 @@ __all__ = ["simulate", "wanted_times"]
 
 def simulate(
     model: Model,
-    t_end: float | None = None,
+    t_end: float | str | None = None,
     *,
     samples: int = 201,
     times: ArrayLike | None = None,
@@ -42,8 +42,8 @@ def simulate(
 
     Parameters
     ----------
-    t_end : s; the start is at 0. samples : equally spaced instants from 0 to t_end; `times` : the instants instead, s,
-        increasing. They choose the reported samples, not the steps of the method.
+    t_end : s, or text with a unit; the start is at 0. samples : equally spaced instants from 0 to t_end; `times` : the
+        instants instead, s, increasing. They choose the reported samples, not the steps of the method.
     method : `Taylor`, `DOP853` or, for stiff runs, `Radau` (steps chosen by the error), `EnergyMomentum`, `GeneralizedAlpha`,
         `Rattle`; None: `Taylor` if the motion has a power series, else `DOP853`.
     tasks : drive -> what it does: `Free`, `Hold`, `GivenForce`, an input of its motor, or a trajectory of that drive alone. A
@@ -86,7 +86,7 @@ def simulate(
     [5.0, 3.75, 0.0]
     """
     t = wanted_times(t_end, samples, times, model)
-    last = float(t[-1]) if t_end is None else float(t_end)
+    last = float(t[-1]) if t_end is None else seconds(t_end)
     asked = Asked(
         method=method,
         tasks=tasks,
@@ -107,7 +107,9 @@ def simulate(
     return found
 
 
-def wanted_times(t_end: float | None, samples: int, times: ArrayLike | None, model: Model | None = None) -> NDArray[np.float64]:
+def wanted_times(
+    t_end: float | str | None, samples: int, times: ArrayLike | None, model: Model | None = None
+) -> NDArray[np.float64]:
     """The instants of the samples, s.
 
     Raises

@@ -19,6 +19,7 @@ from kinetruss.kinematics.targets.courses import parameters_of
 from kinetruss.kinematics.targets.objectives import KNOTTED, reference_along
 from kinetruss.kinematics.targets.solve import MET, Problem, State, followed, problem
 from kinetruss.mechanics import System
+from kinetruss.mechanics.configuration import shortest
 from kinetruss.model import Combined, Coordinates, Gimbal, Way
 from kinetruss.results import Status
 
@@ -29,6 +30,10 @@ __all__ = ["asked_for", "cannot", "choice_of", "divided", "first_state", "neares
 
 RANK = 1e-7
 """Singular value of the derivatives of tasks, as a share of the largest, below which their drives cannot do one of them."""
+
+
+ALMOST = 1e-5
+"""Distance of the nearest pose, as a share of the shortest bar, below which it is the end that is singular."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -162,6 +167,11 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     at = [name for name, there in zip(given.system.drives, ends, strict=True) if there]
     edge = f" At the ends of their strokes: {', '.join(at)}." if at else ""
     starts = f"best of {state.starts} starts, {state.same} of them came as near" if state.starts > 1 else "from one start"
+    if state.far < ALMOST * shortest(given.system) and not at:
+        return (
+            f"The nearest pose found ({starts}) is only {state.far:.2g} m away: the end itself is a singular position, or the "
+            "edge of the reach. Ask for a little less."
+        )
     return (
         f"The nearest pose found ({starts}) has {', '.join(said[:8])}, {state.far:.3g} m away.{edge} "
         "Ask for less, or give longer strokes."

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from kinetruss.late import listed
 from kinetruss.library._arguments import own_arguments
 from kinetruss.library.bodies.mass_properties import (
     BarMasses,
@@ -53,6 +54,8 @@ __all__ = [
     "tube_properties",
     "uniform",
 ]
+
+__dir__ = listed(__name__)
 
 
 @own_arguments

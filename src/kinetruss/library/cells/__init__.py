@@ -1,5 +1,6 @@
 """Trusses from cells: ready cells and one's own, stacked, mirrored, branched, closed into rings."""
 
+from kinetruss.late import listed
 from kinetruss.library.cells.assemblies import assemble, branch, ring, stack
 from kinetruss.library.cells.chains import cell, chain, stacked
 from kinetruss.library.cells.fittings import Actuator
@@ -32,3 +33,5 @@ __all__ = [
     "tetrahedron",
     "triangle",
 ]
+
+__dir__ = listed(__name__)

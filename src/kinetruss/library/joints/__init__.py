@@ -1,5 +1,6 @@
 """Joints between bodies in one call: nodes that the bodies share, and bars if shared nodes are not enough."""
 
+from kinetruss.late import listed
 from kinetruss.library.joints.chains import cylindrical, planar, prismatic
 from kinetruss.library.joints.drives import drive, screw
 from kinetruss.library.joints.joining import JointWarning, conditioning
@@ -21,3 +22,5 @@ __all__ = [
     "universal",
     "weld",
 ]
+
+__dir__ = listed(__name__)

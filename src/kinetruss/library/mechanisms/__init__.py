@@ -1,5 +1,6 @@
 """Mechanisms: pendulums, linkages in the plane and in space, straight lines, robots; small structures with springs."""
 
+from kinetruss.late import listed
 from kinetruss.library.mechanisms.andrews import ANDREWS_TORQUE, andrews
 from kinetruss.library.mechanisms.delta import delta
 from kinetruss.library.mechanisms.linkages import four_bar, n_four_bar, slider_crank, spatial_slider_crank
@@ -39,3 +40,5 @@ __all__ = [
     "watt_line",
     "watt_six_bar",
 ]
+
+__dir__ = listed(__name__)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import chain
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.structure.bodies import pair_arrays
 from kinetruss.mechanics.structure.continua import Continua, compiled_continua
@@ -169,8 +171,22 @@ class System:
 
 
 def compile(model: Model) -> System:
-    """Compile a model to arrays; the same model gives the same System."""
+    """Compile a model to arrays; the same model gives the same System.
+
+    Raises
+    ------
+    InputError : something else than a model.
+    """
+    if not isinstance(model, Model):
+        raise InputError(f"A model is expected first, not {_called(model)}. {_GIVE_A_MODEL}")
     return _compiled(ByIdentity(model))
+
+
+_GIVE_A_MODEL = 'Give a kt.Model, or kt.read("model.yaml").'
+
+
+def _called(other: object) -> str:
+    return shown(other) if isinstance(other, (str, Path)) else f"a {type(other).__name__}"
 
 
 class ByIdentity:

@@ -18,6 +18,7 @@ from kinetruss.report.pictures.pictured import Pictured, arrows, pictured
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import WIDTHS
 from kinetruss.report.pictures.view import MEMBERS, VIEWS, eye, names_of, projected
+from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -44,7 +45,7 @@ def picture(
     file: str | Path,
     *,
     model: Model | None = None,
-    at: Sequence[float] | float = (),
+    at: Sequence[float | str] | float | str = (),
     colour: str | None = None,
     case: str | None = None,
     width: str | float = "column",
@@ -61,7 +62,7 @@ def picture(
     ----------
     file : ``.png`` (300 dots per inch), ``.svg`` or ``.pdf``; in the last two text stays text.
     model : for a motion, forces, a simulation or an equilibrium; models and runs have their own.
-    at : instants of a run, s; by default the start. The nearest computed samples are shown.
+    at : instants of a run, s or text with a unit; by default the start. The nearest computed samples are shown.
     colour : ``force``, ``stress`` or ``utilisation``; by default members are coloured by kind. The scale covers the whole
     run. case : load case, by default the first.
     width : mm, or ``column`` (90 mm), ``page`` (190 mm). view : ``iso``, ``front``, ``side``, ``top``; parallel projection.
@@ -87,7 +88,7 @@ def picture(
         raise InputError(f"No view called {view!r}. {nearest(view, VIEWS)}")
     shown = pictured(what, model)
     model, time, position = shown.model, shown.time, shown.position
-    instants = [float(one) for one in ([at] if isinstance(at, (int, float)) else at)]
+    instants = [parse(one, "time") for one in ([at] if isinstance(at, (int, float, str)) else at)]
     colouring, values = _coloured(shown, colour, case)
     frames = _frames(time, instants, timed=bool(shown.forces) or len(time) > 1)
     # nodes and bars of the frames of beams are left out

@@ -26,7 +26,7 @@ LIMITS = {"motor_torque": "max_torque", "current": "max_current", "voltage": "ma
 
 
 def plot(
-    runs: Sequence[RunResult],
+    runs: RunResult | Sequence[RunResult],
     quantity: str | Sequence[str],
     file: str | Path,
     *,
@@ -39,6 +39,7 @@ def plot(
 
     Parameters
     ----------
+    runs : one or several.
     quantity : a result by name, e.g. ``von_mises``, ``member_force``, ``drive_position``, ``current``; several give panels
     above each other, as do ``motion``, ``components`` and ``drive``.
     file : ``.png``, ``.svg`` or ``.pdf``.
@@ -66,7 +67,7 @@ def plot(
     path = Path(file)
     if path.suffix[1:] not in SUFFIXES:
         raise InputError(f"{path}: pictures end in {', '.join('.' + suffix for suffix in SUFFIXES)}.")
-    figure = specification(runs, quantity, members, case, station)
+    figure = specification(runs if isinstance(runs, Sequence) else [runs], quantity, members, case, station)
     if width is not None:
         figure = replace(figure, width=width_of(width))
     write(draw(figure), path, dots=SCREEN if width is None else 300)

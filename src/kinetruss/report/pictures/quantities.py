@@ -206,12 +206,12 @@ def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArra
             still = rest()
             return data[quantity], None if still is None else still[quantity]
     known = [name for name in (*QUANTITIES, *FED, *ALIASES, *BUNDLES) if _is_there(run, name)]
-    why = (
-        " (its poses are at rest)"
-        if quantity in POWERS and any(one.attrs.get("at_rest") for one in run.forces.values())
-        else ""
-    )
-    raise InputError(f"The run has no quantity called {quantity!r}{why}. {nearest(quantity, known)}")
+    why, fix = "", nearest(quantity, known)
+    if quantity in POWERS and any(one.attrs.get("at_rest") for one in run.forces.values()):
+        why = " (its poses are at rest)"
+    elif quantity in (*DEMAND, *FED):  # of a motor that the model does not have
+        fix = "It needs an active member or a drive with a motor; drive_force is the force or torque of every drive."
+    raise InputError(f"The run has no quantity called {quantity!r}{why}. {fix}")
 
 
 Source = tuple[Callable[[], Any], Callable[[], Any]]

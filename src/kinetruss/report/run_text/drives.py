@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Table, instant, quantity
+from kinetruss.display import instant, quantity
 from kinetruss.model import turns
+from kinetruss.report.run_text.columns import telling
 
 if TYPE_CHECKING:
     from kinetruss.results import Forces
@@ -58,13 +59,16 @@ def pose_at(forces: Forces, at: int) -> str:
     return str(forces.data["pose"].values[at]) if "pose" in forces.data.coords else ""
 
 
-def drives_text(found: Sequence[Mapping[str, Any]]) -> list[str]:
-    """The table as text, for drives with a force."""
+def drives_text(found: Sequence[Mapping[str, Any]], *, timed: bool = True) -> list[str]:
+    """The table as text, for drives with a force; of one pose at rest (`timed` False) without times, rates and powers."""
     rows = [drive_cells(one) for one in found if one["load"]]
     if not rows:
         return []
     more = f"\nand {len(rows) - MOST} more" if len(rows) > MOST else ""
-    return [f"Drives (largest values of the motion)\n{Table(HEAD, rows[:MOST]).text}{more}"]
+    if timed:
+        return [f"Drives (largest values of the motion)\n{telling(HEAD, rows[:MOST])}{more}"]
+    still = [(name, load, case) for name, load, _, _, _, case in rows[:MOST]]
+    return [f"Drives, held\n{telling((*HEAD[:2], HEAD[-1]), still)}{more}"]
 
 
 def drive_cells(one: Mapping[str, Any]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from kinetruss.display import Table, instant, margin, number, quantity
 from kinetruss.errors import one_line
 from kinetruss.report._page import Page
 from kinetruss.report.missions import mission_record, mission_text
+from kinetruss.report.run_text.columns import IDLE, telling
 from kinetruss.report.run_text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.run_text.simulation import simulation_lines, simulation_record
 from kinetruss.report.run_text.springs import spring_loads, springs_text
@@ -43,8 +44,8 @@ def summary(run: RunResult) -> Page:
     >>> import kinetruss as kt
     >>> model = kt.read(kt.library.example_files()["four_bar"][0])
     >>> page = kt.report.summary(kt.run(model))
-    >>> page.text.splitlines()[:2]
-    ['Four-bar linkage', 'run turn: Completed.']
+    >>> page.text.splitlines()[:3]
+    ['Four-bar linkage', 'run turn: Completed.', 'verdict: OK; crank, yield: 3.6 % at 0.6083 s']
     """
     if isinstance(run, MissionRun):
         return Page(found=run, as_record=mission_record, as_text=mission_text)
@@ -69,7 +70,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "bars": len(run.model.bars),
         "beams": len(run.model.beams),
         "active_members": len(run.model.active),
-        "verdict": headline(run.verdict, run.demand).record,
+        "verdict": headline(run.verdict, run.demand, timed=_timed(run)).record,
         "largest_forces": largest_forces(run),
         "worst": [_row(row) for row in worst_rows(run)],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
@@ -96,13 +97,13 @@ def _text(run: RunResult) -> str:
     if told := list(statics_lines(run)):
         parts.append(Table(("", ""), told, statics_title(run)).text)
     if forces := largest_forces(run):
-        parts.append(f"Largest member forces (tension positive)\n{Table(FORCE_HEAD, map(_force_cells, forces)).text}")
+        parts.append(f"Largest member forces (tension positive)\n{_columns(run, FORCE_HEAD, [*map(_force_cells, forces)])}")
     if rows := worst_rows(run):
-        parts.append(f"Worst members (utilisation: 100 % is the limit)\n{Table(WORST_HEAD, map(_cells, rows)).text}")
+        parts.append(f"Worst members (utilisation: 100 % is the limit)\n{_columns(run, WORST_HEAD, [*map(_cells, rows)])}")
     if run.verdict is not None and (missing := run.verdict.not_checked()):
         parts.append("Not checked\n" + "\n".join(f"{what} ({_counted(names)})" for what, names in missing.items()))
     found = motors(run)
-    parts += drives_text(drive_loads(run, found))
+    parts += drives_text(drive_loads(run, found), timed=_timed(run))
     parts += springs_text(spring_loads(run))
     if found:
         parts.append(_motors_text(found))
@@ -118,7 +119,7 @@ def _motors_text(found: list[dict[str, Any]]) -> str:
     if len(found) > MOST:
         shown = sorted(found, key=_near, reverse=True)[:MOST]
         more = f"\nand {len(found) - MOST} more, farther from their limits"
-    return f"Motors (largest values of the motion)\n{Table(MOTOR_HEAD, map(_motor_cells, shown)).text}{more}"
+    return f"Motors (largest values of the motion)\n{telling(MOTOR_HEAD, [*map(_motor_cells, shown)])}{more}"
 
 
 def _near(motor: Mapping[str, Any]) -> tuple[float, float]:
@@ -137,13 +138,16 @@ def _head(run: RunResult) -> str:
     poses = [str(name) for name in run.motion.data["pose"].values] if "pose" in run.motion.data else []
     span = f", t = {number(time[0])} to {instant(time[-1])}" if len(time) > 1 else ""
     span = f", poses {_counted(poses)}" if poses else span
-    count = f"{run.good} of {run.samples} samples are good" if not run.whole else f"{run.samples} samples"
+    count = "1 sample" if run.samples == 1 else f"{run.samples} samples"
+    count = count if run.whole else f"{run.good} of {run.samples} samples are good"
     state = {
         "finished": run.status.value,
         "running": "Still running: this is only a part of the run.",
         "incomplete": f"Incomplete: it was interrupted. Continue with: kinetruss run --resume {run.path}",
     }[run.state]
     lines = [one_line(run.model.title, 200) or "(no title)", f"run {run.name}: {state}"]
+    if run.verdict is not None or run.demand:
+        lines.append(_verdict(run))
     if run.message:
         lines.append(run.message)
     active = f", {len(run.model.active)} active members" if run.model.active else ""
@@ -151,14 +155,23 @@ def _head(run: RunResult) -> str:
     lines.append(
         f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {quantity(run.wall_time, 's', 3)}"
     )
-    if run.verdict is not None or run.demand:
-        lines.append(_verdict(run))
     return "\n".join(lines)
+
+
+def _timed(run: RunResult) -> bool:
+    """False for one pose at rest, whose time, rates and powers say nothing."""
+    return run.good > 1 or not run.statics
+
+
+def _columns(run: RunResult, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    """A table of the run; of one pose at rest without its time."""
+    at = rows[0][head.index("time")]
+    return telling(head, rows, IDLE if _timed(run) else IDLE | {"time": at})
 
 
 def _verdict(run: RunResult) -> str:
     """The verdict in one line: state, what governs, what is not included."""
-    found = headline(run.verdict, run.demand).record
+    found = headline(run.verdict, run.demand, timed=_timed(run)).record
     governing = found["governing"]
     words = (
         [governing["text"] if found["state"] != "open" else f"highest of what was checked: {governing['text']}"]

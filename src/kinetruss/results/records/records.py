@@ -170,6 +170,9 @@ class Sections(Result):
 class Verdict(Result):
     """Utilisation of every member part by every rule."""
 
+    def __repr__(self) -> str:
+        return _with_highest(super().__repr__(), self.table())
+
     def table(self) -> list[Row]:
         """Rows, highest utilisation first; entries that could not be checked are last, with the reason."""
         return rows_of(self.arrays, "part", "rule")
@@ -186,6 +189,18 @@ class Verdict(Result):
 class Demand(Result):
     """Forces, torques, speeds and powers that screws, gears and motors must provide."""
 
+    def __repr__(self) -> str:
+        if "active" in self.arrays and not len(self.arrays["active"].values):
+            return f"Demand: {self.status.value} Empty: no active member or drive has a screw, a gear or a motor."
+        return _with_highest(super().__repr__(), self.table())
+
     def table(self) -> list[Row]:
         """Rows of peak demand against limit, highest utilisation first."""
         return rows_of(self.arrays, "active", "quantity")
+
+
+def _with_highest(text: str, rows: list[Row]) -> str:
+    """The text of a result with its highest utilisation in the second line."""
+    head, *arrays = text.split("\n")
+    lines = [f"  highest: {rows[0].text}"] if rows and rows[0].checked else []
+    return "\n".join([head, *lines, *arrays])

@@ -56,6 +56,17 @@ class Row:
         """False for an entry that lacks data for its rule; `note` says which."""
         return not math.isnan(self.utilisation)
 
+    @property
+    def text(self) -> str:
+        """``crank, yield: 3.6 % (8.451 MPa of 235 MPa)``; of an entry not checked its note."""
+        if not self.checked:
+            return f"{self.part}, {self.rule}: {self.note}"
+        told = f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}"
+        return f"{told} ({quantity(self.value, self.unit)} of {quantity(self.limit, self.unit)})" if self.unit else told
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.text}>"
+
 
 def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -84,6 +84,7 @@ def check(
     ('strut', 'buckling', 0.061)
     """
     options = Options(stations=stations, moment_factor=moment_factor, active_section=active_section)
+    compile(model)  # refuses anything but a model
     cases = _cases(forces)
     parts = parts_of(model)
     names, members, rod, whole = subjects(parts)
@@ -142,11 +143,14 @@ def table(verdict: Verdict, rows: int | None = None) -> str:
     return row_text(verdict.table()[:rows], columns)
 
 
-def _cases(forces: Forces | Mapping[str, Forces] | Sequence[Forces]) -> list[tuple[str, Forces]]:
+def _cases(forces: Forces | Mapping[str, Forces] | Iterable[Forces]) -> list[tuple[str, Forces]]:
+    """Names and forces; anything else is refused."""
     if isinstance(forces, Forces):
         return [(forces.load_case, forces)]
-    named = forces.items() if isinstance(forces, Mapping) else ((one.load_case, one) for one in forces)
-    found = list(named)
+    several: Any = forces if isinstance(forces, Iterable) else [forces]
+    found = list(several.items() if isinstance(several, Mapping) else ((getattr(one, "load_case", ""), one) for one in several))
+    if not all(isinstance(one, Forces) for _, one in found):
+        raise InputError(f"A {type(forces).__name__} is not forces. Give the result of dynamics.inverse, or several of them.")
     if not found:
         raise InputError("There are no forces to check. Give the result of dynamics.inverse, or several of them.")
     return found

@@ -39,8 +39,9 @@ class Governing:
 
     @property
     def text(self) -> str:
-        """``M7, voltage: 93.1 % at 6.55 s``."""
-        when = f", pose {self.pose}" if self.pose else f" at {instant(self.time)}" if math.isfinite(self.time) else ""
+        """``M7, voltage: 93.1 % at 6.55 s``; at rest the load case in place of the time."""
+        case = f", {self.load_case}" if self.load_case not in ("", "all") else ""
+        when = f", pose {self.pose}" if self.pose else f" at {instant(self.time)}" if math.isfinite(self.time) else case
         return f"{self.name}, {self.rule}: {quantity(self.used, '%')}{when}"
 
 

@@ -68,6 +68,8 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
     try:
         model = _model(data, last)
     except ModelError as error:
+        if not data.get("nodes") and all(fault.path == ("nodes",) for fault in error.faults):
+            return Judged(why="There is no node yet. Click into the drawing.")  # the start of every drawing, not a fault
         return Judged(faults=error.faults, why="The model has faults: see the list.")
     except KinetrussError as error:
         return Judged(faults=[Fault((), str(error), "")], why="The model has faults: see the list.")
