@@ -46,7 +46,7 @@ def test_scenes_name_what_is_left_out():
     one = model()
     header = viewer.scene(one).header
     kinds = dict(zip(header["members"], header["kinds"], strict=True))
-    assert (kinds["lower.chord"], kinds["upper.chord"], kinds["tie"]) == ("beam", "rigid", "rigid")
+    assert (kinds["lower"], kinds["upper"], kinds["tie"]) == ("beam", "rigid", "rigid")
     assert {name for name, kind in kinds.items() if kind == "frame"} == {
         name for name, bar in one.bars.items() if any(".d" in end for end in bar.ends)
     }

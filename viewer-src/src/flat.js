@@ -106,13 +106,13 @@ export class FlatView extends Picture {
     pen.fillRect(0, 0, width, height);
     pen.lineCap = "round";
     const places = this.now.map((point) => this.project(point));
-    if (this.ghost.visible) this.bars(pen, scene.nodes.map((_, node) => this.project(scene.position(0, node))), () => colours.grid, 1);
+    if (this.ghost.visible) this.bars(pen, scene.nodes.map((_, node) => scene.position(0, node)), () => colours.grid, 1);
     for (const node of this.paths || []) line(pen, Array.from({ length: scene.frames }, (_, frame) => this.project(scene.position(frame, node))), colours.ink, 1);
     this.skins(pen, places);
-    this.bars(pen, places, () => colours.outline, 6);
-    this.bars(pen, places, (member) => `rgb(${this.shade(member).join(" ")})`, 4);
-    this.bars(pen, places, (member) => (this.hatched(member) ? colours.back : null), 4, [3, 6]);
-    this.bars(pen, places, (member) => (this.picked?.type === "member" && this.picked.index === member ? "#ffb000" : null), 3);
+    this.bars(pen, this.now, () => colours.outline, 6);
+    this.bars(pen, this.now, (member) => `rgb(${this.shade(member).join(" ")})`, 4);
+    this.bars(pen, this.now, (member) => (this.hatched(member) ? colours.back : null), 4, [3, 6]);
+    this.bars(pen, this.now, (member) => (this.picked?.type === "member" && this.picked.index === member ? "#ffb000" : null), 3);
     this.marks(pen, places);
     this.drawn = (this.drawn || 0) + 1;
     this.onDrawn?.(this);
@@ -129,11 +129,11 @@ export class FlatView extends Picture {
     pen.globalAlpha = 1;
   }
 
-  bars(pen, places, colour, width, dashes = []) {
+  bars(pen, points, colour, width, dashes = []) {
     const { scene } = this;
     scene.members.forEach((_, member) => {
       const stroke = scene.shows(member) && colour(member);
-      if (stroke) line(pen, [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]], stroke, width, dashes);
+      if (stroke) line(pen, scene.curves.points(points, member).map((point) => this.project(point)), stroke, width, dashes);
     });
   }
 

@@ -4,6 +4,7 @@ import {
   BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Quaternion, Vector3,
 } from "three";
+import { piecesOf } from "./beams.js";
 import { KINDS, LOAD } from "./display.js";
 import { niceStep } from "./format.js";
 import { edgesOf } from "./skins.js";
@@ -57,6 +58,14 @@ export class Loads {
       for (let i = 0; i < data.length; i += scene.dim) largest = Math.max(largest, Math.hypot(...data.slice(i, i + scene.dim)));
     }
     this.factor = largest ? (0.16 * scene.extent.size) / largest : 0;
+  }
+
+  /** Ends of the arrows at a frame. */
+  tips(frame) {
+    return this.shown.map((load) => {
+      const force = this.scene.vector("load_force", frame, load.k), size = (load.pressure ? PRESSURE : 1) * this.factor;
+      return this.scene.position(frame, load.node).map((x, i) => x + size * force[i]);
+    });
   }
 
   place(points, frame) {
@@ -163,7 +172,9 @@ export function ground(scene) {
 
 /** The start pose as thin lines. */
 export function ghost(scene) {
-  const points = [...scene.ends, ...edgesOf(scene.skin)].flatMap((node) => scene.position(0, node));
+  const start = scene.nodes.map((_, node) => scene.position(0, node));
+  const bars = scene.members.flatMap((_, member) => (scene.shows(member) ? piecesOf(scene.curves.points(start, member)).flat() : []));
+  const points = [...bars, ...edgesOf(scene.skin).map((node) => start[node])].flat();
   const lines = new LineSegments(linesOf(points), new LineBasicMaterial({ color: "#8a949e", transparent: true, opacity: 0.8 }));
   lines.frustumCulled = false;
   return lines;

@@ -1,5 +1,7 @@
 // Reads a scene: the bytes of kinetruss.viewer.pack. The form is described in docs/viewer.md.
 
+import { BeamCurves } from "./beams.js";
+
 const MAGIC = "KTSCENE1";
 const FORMAT = "kinetruss.scene";
 const VERSION = 1;
@@ -98,6 +100,7 @@ export class Scene {
     this.directors = new Set(header.directors || []);
     this.partsOf = this.members.map(() => []);
     arrays.part_member.data.forEach((member, part) => this.partsOf[member].push(part));
+    this.curves = new BeamCurves(this);
     this.skin = arrays.skin ? arrays.skin.data : new Int32Array(0);
     this.faces = this.skin.length / 3;
     this.extent = extentOf(arrays.position.data, this.dim);

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
-from kinetruss.model.beams import FRAME, shown_kinds
+from kinetruss.model.beams import FRAME, shown_kinds, shown_names
 from kinetruss.report.pictures.pictured import arrows
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
@@ -106,7 +106,7 @@ def _shape(run: RunResult) -> Shape:
             Pose(caption=f"t = {instant(time[k])}", position=position[k][seen], loads=tuple(pairs))
             for k, pairs in zip(chosen, loads, strict=True)
         ),
-        members=tuple(members),
+        members=tuple(map(shown_names(model).__getitem__, members)),
     )
 
 

@@ -12,7 +12,7 @@ from kinetruss.display import instant, limits_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics.structure import body_faces, skin_of
 from kinetruss.model import Bar, HingeDrive, Model, nearest
-from kinetruss.model.beams import FRAME, shown_kinds
+from kinetruss.model.beams import FRAME, shown_kinds, shown_names
 from kinetruss.report.pictures.draw import SUFFIXES
 from kinetruss.report.pictures.pictured import Pictured, arrows, pictured
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
@@ -110,7 +110,7 @@ def picture(
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
-        members=names_of(len(kinds), MEMBERS, names, kinds),
+        members=names_of(len(kinds), MEMBERS, names, map(shown_names(model).__getitem__, kinds)),
     )
     from kinetruss.report.pictures.draw import write
     from kinetruss.report.pictures.drawing import drawn

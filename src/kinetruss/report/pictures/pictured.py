@@ -57,7 +57,9 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
     if model is None:
         raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
     if rest:
-        position, force = (what.data[name].values for name in ("position", "member_force"))
+        from kinetruss.strength.verdict import middle_forces
+
+        position, force = what.data["position"].values, middle_forces(model, what)
         return Pictured(model=model, time=np.zeros(1), position=position[None], member_force=force)
     if isinstance(what, Forces):
         return _moving(model, what.motion, {what.load_case: what})
