@@ -143,7 +143,7 @@ export class Scene {
 
   /** Whether some rule of some member was not checked at all: a value is missing. */
   get unchecked() {
-    return ["utilisation", "buckling"].some((name) => this.has(name) && this.arrays[name].data.some(Number.isNaN));
+    return ["utilisation", "buckling"].some((name) => this.has(name) && this.arrays[name].data.some((value, k) => Number.isNaN(value) && this.shows(k % this.members.length)));
   }
 
   has(name) {
@@ -233,7 +233,7 @@ export class Scene {
         if (value < low) low = value;
         if (value > high && Number.isFinite(value)) high = value;
       };
-      for (let k = 0; k < frames; k++) for (let m = 0; m < this.members.length; m++) meet(this.value(id, k, m));
+      for (let k = 0; k < frames; k++) for (let m = 0; m < this.members.length; m++) if (this.shows(m)) meet(this.value(id, k, m));
       if (this.coloursFaces(id)) this.arrays[channel.faces].data.forEach(meet);
       this.ranges[id] = low <= high ? [low, high] : [0, 0];
     }
