@@ -40,7 +40,7 @@ export class Inspector {
   overview() {
     const rows = this.app.views.flatMap(({ scene }) => {
       const { skins = [], pressures, loads } = scene.header;
-      const found = skins.map((one) => [one.kind, one.name]);
+      const found = skins.map((one) => [`${one.kind[0].toUpperCase()}${one.kind.slice(1)}`, one.name]);
       found.push(["Nodes", scene.nodes.length], ["Faces", scene.faces]);
       if (pressures) found.push(["Pressure", `${pressures.least === pressures.largest ? "" : `${quantity(pressures.least, "Pa")} to `}${quantity(pressures.largest, "Pa")} on ${pressures.count} ${pressures.count === 1 ? "face" : "faces"}`]);
       const single = loads.filter((one) => !one.pressure).length;

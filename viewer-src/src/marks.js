@@ -11,13 +11,13 @@ import { edgesOf } from "./skins.js";
 import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
 const DRIVE = KINDS.driven, BODY = "#3f4a55";
-const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
+export const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 /** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held axis. */
 export class Supports {
   constructor(scene, size) {
-    this.size = size;
+    Object.assign(this, { scene, size });
     const all = "xyz".slice(0, scene.dim);
     const upright = scene.dim === 2 ? 1 : 2;
     this.cones = scene.header.supports.flatMap(({ node, axes }) => {
@@ -28,6 +28,11 @@ export class Supports {
       return [{ node, towards }];
     });
     this.mesh = cones(this.cones.length, 4, "#ffffff");
+  }
+
+  /** Middles of the bases of the cones at a frame. */
+  feet(frame) {
+    return this.cones.map(({ node, towards }) => this.scene.position(frame, node).map((x, i) => x - this.size * towards[i]));
   }
 
   setTheme({ support }) {

@@ -19,7 +19,7 @@ const SEVERAL = 20000; // points of a run that a camera looks at
 const LEGEND = 104; // CSS pixels above, where the legend stands
 
 /** What the camera looks at and how far away it is, so that every place of the run is in the picture and as large as possible. */
-function fitted({ scene, camera, canvas, loads }, backward) {
+function fitted({ scene, camera, canvas, loads, supports }, backward) {
   const right = new Vector3().crossVectors(camera.up, backward);
   if (right.length() < 1e-3) right.set(1, 0, 0); // seen along the upright axis
   right.normalize();
@@ -28,7 +28,7 @@ function fitted({ scene, camera, canvas, loads }, backward) {
   const places = [], step = Math.max(1, Math.ceil((scene.frames * scene.nodes.length) / SEVERAL)), last = scene.frames - 1;
   for (let k = 0; k <= last; k = k < last ? Math.min(k + step, last) : k + 1) {
     for (let node = 0; node < scene.nodes.length; node++) if (!scene.directors.has(node)) places.push(new Vector3(...scene.position(k, node)));
-    places.push(...loads.tips(k).map((tip) => new Vector3(...tip)));
+    places.push(...[...loads.tips(k), ...supports.feet(k)].map((point) => new Vector3(...point)));
   }
   const flat = places.map((place) => [place.dot(right), place.dot(upward), place.dot(backward)]);
   const middle = [0, 1, 2].map((axis) => (flat.reduce((low, one) => Math.min(low, one[axis]), Infinity) + flat.reduce((high, one) => Math.max(high, one[axis]), -Infinity)) / 2);
