@@ -68,8 +68,9 @@ class LiveModel(anywidget.AnyWidget):
 
     def _ipython_display_(self) -> None:
         """Show a still, and the widget, which takes the still away where it runs: no page is ever blank."""
-        from IPython.display import display
+        from IPython.display import display as untyped
 
+        display: Any = untyped
         display({"text/html": self._still, "text/plain": "a still of the live model"}, raw=True)
         found = self._repr_mimebundle_()
         if found is not None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
     Colours = NDArray[np.uint8]
+    Owned = list[tuple[Copies, NDArray[np.int64]]]
 
 __all__ = ["Bars"]
 
@@ -34,8 +35,8 @@ class Bars:
         self.scene, self.usual, self.radius = scene, usual, radius
         arrays, header = scene.arrays, scene.header
         self.ends = np.asarray(arrays["ends"], np.int64)
-        self.two = np.array(header["two_rods"], int)
-        self.beams = np.asarray(arrays.get("beam_member", np.zeros(0)), int)
+        self.two = np.array(header["two_rods"], np.int64)
+        self.beams = np.asarray(arrays.get("beam_member", np.zeros(0)), np.int64)
         thin = np.array([THIN.get(kind, 1.0) for kind in header["kinds"]]) * radius
         half = np.asarray(arrays["box"], float)
         flat = np.isfinite(half).all(axis=1)
@@ -44,13 +45,13 @@ class Bars:
         self.high, self.wide = np.where(flat, np.maximum(factor * half.T, FLAT * radius), thin)
         single = np.ones(len(radius), np.bool_)
         single[self.two] = single[self.beams] = False
-        self.straight = np.flatnonzero(single & ~flat), np.flatnonzero(single & flat)
+        self.straight: tuple[Any, Any] = np.flatnonzero(single & ~flat), np.flatnonzero(single & flat)
         bent = np.arange(len(self.beams))
         self.bent = bent[~flat[self.beams]], bent[flat[self.beams]]
 
-    def drawn(self, x: Array, colours: Colours) -> tuple[list[tuple[Copies, Array]], list[tuple[Copies, Array]]]:
+    def drawn(self, x: Array, colours: Colours) -> tuple[Owned, Owned]:
         """Round and rectangular bars, each set with the members (copies,) that its copies belong to."""
-        found = []
+        found: list[Owned] = []
         for box in (0, 1):
             own, beams = self.straight[box], self.bent[box]
             p, q = x[self.ends[own].T]
@@ -58,14 +59,14 @@ class Bars:
             if len(beams):
                 start, end, second = self._curves(x, beams)
                 owner = np.repeat(self.beams[beams], start.shape[1])
-                pieces = (one.reshape(-1, 3) for one in (start, end))
-                some.append((self._copies(*pieces, owner, second.reshape(-1, 3) if box else None, colours), owner))
+                p, q, across = (one.reshape(-1, 3) for one in (start, end, second))
+                some.append((self._copies(p, q, owner, across if box else None, colours), owner))
             found.append(some)
         if len(self.two):
             found[0] += self._rods(x, colours)
         return found[0], found[1]
 
-    def striped(self, several: list[tuple[Copies, Array]], hatched: NDArray[np.bool_], frame: int) -> list[Copies]:
+    def striped(self, several: Owned, hatched: NDArray[np.bool_], frame: int) -> list[Copies]:
         """The same with stripes; hatched over (frames, members)."""
         ever: NDArray[np.bool_] = np.asarray(hatched.any(axis=0))
         return [striped(some, ever[of], hatched[frame, of], PAPER["back"]) for some, of in several]
@@ -107,7 +108,7 @@ class Bars:
     def _copies(self, p: Array, q: Array, own: Any, second: Array | None, colours: Colours) -> Copies:
         return copies(p, q, self.high[own], colours[own], second, self.wide[own])
 
-    def _rods(self, x: Array, colours: Colours) -> list[tuple[Copies, Array]]:
+    def _rods(self, x: Array, colours: Colours) -> Owned:
         """Base, tube and screw of active members."""
         a, b = x[self.ends[self.two].T]
         base, tube = (np.asarray(self.scene.arrays["rods"], float)[self.two, k] for k in (1, 4))
@@ -119,7 +120,7 @@ class Bars:
         )
         return [(copies(start, end, thin * r, c), self.two) for start, end, thin in parts]
 
-    def _curves(self, x: Array, beams: Array) -> tuple[Array, Array, Array]:
+    def _curves(self, x: Array, beams: Any) -> tuple[Array, Array, Array]:
         """Starts, ends and local axis 2 (beams, pieces, 3) of the straight pieces of beams."""
         arrays = self.scene.arrays
         nodes = x[np.asarray(arrays["beam_nodes"], int)[beams]]
@@ -128,7 +129,7 @@ class Bars:
         )
         return points[:, :-1], points[:, 1:], second[:, :-1]
 
-    def _second(self, x: Array, own: Array) -> Array:
+    def _second(self, x: Array, own: Any) -> Array:
         """Local axis 2 (n, 3) of straight members."""
         p, q = x[self.ends[own].T]
         u = q - p
