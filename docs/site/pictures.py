@@ -87,7 +87,14 @@ def compared() -> dict[str, RunResult]:
     folder = Path(tempfile.mkdtemp()) / "compare"
     words = [f"{key}={','.join(values)}" for key, values in chosen.items()]
     sets = [part for one in words for part in ("--set", one)]
-    command = [sys.executable, "-m", "kinetruss", "run", str(EXAMPLES["triangular_truss"][0]), *sets, "-o", str(folder)]
+    command = [
+        str(Path(sys.executable).with_name("kinetruss")),
+        "run",
+        str(EXAMPLES["triangular_truss"][0]),
+        *sets,
+        "-o",
+        str(folder),
+    ]
     subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # 1: some are over a limit
     return {one.name: kt.runs.load(one) for one in sorted(folder.iterdir()) if one.is_dir()}
 
