@@ -131,7 +131,7 @@ def report(path: Path) -> None:
     """The first two pages of the report of the slew, beside each other on grey."""
     with tempfile.TemporaryDirectory() as folder:
         run = kt.run(kt.read(EXAMPLES["double_octahedral_slew"][0]), out=Path(folder) / "run")
-        kt.report.write(run, Path(folder) / "report")
+        kt.report.write_document(run, Path(folder) / "report")
         paper = next((Path(folder) / "report").glob("*.pdf"))
         subprocess.run(["pdftoppm", "-png", "-r", "66", "-l", "2", str(paper), f"{folder}/page"], check=True)
         pages = [Image.open(one).convert("RGB") for one in sorted(Path(folder).glob("page*.png"))]

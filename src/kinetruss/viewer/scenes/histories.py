@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -81,7 +82,7 @@ def moving(
         "rounded": rounded,
         "samples": {"all": count, "shown": len(time)},
         "status": motion.status.value,
-        "message": " ".join(filter(None, [motion.message, *_not_held(run)])),
+        "message": " ".join(filter(None, [_said(motion.message, run), *_not_held(run)])),
         "not_checked": _unchecked(model) if told else {},
         "channels": channels,
         "over_run": over_run,
@@ -89,6 +90,12 @@ def moving(
         **(told[0] if told else {}),
     }
     return more, found
+
+
+def _said(message: str, run: RunResult | None) -> str:
+    """The message of a motion, without what it could not check if the run has checked it."""
+    checked = run is not None and bool(run.demand)
+    return re.sub(r"Not checked without forces: .*? \(dynamics\.limits_kept\)\.\s*", "", message) if checked else message
 
 
 def _not_held(run: RunResult | None) -> list[str]:
