@@ -31,8 +31,8 @@ EXAMPLE: dict[str, dict[str, Any]] = {
     "serpentine_arm": {"at": (0, 0.25, 0.6), "width": 110},
     "opposed_trusses": {"at": (1,), "width": 110, "ghost": True},
     "wind_tower": {"at": (1,), "width": 90, "colour": "force"},
-    "docking": {"at": (0, 0.85, 1), "width": 90, "case": "push"},
-    "space_crane": {"at": (0, 1), "width": 90, "paths": ["B5.N8"]},
+    "docking": {"at": (0, 0.85, 1), "width": 90, "case": "latching"},
+    "space_crane": {"run": "lift", "at": (0, 1), "width": 90, "paths": ["B5.N8"], "colour": "force"},
 }
 """Pictures of examples: fractions of the run that are shown, and how."""
 
@@ -67,7 +67,9 @@ def figure(name: str) -> Callable[[Path], None]:
 
 def picture(path: Path) -> None:
     """The slew at three instants."""
-    kt.report.picture(ran("double_octahedral_slew"), path, at=[0, 6, 12], colour="force", width=95)
+    kt.report.picture(ran("double_octahedral_slew"), path, at=[0, 6, 12], colour="force", width="page")
+    with Image.open(path) as drawn:
+        drawn.convert("RGB").reduce(2).save(path)
 
 
 def render(path: Path) -> None:
