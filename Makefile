@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
 
-.PHONY: setup demo shell test lint docs bench bench-peers lock viewer clean
+.PHONY: setup demo shell test lint docs pictures bench bench-peers lock viewer clean
 
 # Everything for work on kinetruss: what the demo needs, test tools, VTK, a browser's driver, the site's builder.
 setup: .venv/.ready
@@ -53,6 +53,10 @@ lint: setup
 docs: setup
 	@$(BIN)/python -m sphinx -W --keep-going -j auto -q -b html docs build/site
 	@echo "build/site/index.html"
+
+# The pictures under docs/pictures, anew; needs chromium and pdftoppm.
+pictures: setup
+	@$(BIN)/python docs/site/pictures.py
 
 bench: setup
 	@$(BIN)/python bench/inverse_dynamics.py

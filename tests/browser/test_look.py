@@ -155,3 +155,34 @@ def test_a_live_page_that_nobody_answers_shows_its_still(show, tmp_path):
     shown.until("window.kinetruss.ready")
     assert "run the notebook" in shown.page.inner_text("body")
     assert shown.js("scene.members.length") == 3
+
+
+def test_a_bent_beam_follows_its_deflection(show, tmp_path):
+    """w = -P s^2 (3 l - s)/(6 E I) of a cantilever under a force at its tip; names and numbers are those of the beam."""
+    force, stiffness = 1e-3, 200e9 * 0.01 * 0.02**3 / 12
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A"], beams={"arm": ("A", "B")}, material=kt.Material(E=200e9, density=0.0),
+        section=kt.Rectangle(width=0.01, height=0.02), loads={"P": kt.NodalForce(node="B", force=(0, -force))},
+    )  # fmt: skip
+    shown = show(viewer.write(kt.statics.equilibrium(model), tmp_path / "arm.html", model=model))
+    points = np.array(shown.js("scene.curves.points(view.now, scene.members.indexOf('arm'))"))
+    s = np.linspace(0, 1, 13)
+    np.testing.assert_allclose(points[:, 1], -force * s**2 * (3 - s) / (6 * stiffness), atol=1e-5 * force / (3 * stiffness))
+    assert shown.js("[view.bars.rods.count, view.bars.boxes.count]")[1] == 12
+    assert shown.page.locator(".title p").inner_text() == "equilibrium · 1 member, 2 nodes"
+    shown.js("app.pick({type: 'member', name: 'arm'})")
+    assert shown.page.locator(".inspector canvas[aria-label='Bending moment M']").count() == 1
+    assert shown.page.locator(".inspector .freebody").count() == 0
+    assert shown.complaints == []
+
+
+def test_everything_that_moves_is_in_the_picture_and_fills_it(show, tmp_path, lift):
+    shown = show(viewer.write(lift, tmp_path / "lift.html"))
+    seen = np.array(
+        shown.js("""Array.from({ length: scene.frames }, (_, frame) =>
+        scene.nodes.map((_, node) => view.project(scene.position(frame, node)).slice(0, 2))).flat()""")
+    )
+    size = np.array(shown.js("[view.canvas.clientWidth, view.canvas.clientHeight]"))
+    assert (seen >= 0).all()
+    assert (seen <= size).all()
+    assert (np.ptp(seen, axis=0) / size).max() > 0.45

@@ -22,6 +22,7 @@ from kinetruss.viewer.films.camera import PRESETS, aimed
 from kinetruss.viewer.films.frame import strips
 from kinetruss.viewer.films.render import _Job
 from kinetruss.viewer.films.shown import Look, Subject
+from kinetruss.viewer.films.solids import box
 from kinetruss.viewer.films.stage import _drawing
 from samples import fourbar
 
@@ -115,7 +116,9 @@ def test_the_eye_sees_everything_as_large_as_can_be(lift, camera, wide):
 
 def test_a_film_has_its_frames_and_its_length(lift, tmp_path):
     done: list[tuple[int, int]] = []
-    path = viewer.render(lift, tmp_path / "new" / "lift.mp4", size=(320, 240), fps=20, progress=lambda *n: done.append(n))
+    path = viewer.render(
+        lift, tmp_path / "new" / "lift.mp4", size=(320, 240), fps=20, speed=1.0, progress=lambda *n: done.append(n)
+    )
     told, frames = decoded(path)
     assert (told["size"], told["fps"], told["codec"], told["pixels"]) == ("320x240", "20", "h264", "yuv420p")
     assert len(frames) == 21  # 1 s, both ends
@@ -135,8 +138,33 @@ def test_frames_of_a_film_are_the_pictures_of_their_instants(lift, tmp_path):
         assert apart[k] < 1.5
 
 
+def test_a_film_without_a_speed_takes_five_to_eight_seconds(lift, tmp_path):
+    told, frames = decoded(viewer.render(lift, tmp_path / "lift.mp4", size=(240, 180), fps=6))
+    assert 5 <= float(told["seconds"]) <= 8 + 1 / 6
+    assert len(frames) == 41  # 1 s at 0.15 times real time
+
+
+def test_rectangles_are_boxes_with_the_sides_of_their_section(tmp_path):
+    """A flat bar in space: what is drawn has its height along axis 2, and its width along axis 3."""
+    nodes = {"A": (0, 0, 0), "B": (1, 0, 0), "C": (1, 1, 0)}
+    flat = kt.Bar(ends=("A", "B"), section=kt.Rectangle(width=0.03, height=0.06))
+    round_ = kt.Bar(ends=("B", "C"), section=kt.Rod(diameter=0.04))
+    model = kt.Model(nodes=nodes, bars={"flat": flat, "round": round_})
+    subject = Subject(viewer.scene(model), Look())
+    x = subject.points(0)
+    rods, boxes = subject.rods(0, x, subject.colours(0, None, (0, 1)))
+    assert (len(rods.radius), len(boxes.radius)) == (1, 1)
+    points, normals = box().placed(boxes)
+    assert np.ptp(points, axis=0) == pytest.approx([1.0, 0.03, 0.06])  # axis 2 is upright: z is in the plane of axes 1 and 2
+    assert np.abs(normals).sum(axis=1) == pytest.approx(1.0)
+    _, rims = subject.bars.rims(x)
+    assert (rims.radius > boxes.radius).all()
+    shown = pixels(viewer.render(model, tmp_path / "flat.png", camera="front", size=(480, 360), bare=True, grid=False))
+    assert (np.ptp(shown, axis=2) > 5).any()
+
+
 def test_a_gif_plays_as_long_as_the_run(lift, tmp_path):
-    path = viewer.render(lift, tmp_path / "lift.gif", size=(320, 240), fps=30)
+    path = viewer.render(lift, tmp_path / "lift.gif", size=(320, 240), fps=30, speed=1.0)
     lasts = []
     with Image.open(path) as film:
         for k in range(film.n_frames):

@@ -8,7 +8,9 @@ import pytest
 import kinetruss as kt
 from kinetruss import report, viewer
 from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.pictures.pictured import curves_of
 from kinetruss.strength.verdict import middle_forces
+from kinetruss.viewer.films.shown import Look, Subject
 
 PUSH = 300.0
 
@@ -46,7 +48,7 @@ def test_scenes_name_what_is_left_out():
     one = model()
     header = viewer.scene(one).header
     kinds = dict(zip(header["members"], header["kinds"], strict=True))
-    assert (kinds["lower.chord"], kinds["upper.chord"], kinds["tie"]) == ("beam", "rigid", "rigid")
+    assert (kinds["lower"], kinds["upper"], kinds["tie"]) == ("beam", "rigid", "rigid")
     assert {name for name, kind in kinds.items() if kind == "frame"} == {
         name for name, bar in one.bars.items() if any(".d" in end for end in bar.ends)
     }
@@ -62,3 +64,48 @@ def test_the_colour_of_a_beam_is_its_own_axial_force():
     propped = model().with_(fixed={"D": "xy", "C": "x"})
     unknown = kt.run(propped, "here")
     assert np.isnan(middle_forces(propped, unknown.forces["all"])[0, list(propped.members).index("lower.chord")])
+    assert np.isnan(found[0, list(run.model.members).index("upper.chord")])  # of a rigid beam no section force is known
+
+
+def cantilever() -> tuple[kt.Model, kt.results.Result]:
+    """A beam of 1 m under a small force at its tip."""
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0)},
+        clamped=["A"],
+        beams={"arm": ("A", "B")},
+        section=kt.Rectangle(width=0.01, height=0.02),
+        material=kt.Material(E=200e9, density=0.0),
+        loads={"P": kt.NodalForce(node="B", force=(0, -1e-3))},
+    )
+    return model, kt.statics.equilibrium(model)
+
+
+def deflection(s: np.ndarray) -> np.ndarray:
+    """w = -P s^2 (3 l - s)/(6 E I) of a cantilever under a force at its tip."""
+    return -1e-3 * s**2 * (3 - s) / (6 * 200e9 * 0.01 * 0.02**3 / 12)
+
+
+def test_a_bent_beam_is_drawn_along_its_deflection():
+    model, rest = cantilever()
+    one = viewer.scene(rest, model=model)
+    subject = Subject(one, Look())
+    x = subject.points(0)
+    _, boxes = subject.rods(0, x, subject.colours(0, None, (0, 1)))
+    assert len(boxes.radius) == 12  # a rectangular beam
+    drawn = np.concatenate([boxes.start, boxes.end[-1:]])
+    tip = abs(deflection(np.ones(1))[0])
+    np.testing.assert_allclose(drawn[:, 1], deflection(np.linspace(0, 1, 13)), atol=1e-7 * tip)
+    # on paper the same points
+    (curve,) = curves_of(model, rest.position.values).values()
+    np.testing.assert_allclose(curve, drawn[:, :2], rtol=0, atol=1e-15)
+
+
+def test_a_scene_has_the_section_forces_of_a_beam():
+    model, rest = cantilever()
+    one = viewer.scene(rest, model=model)
+    assert one.header["members"][-1] == "arm"
+    (along,) = one.arrays["beam_section"][0]
+    s = np.linspace(0, 1, 13)
+    np.testing.assert_allclose(along[:, 1], -1e-3, rtol=1e-6)
+    np.testing.assert_allclose(along[:, 2], -1e-3 * (1 - s), rtol=1e-6, atol=1e-11)
+    assert one.arrays["member_force"][0, -1] == pytest.approx(0.0, abs=1e-7)  # P times the slope

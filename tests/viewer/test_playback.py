@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from kinetruss.viewer.films.pace import usual_speed
+
 SOURCES = Path(__file__).parents[2] / "viewer-src" / "src"
 
 
@@ -25,3 +27,4 @@ def test_a_run_plays_in_five_to_eight_seconds(tmp_path):
         assert usual in speeds
         assert {0.001, 0.1, 1, 10} <= set(speeds)
         assert speeds == sorted(speeds)
+        assert usual_speed(duration) == usual  # a film plays as the page does

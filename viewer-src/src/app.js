@@ -18,12 +18,17 @@ import { hasWebGL, View } from "./view.js";
 
 const SWING = 0.08; // amplitude of a mode, of the size of the structure
 
+/** Whether a structure is one of bodies only: no member has a section, and rigid bars form triangles. */
+function bodily(scene) {
+  return scene.header.triangles.length > 0 && scene.arrays.radius.data.every(Number.isNaN);
+}
+
 export class App {
   /** side: an element that stands left of the picture. */
   constructor(root, scenes, labels = [], side = null) {
     Object.assign(this, { root, side, ended: new AbortController() });
     Object.assign(this, { index: 0, playing: false, speed: 1, channel: null, limits: [0, 1], picked: null, mode: -1, labels });
-    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: false, paths: false };
+    this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: scenes.every(bodily), paths: false };
     this.paths = new Set(); // names of nodes whose path is shown by itself
     this.touch = matchMedia("(hover: none)").matches;
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");

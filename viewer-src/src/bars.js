@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
 import { ELASTIC, KINDS } from "./display.js";
+import { piecesOf } from "./beams.js";
 import { axesOf } from "./mechanics.js";
 import { boxes, cylinder, moved, placeAlong, placeBox, placeSphere, spheres } from "./shapes.js";
 import { Rims, withHatch } from "./surface.js";
@@ -32,8 +33,11 @@ export class Bars {
     this.scene = scene;
     this.radius = radiiOf(scene);
     const large = scene.members.length > 800;
-    this.pieces = scene.members.flatMap((_, member) =>
-      scene.active.has(member) ? [[member, "base"], [member, "tube"], [member, "screw"]] : [[member, scene.header.kinds[member]]]);
+    this.pieces = scene.members.flatMap((_, member) => {
+      if (scene.active.has(member)) return [[member, "base"], [member, "tube"], [member, "screw"]];
+      if (scene.curves.row.has(member)) return Array.from({ length: scene.curves.places - 1 }, (_, k) => [member, "beam", k]);
+      return [[member, scene.header.kinds[member]]];
+    });
     this.box = boxesOf(scene, this.radius);
     const flat = this.pieces.filter(([member]) => this.box[member]), round = this.pieces.filter(([member]) => !this.box[member]);
     this.pieces = [...round, ...flat]; // rods first, then boxes
@@ -46,13 +50,13 @@ export class Bars {
     this.collars = cylinder(this.marks.length, large ? 6 : 18);
     this.balls = spheres(scene.nodes.length, large ? 1 : 3, "#ffffff");
     this.small = smallNodes(scene);
-    this.lines = axisLines(scene.members.length);
+    this.lines = axisLines(this.pieces.length);
     this.ball = 1.55 * this.radius.reduce((least, r) => Math.min(least, r), 0.02 * scene.length0);
     const white = new Color("#ffffff");
     this.pieces.forEach((_, k) => this.at(k).mesh.setColorAt(this.at(k).index, white));
     this.marks.forEach((mark, k) => this.collars.setColorAt(k, mark.colour));
     this.paintNodes("#5b6672");
-    this.rims = new Rims([this.rods, this.boxes, this.collars, this.balls]);
+    this.rims = new Rims([this.rods, this.boxes, this.collars, this.balls], [this.rods, this.boxes]);
   }
 
   objects() {
@@ -79,10 +83,15 @@ export class Bars {
   place(points, frame) {
     const { scene, radius } = this;
     const rods = scene.arrays.rods.data;
-    this.pieces.forEach(([member, role], k) => {
-      const p = points[scene.ends[2 * member]], q = points[scene.ends[2 * member + 1]];
+    const line = this.lines.geometry.attributes.position, curves = new Map();
+    for (const member of scene.curves.row.keys()) curves.set(member, { pieces: joined(piecesOf(scene.curves.points(points, member)), 0.3 * radius[member]), across: scene.curves.across(points, member) });
+    this.pieces.forEach(([member, role, part], k) => {
+      const [p, q] = curves.get(member)?.pieces[part] || [points[scene.ends[2 * member]], points[scene.ends[2 * member + 1]]];
       const r = scene.shows(member) ? radius[member] : 0;
-      if (k >= this.round && r) placeBox(this.boxes, k - this.round, p, q, axesOf(scene, frame, member).axes[1], this.box[member]);
+      // a bar of a frame is a line without length
+      line.array.set(p, 6 * k);
+      line.array.set(r ? q : p, 6 * k + 3);
+      if (k >= this.round && r) placeBox(this.boxes, k - this.round, p, q, curves.get(member)?.across[part] || axesOf(scene, frame, member).axes[1], this.box[member]);
       else if (role === "base") placeAlong(this.rods, k, p, along(p, q, Math.min(rods[6 * member + 1], distance(p, q))), 0.75 * r);
       else if (role === "tube") placeAlong(this.rods, k, along(q, p, Math.min(rods[6 * member + 4], distance(p, q))), q, 1.5 * r);
       else placeAlong(this.rods, k, p, q, role === "free" || role === "screw" || role === "cable" ? 0.35 * r : role === "elastic" ? 0.7 * r : r);
@@ -95,9 +104,6 @@ export class Bars {
       placeAlong(this.collars, k, along(p, q, at - half), along(p, q, at + half), mark.width * r);
     });
     points.forEach((point, k) => placeSphere(this.balls, k, point, this.ball * this.small[k]));
-    const line = this.lines.geometry.attributes.position;
-    // a bar of a frame is a line without length
-    scene.ends.forEach((node, k) => line.array.set(points[scene.shows(k >> 1) ? node : scene.ends[k & ~1]], 3 * k));
     line.needsUpdate = true;
     [this.rods, this.boxes, this.collars, this.balls].forEach(moved);
   }
@@ -109,7 +115,7 @@ export class Bars {
       const [r, g, b] = of(member), { mesh, index } = this.at(k);
       mesh.setColorAt(index, colour.setRGB(r / 255, g / 255, b / 255, "srgb"));
       mesh.geometry.attributes.hatch.array[index] = hatched(member) ? 1 : 0;
-      for (const end of [0, 1]) colour.toArray(line.array, 6 * member + 3 * end);
+      for (const end of [0, 1]) colour.toArray(line.array, 6 * k + 3 * end);
     });
     line.needsUpdate = true;
     for (const mesh of [this.rods, this.boxes]) {
@@ -139,6 +145,11 @@ export class Bars {
   }
 }
 
+/** Pieces of a curve a little longer where they meet, so that nothing is seen between them. */
+function joined(pieces, size) {
+  return pieces.map(([p, q], k) => [k ? along(p, q, -size) : p, k < pieces.length - 1 ? along(q, p, -size) : q]);
+}
+
 /** Size of each node's ball: nodes of a mesh that no member joins are small, or nothing where they are many. */
 function smallNodes(scene) {
   const found = new Float32Array(scene.nodes.length).fill(1), joined = new Set(scene.ends), mesh = new Set(scene.skin);
@@ -147,7 +158,7 @@ function smallNodes(scene) {
   return found;
 }
 
-/** Lines along the members, one pixel wide: seen from afar they stay when the bars are too thin to hit a pixel. */
+/** Lines along the pieces of members, one pixel wide: seen from afar they stay when the bars are too thin to hit a pixel. */
 function axisLines(count) {
   const geometry = new BufferGeometry();
   for (const name of ["position", "color"]) geometry.setAttribute(name, new BufferAttribute(new Float32Array(6 * count), 3));

@@ -1,7 +1,9 @@
 // The picture where there is no WebGL: lines on a plain canvas, from the same sides. It does not turn with the pointer.
 
+import { colourOf } from "./colour.js";
 import { KINDS, LOAD, THEMES } from "./display.js";
 import { niceStep } from "./format.js";
+import { bodyAt, PRESSURE } from "./marks.js";
 import { Picture, PRESETS } from "./picture.js";
 import { Traces } from "./traces.js";
 
@@ -106,34 +108,44 @@ export class FlatView extends Picture {
     pen.fillRect(0, 0, width, height);
     pen.lineCap = "round";
     const places = this.now.map((point) => this.project(point));
-    if (this.ghost.visible) this.bars(pen, scene.nodes.map((_, node) => this.project(scene.position(0, node))), () => colours.grid, 1);
+    if (this.ghost.visible) this.bars(pen, scene.nodes.map((_, node) => scene.position(0, node)), () => colours.grid, 1);
     for (const node of this.paths || []) line(pen, Array.from({ length: scene.frames }, (_, frame) => this.project(scene.position(frame, node))), colours.ink, 1);
     this.skins(pen, places);
-    this.bars(pen, places, () => colours.outline, 6);
-    this.bars(pen, places, (member) => `rgb(${this.shade(member).join(" ")})`, 4);
-    this.bars(pen, places, (member) => (this.hatched(member) ? colours.back : null), 4, [3, 6]);
-    this.bars(pen, places, (member) => (this.picked?.type === "member" && this.picked.index === member ? "#ffb000" : null), 3);
+    this.bars(pen, this.now, () => colours.outline, 6);
+    this.bars(pen, this.now, (member) => `rgb(${this.shade(member).join(" ")})`, 4);
+    this.bars(pen, this.now, (member) => (this.hatched(member) ? colours.back : null), 4, [3, 6]);
+    this.bars(pen, this.now, (member) => (this.picked?.type === "member" && this.picked.index === member ? "#ffb000" : null), 3);
     this.marks(pen, places);
     this.drawn = (this.drawn || 0) + 1;
     this.onDrawn?.(this);
   }
 
+  /** Faces of meshes and bodies from back to front; those of meshes in the colour of their value, if it is known. */
   skins(pen, places) {
-    pen.globalAlpha = 0.5;
-    for (let k = 0; k < this.scene.skin.length; k += 3) {
+    const { scene, channel, frame, limits, colours } = this, told = channel && scene.coloursFaces(channel.id);
+    const shade = (face) => (told ? `rgb(${colourOf(channel.scale, scene.faceValue(channel.id, frame, face), limits).join(" ")})` : colours.body);
+    const faces = Array.from({ length: scene.faces }, (_, face) => ({ corners: [...scene.skin.slice(3 * face, 3 * face + 3)].map((node) => places[node]), fill: shade(face) }));
+    faces.push(...(scene.header.solids || []).map((corners) => ({ corners: corners.map((node) => places[node]), fill: colours.body })));
+    for (const body of scene.header.bodies) faces.push({ corners: bodyAt(scene, body, this.now).map((point) => this.project(point)), fill: colours.body });
+    const depth = ({ corners }) => corners.reduce((sum, one) => sum + one[2], 0) / corners.length;
+    pen.strokeStyle = colours.edge;
+    pen.lineWidth = 0.3;
+    pen.lineJoin = "round";
+    for (const { corners, fill } of faces.sort((a, b) => depth(b) - depth(a))) {
       pen.beginPath();
-      for (const node of this.scene.skin.slice(k, k + 3)) pen.lineTo(places[node][0], places[node][1]);
-      pen.fillStyle = this.colours.body;
+      for (const [x, y] of corners) pen.lineTo(x, y);
+      pen.closePath();
+      pen.fillStyle = fill;
       pen.fill();
+      pen.stroke();
     }
-    pen.globalAlpha = 1;
   }
 
-  bars(pen, places, colour, width, dashes = []) {
+  bars(pen, points, colour, width, dashes = []) {
     const { scene } = this;
     scene.members.forEach((_, member) => {
       const stroke = scene.shows(member) && colour(member);
-      if (stroke) line(pen, [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]], stroke, width, dashes);
+      if (stroke) line(pen, scene.curves.points(points, member).map((point) => this.project(point)), stroke, width, dashes);
     });
   }
 
@@ -166,7 +178,8 @@ export class FlatView extends Picture {
     scene.header.loads.forEach((load, k) => {
       if (load.drawn === false || sizes[k] < 1e-3 * most) return;
       const force = scene.vector("load_force", frame, k), from = this.now[load.node];
-      const [p, q] = [from, from.map((x, i) => x + (0.16 * scene.extent.size * force[i]) / most)].map((point) => this.project(point));
+      const long = (load.pressure ? PRESSURE : 1) * 0.16 * scene.extent.size;
+      const [p, q] = [from, from.map((x, i) => x + (long * force[i]) / most)].map((point) => this.project(point));
       line(pen, [p, q], LOAD, 2);
       pen.fillStyle = LOAD;
       pen.fillRect(q[0] - 3, q[1] - 3, 6, 6);

@@ -8,6 +8,12 @@ import { plot } from "./plot.js";
 
 const STATIONS = 41;
 const LIMITED = new Set(["stress"]);
+// diagrams of beams: title, unit, and which of the numbers of a station with which label
+const PLANE = [["Axial force T", "N", [[0, ""]]], ["Shear V", "N", [[1, ""]]], ["Bending moment M", "N m", [[2, ""]]], ["von Mises stress", "Pa", [[3, ""]]]];
+const SPACE = [
+  ["Axial force T", "N", [[0, ""]]], ["Shear V", "N", [[1, "V2"], [2, "V3"]]], ["Bending moment M", "N m", [[3, "M2"], [4, "M3"]]],
+  ["Torsion", "N m", [[5, ""]]], ["von Mises stress", "Pa", [[6, ""]]],
+];
 
 export class Inspector {
   constructor(app) {
@@ -34,7 +40,7 @@ export class Inspector {
   overview() {
     const rows = this.app.views.flatMap(({ scene }) => {
       const { skins = [], pressures, loads } = scene.header;
-      const found = skins.map((one) => [one.kind, one.name]);
+      const found = skins.map((one) => [`${one.kind[0].toUpperCase()}${one.kind.slice(1)}`, one.name]);
       found.push(["Nodes", scene.nodes.length], ["Faces", scene.faces]);
       if (pressures) found.push(["Pressure", `${pressures.least === pressures.largest ? "" : `${quantity(pressures.least, "Pa")} to `}${quantity(pressures.largest, "Pa")} on ${pressures.count} ${pressures.count === 1 ? "face" : "faces"}`]);
       const single = loads.filter((one) => !one.pressure).length;
@@ -64,7 +70,9 @@ export class Inspector {
     const kind = scene.header.kinds[member];
     const title = el("h2", {}, scene.members[member], el("small", {}, ` ${kind}${kind === "cable" ? "" : " member"}, `, this.link(view, A), " → ", this.link(view, B)));
     const found = [title, this.values(() => this.memberValues(view, member)), this.history(view, member)];
-    if (scene.has("member_force") && !scene.header.bodies.some((body) => body.member === member)) found.push(...this.mechanics(view, member));
+    if (!scene.has("member_force")) return found;
+    if ((scene.header.beams || []).includes(member)) found.push(...this.beam(view, member));
+    else if (!scene.header.bodies.some((body) => body.member === member)) found.push(...this.mechanics(view, member));
     return found;
   }
 
@@ -113,6 +121,26 @@ export class Inspector {
       plot(canvas, curves, { title, unit: channel.unit, cursor: scene.time[view.frame], limit });
     });
     return canvas;
+  }
+
+  /** Section forces along a beam, where the scene has them. */
+  beam(view, member) {
+    const { scene } = view, array = scene.arrays.beam_section, row = scene.curves.row.get(member);
+    if (!array || row === undefined) {
+      return [el("p", { class: "faint" }, row === undefined ? "Section forces of rigid beams are not computed." : "Section forces of beams: kt.strength.beams.")];
+    }
+    const [, beams, stations, values] = array.shape, length = scene.length(0, member);
+    const s = Array.from({ length: stations }, (_, k) => (k * length) / (stations - 1));
+    const along = (value) => s.map((_, k) => array.data[((view.frame * beams + row) * stations + k) * values + value]);
+    const groups = scene.dim === 2 ? PLANE : SPACE;
+    const plots = groups.map((one) => [el("canvas", { class: "plot small", role: "img", "aria-label": one[0] }), ...one]);
+    this.updates.push(() => {
+      for (const [canvas, title, unit, series] of plots) {
+        const curves = series.map(([value, label]) => ({ x: s, y: along(value), label }));
+        plot(canvas, curves, { title, unit, xUnit: "m from A", fill: true });
+      }
+    });
+    return [el("h4", {}, "Along it, now"), ...plots.map(([canvas]) => canvas)];
   }
 
   mechanics(view, member) {

@@ -4,19 +4,20 @@ import {
   BufferAttribute, BufferGeometry, DoubleSide, GridHelper, Group, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Quaternion, Vector3,
 } from "three";
+import { piecesOf } from "./beams.js";
 import { KINDS, LOAD } from "./display.js";
 import { niceStep } from "./format.js";
 import { edgesOf } from "./skins.js";
 import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
 
 const DRIVE = KINDS.driven, BODY = "#3f4a55";
-const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
+export const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 /** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held axis. */
 export class Supports {
   constructor(scene, size) {
-    this.size = size;
+    Object.assign(this, { scene, size });
     const all = "xyz".slice(0, scene.dim);
     const upright = scene.dim === 2 ? 1 : 2;
     this.cones = scene.header.supports.flatMap(({ node, axes }) => {
@@ -27,6 +28,11 @@ export class Supports {
       return [{ node, towards }];
     });
     this.mesh = cones(this.cones.length, 4, "#ffffff");
+  }
+
+  /** Middles of the bases of the cones at a frame. */
+  feet(frame) {
+    return this.cones.map(({ node, towards }) => this.scene.position(frame, node).map((x, i) => x - this.size * towards[i]));
   }
 
   setTheme({ support }) {
@@ -57,6 +63,14 @@ export class Loads {
       for (let i = 0; i < data.length; i += scene.dim) largest = Math.max(largest, Math.hypot(...data.slice(i, i + scene.dim)));
     }
     this.factor = largest ? (0.16 * scene.extent.size) / largest : 0;
+  }
+
+  /** Ends of the arrows at a frame. */
+  tips(frame) {
+    return this.shown.map((load) => {
+      const force = this.scene.vector("load_force", frame, load.k), size = (load.pressure ? PRESSURE : 1) * this.factor;
+      return this.scene.position(frame, load.node).map((x, i) => x + size * force[i]);
+    });
   }
 
   place(points, frame) {
@@ -163,7 +177,9 @@ export function ground(scene) {
 
 /** The start pose as thin lines. */
 export function ghost(scene) {
-  const points = [...scene.ends, ...edgesOf(scene.skin)].flatMap((node) => scene.position(0, node));
+  const start = scene.nodes.map((_, node) => scene.position(0, node));
+  const bars = scene.members.flatMap((_, member) => (scene.shows(member) ? piecesOf(scene.curves.points(start, member)).flat() : []));
+  const points = [...bars, ...edgesOf(scene.skin).map((node) => start[node])].flat();
   const lines = new LineSegments(linesOf(points), new LineBasicMaterial({ color: "#8a949e", transparent: true, opacity: 0.8 }));
   lines.frustumCulled = false;
   return lines;

@@ -3,7 +3,7 @@
 import { el, fill } from "./dom.js";
 
 const MOST = 400;
-const CELL = 48, GAP = 5; // CSS pixels
+const CELL = 48, GAP = 5, APART = 2; // CSS pixels
 const AROUND = [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]];
 const ALONG = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 
@@ -20,17 +20,17 @@ export class Names {
     const { scene, now } = this.view;
     this.tags ??= this.made();
     const points = now.map((point) => this.view.project(point));
-    const taken = new Taken(), offset = this.node.getBoundingClientRect();
+    const offset = this.node.getBoundingClientRect(), taken = new Taken(offset.width, offset.height);
     for (const one of this.node.closest(".stage")?.querySelectorAll(".legend") || []) taken.add(around(one, offset));
     for (const { tag, type, index } of this.order()) {
-      const places = type === "node" ? besides(points[index], tag) : along(points[scene.ends[2 * index]], points[scene.ends[2 * index + 1]], tag);
+      const places = type === "node" ? besides(points[index], tag) : along(this.view.along(index, points), tag);
       // where it was before comes first, so that names do not jump
       const k = [tag.place ?? 0, ...places.keys()].find((one) => one < places.length && taken.free(places[one]));
       tag.node.style.visibility = k === undefined ? "hidden" : "visible";
       if (k === undefined) continue;
       tag.place = k;
       taken.add(places[k]);
-      tag.node.style.transform = `translate(${places[k][0].toFixed(1)}px, ${places[k][1].toFixed(1)}px)`;
+      tag.node.style.transform = `translate(${(places[k][0] + APART).toFixed(1)}px, ${places[k][1].toFixed(1)}px)`;
     }
   }
 
@@ -56,15 +56,16 @@ function besides([x, y], { width, height }) {
   return AROUND.map(([right, down]) => boxAt(x + right * (width / 2 + GAP), y + down * (height / 2 + GAP - 1), width, height));
 }
 
-/** Boxes on both sides of a line, from its middle outwards. */
-function along(p, q, { width, height }) {
+/** Boxes on both sides of a line through points, from its middle outwards: of a curve beside its middle third. */
+function along(points, { width, height }) {
+  const third = Math.floor(points.length / 3), p = points[third], q = points[points.length - 1 - third];
   const [dx, dy] = [q[0] - p[0], q[1] - p[1]], size = Math.hypot(dx, dy) || 1, normal = [dy / size, -dx / size];
   const apart = (Math.abs(normal[0]) * width + Math.abs(normal[1]) * height) / 2 + GAP - 1;
   return ALONG.flatMap((f) => [1, -1].map((side) => boxAt(p[0] + f * dx + side * apart * normal[0], p[1] + f * dy + side * apart * normal[1], width, height)));
 }
 
 function boxAt(x, y, width, height) {
-  return [x - width / 2, y - height / 2, x + width / 2, y + height / 2];
+  return [x - width / 2 - APART, y - height / 2, x + width / 2 + APART, y + height / 2];
 }
 
 function around(node, offset) {
@@ -74,8 +75,9 @@ function around(node, offset) {
 
 /** What is covered, by squares of the picture. */
 class Taken {
-  constructor() {
-    this.cells = new Map();
+  /** width, height : of the picture, in which names stay. */
+  constructor(width, height) {
+    Object.assign(this, { width, height, cells: new Map() });
   }
 
   /** Squares that a box touches. */
@@ -88,6 +90,7 @@ class Taken {
   }
 
   free(box) {
+    if (box[0] < 0 || box[1] < 0 || box[2] > this.width || box[3] > this.height) return false;
     return this.squares(box).every((key) => (this.cells.get(key) || []).every((one) => one[2] <= box[0] || one[0] >= box[2] || one[3] <= box[1] || one[1] >= box[3]));
   }
 

@@ -1,6 +1,7 @@
 // What every picture of a scene has, however it is drawn: a frame, colours, what is picked, what is under the pointer.
 
 import { colourOf, parse } from "./colour.js";
+import { piecesOf } from "./beams.js";
 import { KINDS } from "./display.js";
 
 const REACH = 9, TOUCH = 22; // pixels around a pointer, or a finger, in which something is hit
@@ -57,6 +58,12 @@ export class Picture {
     this.waiting ||= requestAnimationFrame(() => this.render());
   }
 
+  /** Places of a member on the canvas from A to B, given those of the nodes: of a beam along its curve. */
+  along(member, places) {
+    const { curves, ends } = this.scene;
+    return curves.row.has(member) ? curves.points(this.now, member).map((point) => this.project(point)) : [places[ends[2 * member]], places[ends[2 * member + 1]]];
+  }
+
   /** The node or member under a place on the canvas: the nearest to the eye of those within reach. */
   pickAt(x, y, touched = false) {
     const places = this.now.map((point) => this.project(point)), reach = touched ? TOUCH : REACH;
@@ -67,13 +74,14 @@ export class Picture {
     };
     this.scene.members.forEach((_, member) => {
       if (!this.scene.shows(member)) return;
-      const [p, q] = [places[this.scene.ends[2 * member]], places[this.scene.ends[2 * member + 1]]];
-      const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
-      const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
-      offer("member", member, Math.hypot(p[0] + f * dx - x, p[1] + f * dy - y), p[2] + f * (q[2] - p[2]), 0);
+      for (const [p, q] of piecesOf(this.along(member, places))) {
+        const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
+        const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
+        offer("member", member, Math.hypot(p[0] + f * dx - x, p[1] + f * dy - y), p[2] + f * (q[2] - p[2]), 0);
+      }
     });
     // a node lies at the ends of bars that are as near: it comes first
-    places.forEach((p, node) => offer("node", node, Math.hypot(p[0] - x, p[1] - y), p[2], 2e-3));
+    places.forEach((p, node) => this.scene.directors.has(node) || offer("node", node, Math.hypot(p[0] - x, p[1] - y), p[2], 2e-3));
     return best && { type: best.type, index: best.index };
   }
 }

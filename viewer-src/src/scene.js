@@ -1,5 +1,7 @@
 // Reads a scene: the bytes of kinetruss.viewer.pack. The form is described in docs/viewer.md.
 
+import { BeamCurves } from "./beams.js";
+
 const MAGIC = "KTSCENE1";
 const FORMAT = "kinetruss.scene";
 const VERSION = 1;
@@ -98,6 +100,7 @@ export class Scene {
     this.directors = new Set(header.directors || []);
     this.partsOf = this.members.map(() => []);
     arrays.part_member.data.forEach((member, part) => this.partsOf[member].push(part));
+    this.curves = new BeamCurves(this);
     this.skin = arrays.skin ? arrays.skin.data : new Int32Array(0);
     this.faces = this.skin.length / 3;
     this.extent = extentOf(arrays.position.data, this.dim);
@@ -140,7 +143,7 @@ export class Scene {
 
   /** Whether some rule of some member was not checked at all: a value is missing. */
   get unchecked() {
-    return ["utilisation", "buckling"].some((name) => this.has(name) && this.arrays[name].data.some(Number.isNaN));
+    return ["utilisation", "buckling"].some((name) => this.has(name) && this.arrays[name].data.some((value, k) => Number.isNaN(value) && this.shows(k % this.members.length)));
   }
 
   has(name) {
@@ -230,7 +233,7 @@ export class Scene {
         if (value < low) low = value;
         if (value > high && Number.isFinite(value)) high = value;
       };
-      for (let k = 0; k < frames; k++) for (let m = 0; m < this.members.length; m++) meet(this.value(id, k, m));
+      for (let k = 0; k < frames; k++) for (let m = 0; m < this.members.length; m++) if (this.shows(m)) meet(this.value(id, k, m));
       if (this.coloursFaces(id)) this.arrays[channel.faces].data.forEach(meet);
       this.ranges[id] = low <= high ? [low, high] : [0, 0];
     }

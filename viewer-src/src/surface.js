@@ -30,27 +30,36 @@ export function withHatch(mesh) {
 
 /** Rims of instanced meshes: their back sides, wider by the same number of pixels at any distance. */
 export class Rims {
-  constructor(meshes) {
+  /** long : of the meshes those of bars, whose ends have no rim: pieces of a curve meet there. */
+  constructor(meshes, long = []) {
     this.size = { value: new Vector2(1, 1) };
     this.width = { value: RIM[1] };
-    this.material = new MeshBasicMaterial({ side: BackSide });
-    this.material.onBeforeCompile = (shader) => {
-      Object.assign(shader.uniforms, { rimSize: this.size, rimWidth: this.width });
-      shader.vertexShader = `uniform vec2 rimSize;\nuniform float rimWidth;\n${shader.vertexShader}`.replace("#include <project_vertex>", `#include <project_vertex>
-        vec3 rimNormal = mat3(modelViewMatrix) * mat3(instanceMatrix) * normal;
-        vec2 rimAway = (projectionMatrix * vec4(rimNormal, 0.0)).xy * rimSize;
-        gl_Position.xy += rimAway / max(length(rimAway), 1e-20) * 2.0 * rimWidth / rimSize * gl_Position.w;`);
-    };
+    [this.material, this.sides] = ["", "if (abs(normal.y) > 0.5) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);"].map((more) => this.outline(more));
     this.meshes = meshes.filter((mesh) => mesh.count).map((mesh) => {
-      const rim = new InstancedMesh(mesh.geometry, this.material, mesh.count);
+      const rim = new InstancedMesh(mesh.geometry, long.includes(mesh) ? this.sides : this.material, mesh.count);
       rim.instanceMatrix = mesh.instanceMatrix;
       rim.frustumCulled = false;
       return rim;
     });
   }
 
+  /** Back sides moved outwards along their normals; more : a further line of the shader. */
+  outline(more) {
+    const material = new MeshBasicMaterial({ side: BackSide });
+    material.customProgramCacheKey = () => `rim ${more}`;
+    material.onBeforeCompile = (shader) => {
+      Object.assign(shader.uniforms, { rimSize: this.size, rimWidth: this.width });
+      shader.vertexShader = `uniform vec2 rimSize;\nuniform float rimWidth;\n${shader.vertexShader}`.replace("#include <project_vertex>", `#include <project_vertex>
+        vec3 rimNormal = mat3(modelViewMatrix) * mat3(instanceMatrix) * normal;
+        vec2 rimAway = (projectionMatrix * vec4(rimNormal, 0.0)).xy * rimSize;
+        gl_Position.xy += rimAway / max(length(rimAway), 1e-20) * 2.0 * rimWidth / rimSize * gl_Position.w;
+        ${more}`);
+    };
+    return material;
+  }
+
   setColour(hex) {
-    this.material.color.set(hex);
+    for (const material of [this.material, this.sides]) material.color.set(hex);
   }
 
   /** radius : of the usual bar, CSS pixels: rims of bars seen from afar are thinner, or only they would be seen. */

@@ -55,7 +55,7 @@ function counted(count, noun) {
 }
 
 function subtitle(scene) {
-  const { header, members, nodes } = scene;
+  const { header } = scene, members = scene.members.filter((_, k) => scene.shows(k)), nodes = scene.nodes.filter((_, k) => !scene.directors.has(k));
   const words = [header.kind === "run" ? `run ${header.name}` : header.kind];
   if (header.cases.length === 1 && header.load_case !== "all") words.push(`load case ${header.load_case}`);
   const meshes = (header.skins || []).map((one) => `${one.kind} ${one.name}`);
@@ -64,6 +64,6 @@ function subtitle(scene) {
   if (all > 1) words.push(shown < all ? `${shown} of ${all} samples` : `${all} samples`);
   if (header.rounded) words.push("curves rounded");
   if (header.status !== "Completed.") words.push(`${header.status} ${header.message}`);
-  else if (header.message) words.push(header.message);
+  else if (header.message && !header.verdict?.more.some((one) => header.message.includes(one))) words.push(header.message);
   return words.join(" · ");
 }

@@ -14,6 +14,39 @@ import { Skins } from "./skins.js";
 import { Traces } from "./traces.js";
 import { Triad } from "./triad.js";
 
+const MARGIN = 0.8; // of the picture that a structure fills, so that names and arrows have room
+const SEVERAL = 20000; // points of a run that a camera looks at
+const LEGEND = 104; // CSS pixels above, where the legend stands
+
+/** What the camera looks at and how far away it is, so that every place of the run is in the picture and as large as possible. */
+function fitted({ scene, camera, canvas, loads, supports }, backward) {
+  const right = new Vector3().crossVectors(camera.up, backward);
+  if (right.length() < 1e-3) right.set(1, 0, 0); // seen along the upright axis
+  right.normalize();
+  const upward = new Vector3().crossVectors(backward, right), slope = Math.tan((camera.fov * Math.PI) / 360), wide = camera.aspect;
+  const above = Math.min(LEGEND / (canvas.clientHeight || 1000), 0.25), across = slope * wide * MARGIN, steep = slope * (MARGIN - above);
+  const places = [], step = Math.max(1, Math.ceil((scene.frames * scene.nodes.length) / SEVERAL)), last = scene.frames - 1;
+  for (let k = 0; k <= last; k = k < last ? Math.min(k + step, last) : k + 1) {
+    for (let node = 0; node < scene.nodes.length; node++) if (!scene.directors.has(node)) places.push(new Vector3(...scene.position(k, node)));
+    places.push(...[...loads.tips(k), ...supports.feet(k)].map((point) => new Vector3(...point)));
+  }
+  const flat = places.map((place) => [place.dot(right), place.dot(upward), place.dot(backward)]);
+  const middle = [0, 1, 2].map((axis) => (flat.reduce((low, one) => Math.min(low, one[axis]), Infinity) + flat.reduce((high, one) => Math.max(high, one[axis]), -Infinity)) / 2);
+  let far = scene.extent.size;
+  for (let turn = 0; turn < 4; turn++) { // near points look larger, so that the middle of the picture is not that of the box
+    far = flat.reduce((most, [x, y, w]) => Math.max(most, Math.abs(x - middle[0]) / across + w - middle[2], Math.abs(y - middle[1]) / steep + w - middle[2]), 0.05 * scene.extent.size);
+    for (const axis of [0, 1]) {
+      const seen = flat.map((one) => (one[axis] - middle[axis]) / (far - one[2] + middle[2]));
+      if (turn < 3) middle[axis] += (far * (seen.reduce((a, b) => Math.min(a, b), Infinity) + seen.reduce((a, b) => Math.max(a, b), -Infinity))) / 2;
+    }
+  }
+  // only as far below the middle as the legend asks for
+  const top = flat.reduce((most, one) => Math.max(most, (one[1] - middle[1]) / (far - one[2] + middle[2]) / slope), 0);
+  middle[1] += Math.max(0, top - MARGIN + 2 * above) * slope * far;
+  const centre = new Vector3().addScaledVector(right, middle[0]).addScaledVector(upward, middle[1]).addScaledVector(backward, middle[2]);
+  return { centre, far };
+}
+
 /** Whether this browser draws by WebGL. */
 export function hasWebGL() {
   return Boolean(document.createElement("canvas").getContext("webgl2"));
@@ -104,9 +137,7 @@ export class View extends Picture {
   aim(name) {
     const { scene, camera, controls } = this;
     const direction = new Vector3(...PRESETS[name]).normalize();
-    const centre = new Vector3(...scene.extent.centre);
-    const fit = Math.min(1, camera.aspect);
-    const far = (0.56 * scene.extent.size) / (Math.tan((camera.fov * Math.PI) / 360) * fit);
+    const { centre, far } = fitted(this, direction);
     camera.position.copy(centre).addScaledVector(direction, far);
     controls.target.copy(centre);
     controls.update();

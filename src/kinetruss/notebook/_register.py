@@ -48,7 +48,7 @@ def _drawn(result: Any) -> str:
     from kinetruss.report import histories_svg
 
     drawn = histories_svg(result)
-    text = element("pre", repr(result))
+    text = element("pre", repr(result), style="font-family:monospace")
     if drawn is None:
         return text
     picture = Markup(drawn[drawn.index("<svg") :])

@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import anywidget
 import traitlets
 
+from kinetruss.display import Markup, element
 from kinetruss.model import Model
 from kinetruss.notebook._show import framed
 from kinetruss.studio import Session
@@ -17,8 +19,9 @@ from kinetruss.viewer import live_page, page, scene
 __all__ = ["LiveModel"]
 
 FRONT = """
-// Carries messages between the page in a frame and the kernel.
+// Carries messages between the page in a frame and the kernel. The still is for pages where no widget runs.
 function render({ model, el }) {
+  for (const still of document.querySelectorAll(`[data-still="${model.get("name")}"]`)) still.remove();
   const frame = document.createElement("iframe");
   const id = Math.random().toString(36).slice(2);
   frame.setAttribute("sandbox", "allow-scripts");
@@ -49,24 +52,30 @@ class LiveModel(anywidget.AnyWidget):
     """A live model. values : present drive values, m or rad."""
 
     _esm = FRONT
+    name = traitlets.Unicode().tag(sync=True)
     page = traitlets.Unicode().tag(sync=True)
     height = traitlets.Int().tag(sync=True)
     values: Any = traitlets.Dict()
 
     def __init__(self, model: Model, height: int, folder: Path | None) -> None:
         self.session = Session(model, None, folder)
-        still = scene(self.session.instant().forces, model=self.session.model)
-        self._still = framed(page(still, title=model.title), height)
-        super().__init__(page=live_page(model.title, still=still), height=height, values=dict(self.session.pose.values))
+        still, name = scene(self.session.instant().forces, model=self.session.model), uuid4().hex
+        self._still = element("div", Markup(framed(page(still, title=model.title), height)), data_still=name)
+        super().__init__(
+            page=live_page(model.title, still=still), name=name, height=height, values=dict(self.session.pose.values)
+        )
         self.on_msg(self._heard)
 
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        """The widget, and for pages where no widget runs a still."""
-        found = super()._repr_mimebundle_(**options)
-        if found is None:
-            return {"text/html": self._still}
-        data, metadata = found if isinstance(found, tuple) else (found, {})
-        return {**data, "text/html": self._still}, metadata
+    def _ipython_display_(self) -> None:
+        """Show a still, and the widget, which takes the still away where it runs: no page is ever blank."""
+        from IPython.display import display as untyped
+
+        display: Any = untyped
+        display({"text/html": self._still, "text/plain": "a still of the live model"}, raw=True)
+        found = self._repr_mimebundle_()
+        if found is not None:
+            data, metadata = found if isinstance(found, tuple) else (found, {})
+            display(data, metadata=metadata, raw=True)
 
     def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
         """Answer one message of a page."""

@@ -64,12 +64,14 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 @click.option("--size", default="1280x720", show_default=True, callback=_size, help="Width x height, pixels.")
 @click.option("--at", metavar="TIME", callback=instant, help="Instant of a picture (default: the start).")
 @click.option("--fps", type=float, default=30.0, show_default=True, help="Frames per second of a film.")
-@click.option("--speed", type=float, default=1.0, show_default=True, help="How much faster than in reality.")
+@click.option("--speed", type=float, help="How much faster than in reality (default: a film of 5 to 8 s).")
 @click.option("--case", help="Load case (default: the first).")
 @click.option("--mode", type=click.IntRange(min=1), help="For a model: its vibration mode with this number.")
 @click.option("--ghost", is_flag=True, help="The start pose as thin lines.")
 @click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the path of a node (may be given several times).")
-@click.option("--faces", is_flag=True, help="Triangles of rigid bars as faces.")
+@click.option(
+    "--faces/--no-faces", default=None, help="Triangles of rigid bars as faces (default: if no member has a section)."
+)
 @click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
 @click.option("--no-grid", is_flag=True, help="Without the grid.")
 @click.option("--bare", is_flag=True, help="Without title, time, legend and axes.")

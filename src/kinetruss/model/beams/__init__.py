@@ -18,7 +18,7 @@ if TYPE_CHECKING:
         rigid_groups,
         shape_bars,
     )
-    from kinetruss.model.beams.shown import FRAME, shown_kinds
+    from kinetruss.model.beams.shown import FRAME, shown_kinds, shown_names
 
 __all__ = [
     "FRAME",
@@ -32,12 +32,13 @@ __all__ = [
     "rigid_groups",
     "shape_bars",
     "shown_kinds",
+    "shown_names",
 ]
 
 __getattr__, __dir__ = late(
     __name__,
     {
         "framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups shape_bars",
-        "shown": "FRAME shown_kinds",
+        "shown": "FRAME shown_kinds shown_names",
     },
 )

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinetruss.model.beams.framing import chords
+from kinetruss.model.parts.bracing import CHORD
 from kinetruss.model.parts.members import Active
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["FRAME", "shown_kinds"]
+__all__ = ["FRAME", "shown_kinds", "shown_names"]
 
 FRAME = "frame"
 """Kind of the bars of frames, which pictures leave out."""
@@ -28,3 +29,9 @@ def shown_kinds(model: ModelData) -> dict[str, str]:
     directors = {name for name, node in model.nodes.items() if node.director}
     found |= {name: FRAME for name, one in model.members.items() if directors & set(one.ends)}
     return found
+
+
+def shown_names(model: ModelData) -> dict[str, str]:
+    """The name that pictures show of each member: of the chord of a beam that of the beam."""
+    beams = {f"{name}{CHORD}": name for name in model.beams}
+    return {name: beams.get(name, name) for name in model.members}

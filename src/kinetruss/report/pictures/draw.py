@@ -229,8 +229,10 @@ def _shape(figure: Shape) -> Canvas:
 
 
 def _pose(ax: Any, figure: Shape, pose: Pose, points: Any) -> None:
+    curves = {k: projected(along) for k, along in pose.curves.items()}
     for driven, colour, width in ((False, INK, 1.2), (True, DRIVEN, 3.0)):
-        lines = [points[list(ends)] for ends, is_driven in zip(figure.ends, figure.driven, strict=True) if is_driven is driven]
+        chosen = [k for k, is_driven in enumerate(figure.driven) if is_driven is driven]
+        lines = [curves.get(k, points[list(figure.ends[k])]) for k in chosen]
         ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, capstyle="round"))
     ax.plot(*points.T, "o", color=INK, markersize=3.0)
     ax.plot(*points[list(figure.held)].T, "^", color=INK, markersize=8, markerfacecolor="white")

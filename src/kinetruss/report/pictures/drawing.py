@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -28,9 +28,6 @@ from kinetruss.display import (
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import INK, PRINT, QUIET, RC, WIDTHS
 from kinetruss.report.pictures.view import write_names
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 __all__ = ["drawn"]
 
@@ -95,6 +92,7 @@ def _box(figure: Drawing) -> tuple[Any, Any]:
     shown += [one.bodies.reshape(-1, 2) for one in figure.stands if one.bodies.size] + list(figure.ways)
     if figure.ghost is not None:
         shown.append(figure.ghost)
+    shown += [points for one in figure.stands for points in one.curves.values()]
     points = np.concatenate(shown)
     low, high = points.min(axis=0), points.max(axis=0)
     margin = (0.09 if figure.names else 0.06) * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
@@ -110,17 +108,17 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         ax.add_collection(PolyCollection(list(one.bodies), facecolors="#dde3ea", edgecolors="none"))
     if len(one.faces):
         _faces(ax, figure, one)
-    lines = np.array([one.points[list(ends)] for ends in figure.ends]).reshape(-1, 2, 2)
+    lines = one.lines(figure.ends)
     if figure.colouring is None or one.values is None:
         for kind, pen in PENS.items():
             chosen = [line for line, own in zip(lines, figure.kinds, strict=True) if own == kind]
             ax.add_collection(LineCollection(chosen, **pen))
     else:
         # a dark rim keeps pale colours visible on white paper
-        thick = _thickness(ax, lines)
-        ax.add_collection(LineCollection(list(lines), colors=INK, linewidths=1.3 * thick, capstyle="round"))
+        thick = _thickness(ax, figure, one)
+        ax.add_collection(LineCollection(lines, colors=INK, linewidths=1.3 * thick, capstyle="round"))
         colours = LineCollection(
-            list(lines),
+            lines,
             cmap=_map(figure.colouring),
             norm=Normalize(*figure.colouring.limits),
             linewidths=thick,
@@ -131,10 +129,15 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         # with white gaps: a force that is not unique, or what was not checked
         broken = sorted({*figure.unsure, *np.flatnonzero(np.isnan(one.values)).tolist()})
         ax.add_collection(
-            LineCollection(list(lines[broken]), colors="white", linewidths=1.4 * thick, linestyles=(0, (0.6, 2.4)))
+            LineCollection([lines[k] for k in broken], colors="white", linewidths=1.4 * thick, linestyles=(0, (0.6, 2.4)))
         )
     mesh = len(one.faces) > 0
-    ax.plot(*one.points[list(figure.joined) if mesh else slice(None)].T, "o", color=INK, markersize=1.1 * _thickness(ax, lines))
+    ax.plot(
+        *one.points[list(figure.joined) if mesh else slice(None)].T,
+        "o",
+        color=INK,
+        markersize=1.1 * _thickness(ax, figure, one),
+    )
     ax.plot(*one.hinges.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
     for nodes, marker in ((figure.held, "^"), (figure.guided, "o")):
         ax.plot(*one.points[list(nodes)].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
@@ -144,12 +147,13 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     write_names(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members, one.loads)
 
 
-def _thickness(ax: Any, lines: NDArray[np.float64]) -> float:
+def _thickness(ax: Any, figure: Drawing, one: Stand) -> float:
     """Width of coloured lines, points: thinner where members are short on paper, or they would run together."""
-    if not len(lines):
+    if not figure.ends:
         return 2.0
     ax.apply_aspect()
-    ends = ax.transData.transform(lines.reshape(-1, 2)).reshape(-1, 2, 2) * 72 / ax.figure.dpi
+    lines = one.points[np.array(figure.ends)].reshape(-1, 2)
+    ends = ax.transData.transform(lines).reshape(-1, 2, 2) * 72 / ax.figure.dpi
     usual = float(np.median(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
     return float(np.clip(usual / 12, 0.5, 2.0))
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
-from kinetruss.model.beams import FRAME, shown_kinds
-from kinetruss.report.pictures.pictured import arrows
+from kinetruss.model.beams import FRAME, shown_kinds, shown_names
+from kinetruss.report.pictures.pictured import arrows, curves_of
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
 from kinetruss.report.run_text.summary import worst_rows
 from kinetruss.runs.missions import check_histories
@@ -106,10 +106,15 @@ def _shape(run: RunResult) -> Shape:
         driven=driven,
         held=tuple(index[name] for name in model.fixed if name in index),
         poses=tuple(
-            Pose(caption=f"t = {instant(time[k])}", position=position[k][seen], loads=tuple(pairs))
+            Pose(
+                caption=f"t = {instant(time[k])}",
+                position=position[k][seen],
+                loads=tuple(pairs),
+                curves=curves_of(model, position[k]),
+            )
             for k, pairs in zip(chosen, loads, strict=True)
         ),
-        members=tuple(members),
+        members=tuple(map(shown_names(model).__getitem__, members)),
     )
 
 

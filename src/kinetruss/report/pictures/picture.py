@@ -11,10 +11,10 @@ import numpy as np
 from kinetruss.display import instant, limits_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics.structure import body_faces, skin_of
-from kinetruss.model import Bar, HingeDrive, Model, nearest
-from kinetruss.model.beams import FRAME, shown_kinds
+from kinetruss.model import AngleDrive, Bar, HingeDrive, Model, nearest
+from kinetruss.model.beams import FRAME, shown_kinds, shown_names
 from kinetruss.report.pictures.draw import SUFFIXES
-from kinetruss.report.pictures.pictured import Pictured, arrows, pictured
+from kinetruss.report.pictures.pictured import Pictured, arrows, curves_of, pictured
 from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
 from kinetruss.report.pictures.style import WIDTHS
 from kinetruss.report.pictures.view import MEMBERS, VIEWS, eye, names_of, projected
@@ -111,7 +111,7 @@ def picture(
         ghost=projected(position[0], view) if ghost else None,
         ways=tuple(projected(position[:, index[_known(name, index)]], view) for name in paths),
         names=len(index) <= NAMES if names is None else names,
-        members=names_of(len(kinds), MEMBERS, names, kinds),
+        members=names_of(len(kinds), MEMBERS, names, map(shown_names(model).__getitem__, kinds)),
     )
     from kinetruss.report.pictures.draw import write
     from kinetruss.report.pictures.drawing import drawn
@@ -147,7 +147,7 @@ def _frames(time: Array, instants: Sequence[float], *, timed: bool) -> list[int]
 
 
 def _coloured(what: Pictured, colour: str | None, case: str | None) -> tuple[Colouring | None, Array | None]:
-    """The colour quantity of members, and its values (times, members)."""
+    """The colour quantity of members, and its values (times, members that are drawn)."""
     if (colour is not None or case is not None) and not what.forces and what.member_force is None:
         raise InputError("There are no forces to colour by. Give a run, forces or an equilibrium.")
     if case is not None and case not in what.forces:
@@ -157,6 +157,8 @@ def _coloured(what: Pictured, colour: str | None, case: str | None) -> tuple[Col
     if colour not in COLOURED:
         raise InputError(f"No colour called {colour!r}. {nearest(colour, COLOURED)}")
     values, faces = _values(what, colour, case)
+    drawn = [kind != FRAME for kind in shown_kinds(what.model).values()]
+    values = np.asarray(values)[:, drawn]
     label, unit, words = COLOURED[colour]
     several = np.concatenate([values.ravel(), np.zeros(0) if faces is None else faces.ravel()])
     limits = limits_of({"force": "diverging", "stress": "sequential", "utilisation": "capacity"}[colour], several)
@@ -197,7 +199,6 @@ def _stands(
     pairs = arrows(model, time, position, first, frames) if loads else [[]] * len(frames)
     skin = skin_of(model)
     seen = np.array([not node.director for node in model.nodes.values()], bool)
-    drawn = np.array([kind != FRAME for kind in _kinds(model).values()], bool)
     stress = _stress(model, position) if colour == "stress" else None
     for k, some in zip(frames, pairs, strict=True):
         x = position[k]
@@ -209,7 +210,8 @@ def _stands(
             face_values=None if stress is None else stress[k][order],
             caption=f"t = {instant(time[k])}" if len(time) > 1 else "",
             points=projected(x[seen], view),
-            values=None if values is None else values[k][drawn],
+            curves={member: projected(points, view) for member, points in curves_of(model, x).items()},
+            values=None if values is None else values[k],
             bodies=projected(_bodies(model, x), view),
             loads=tuple((projected(start, view), projected(end, view)) for start, end in some),
         )
@@ -251,10 +253,11 @@ def _stress(model: Model, position: Array) -> Array | None:
 
 
 def _hinges(model: Model, x: Array) -> Array:
-    """Midpoints (h, dim) of the axes of hinge drives."""
-    index = {name: k for k, name in enumerate(model.nodes)}
-    hinged = [drive for drive in model.all_drives.values() if isinstance(drive, HingeDrive)]
-    return np.array([x[[index[one] for one in drive.axis]].mean(axis=0) for drive in hinged]).reshape(-1, model.dim)
+    """Places (h, dim) of motors that turn: midpoints of the axes of hinge drives, first ends of bars whose angle is driven."""
+    index, drives = {name: k for k, name in enumerate(model.nodes)}, model.all_drives.values()
+    places = [drive.axis for drive in drives if isinstance(drive, HingeDrive)]
+    places += [model.members[drive.bar].ends[:1] for drive in drives if isinstance(drive, AngleDrive)]
+    return np.array([x[[index[one] for one in nodes]].mean(axis=0) for nodes in places]).reshape(-1, model.dim)
 
 
 def _joined(model: Model, index: dict[str, int]) -> tuple[int, ...]:

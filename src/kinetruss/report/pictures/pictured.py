@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import Model
+from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.results import Forces, Motion, Result, Simulation
 from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Pictured", "arrows", "pictured"]
+__all__ = ["Pictured", "arrows", "curves_of", "pictured"]
 
 LONGEST, LEAST = 0.16, 0.01
 """Length of the longest arrow of all times, and below which none is drawn, as fractions of the structure."""
@@ -58,7 +59,9 @@ def pictured(what: Any, model: Model | None = None) -> Pictured:
     if model is None:
         raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
     if rest:
-        position, force = (what.data[name].values for name in ("position", "member_force"))
+        from kinetruss.strength.verdict import middle_forces
+
+        position, force = what.data["position"].values, middle_forces(model, what)
         return Pictured(model=model, time=np.zeros(1), position=position[None], member_force=force)
     check_samples(what)
     if isinstance(what, Forces):
@@ -94,6 +97,17 @@ def arrows(
         [(x[n], x[n] + one) for n, one in zip(found.node, vectors, strict=True) if np.linalg.norm(one) > LEAST * size]
         for x, vectors in ((position[k], along[k]) for k in frames)
     ]
+
+
+def curves_of(model: Model, x: Array) -> dict[int, Array]:
+    """By place among the members that are drawn the points (g, dim), m, of elastic beams with nodes at x (n, dim)."""
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.beams import beam_curves
+
+    if not model.beams or (found := beam_curves(compile(model))) is None:
+        return {}
+    drawn = np.cumsum([kind != FRAME for kind in shown_kinds(model).values()]) - 1
+    return {int(drawn[member]): points for member, points in zip(found.member, found.at(x), strict=True)}
 
 
 def _standing(model: Model) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -59,11 +60,14 @@ class Bars:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Pose:
-    """One configuration: caption, node positions (n_nodes, dim), m, and loads as pairs of a start and an end, m."""
+    """One configuration: caption, node positions (n_nodes, dim), m, loads as pairs of a start and an end, m, and by member the
+    points (g, dim), m, of beams.
+    """
 
     caption: str
     position: Array
     loads: tuple[tuple[Array, Array], ...] = ()
+    curves: Mapping[int, Array] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -99,7 +103,8 @@ class Colouring:
 class Stand:
     """One instant of a drawing, on paper: nodes (n, 2), m; values (members,) that colour; loads as pairs of a start
     and an end, m; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, from back to front,
-    with their brightness (f,), 0 to 1, and values (f,) of the colour quantity; hinges (h, 2), m, with a motor.
+    with their brightness (f,), 0 to 1, and values (f,) of the colour quantity; hinges (h, 2), m, with a motor; curves, by
+    member the points (g, 2), m, of beams.
     """
 
     caption: str
@@ -111,6 +116,11 @@ class Stand:
     light: Array
     face_values: Array | None
     hinges: Array
+    curves: Mapping[int, Array] = field(default_factory=dict)
+
+    def lines(self, ends: Iterable[tuple[int, int]]) -> list[Array]:
+        """Points (g, 2), m, of members from end to end: beams along their curves."""
+        return [self.curves.get(k, self.points[list(pair)]) for k, pair in enumerate(ends)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

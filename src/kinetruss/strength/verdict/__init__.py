@@ -7,16 +7,26 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.strength.verdict.beams import middle_forces
+    from kinetruss.strength.verdict.beams import beam_sections, middle_forces
     from kinetruss.strength.verdict.by_member import highest, strength_histories, unchecked, worst_of
     from kinetruss.strength.verdict.governing import Governing, Headline, headline
 
-__all__ = ["Governing", "Headline", "headline", "highest", "middle_forces", "strength_histories", "unchecked", "worst_of"]
+__all__ = [
+    "Governing",
+    "Headline",
+    "beam_sections",
+    "headline",
+    "highest",
+    "middle_forces",
+    "strength_histories",
+    "unchecked",
+    "worst_of",
+]
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "beams": "middle_forces",
+        "beams": "beam_sections middle_forces",
         "by_member": "highest strength_histories unchecked worst_of",
         "governing": "Governing Headline headline",
     },

@@ -8,15 +8,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.mechanics import System, compile, kept
+from kinetruss.results import Forces
 from kinetruss.strength.members.beams import beams, known_positions
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-    from kinetruss.results import Forces
+    from kinetruss.results import Result
 
-__all__ = ["BEAM_QUANTITIES", "beam_histories", "beam_limits", "beam_notes", "beam_parts", "chord_of", "middle_forces"]
+__all__ = [
+    "BEAM_QUANTITIES",
+    "beam_histories",
+    "beam_limits",
+    "beam_notes",
+    "beam_parts",
+    "beam_sections",
+    "chord_of",
+    "middle_forces",
+]
 
 SECTIONS = 97
 """Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
@@ -57,14 +67,34 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     return {name: _largest(values, xi) for name, values in along.items()}
 
 
-def middle_forces(model: Model, forces: Forces) -> NDArray[np.float64]:
-    """Axial forces (times, members), N; on the chords of elastic beams those in their middle, NaN where they are not known."""
-    found, names = np.array(forces.arrays["member_force"].values, float), beam_parts(model)
+def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
+    """Axial forces ((times,) members), N, of forces or of an equilibrium; on the chords of elastic beams those in their middle,
+    NaN where they are not known, and on those of rigid beams.
+    """
+    data = result.arrays if isinstance(result, Forces) else result.data
+    found, names = np.array(data["member_force"].values, float), beam_parts(model)
+    chords = [k for k, name in enumerate(model.members) if name in {chord_of(beam) for beam in model.beams}]
+    found[..., chords] = np.nan
     if names:
         columns = [list(model.members).index(chord_of(name)) for name in names]
-        known = known_positions(forces)
-        found[:, columns] = beams(model, forces, stations=[0.5])["section_T"].values[:, :, 0] if known else np.nan
+        if not isinstance(result, Forces) or known_positions(result):
+            found[..., columns] = beams(model, result, stations=[0.5])["section_T"].values[..., 0]
     return found
+
+
+def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArray[np.float64]:
+    """Section forces (times, beams, stations, values) of forces or of an equilibrium, at equal distances along elastic beams:
+    T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises' stress, Pa; NaN where they
+    are not known.
+    """
+    shape = (-1, len(beam_parts(model)), stations, 4 if model.dim == 2 else 7)
+    if isinstance(result, Forces) and not known_positions(result):
+        return np.full((len(result.arrays["time"].values), *shape[1:]), np.nan)
+    found = beams(model, result, stations=stations)
+    names = ("section_T", "section_V", "section_M", "torsion", "von_mises")
+    parts = [found[name].values for name in names if name in found]
+    several = [one if one.ndim > parts[0].ndim else one[..., None] for one in parts]
+    return np.asarray(np.concatenate(several, axis=-1)).reshape(shape)
 
 
 def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

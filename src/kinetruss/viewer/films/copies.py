@@ -23,24 +23,30 @@ STRIPES, SEVERAL = 25, 300
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Copies:
-    """Copies of a shape of revolution: start (n, 3), end (n, 3), m; radius (n,), m; colour (n, 3), 0 to 255."""
+    """Copies of a shape: start (n, 3), end (n, 3), m; radius (n,), m; colour (n, 3), 0 to 255; second (n, 3) a direction
+    across, 0 if any will do; wide (n,), m, the radius across both.
+    """
 
     start: Array
     end: Array
     radius: Array
     colour: NDArray[np.uint8]
+    second: Array
+    wide: Array
 
     @classmethod
     def all(cls, several: Sequence[Copies]) -> Copies:
         """Several sets of copies, joined."""
         kept = [one for one in several if len(one.radius)]
         if not kept:
-            return cls(start=np.zeros((0, 3)), end=np.zeros((0, 3)), radius=np.zeros(0), colour=np.zeros((0, 3), np.uint8))
+            return copies(np.zeros((0, 3)), np.zeros((0, 3)), 0.0, np.zeros((0, 3)))
         return cls(**{name: np.concatenate([getattr(one, name) for one in kept]) for name in cls.__slots__})
 
 
-def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copies:
-    """Copies with one colour, or one colour each."""
+def copies(
+    start: Array, end: Array, radius: Array | float, colour: Any, second: Array | None = None, wide: Array | None = None
+) -> Copies:
+    """Copies with one colour, or one colour each; round ones, or with a direction across and another radius across both."""
     count = len(start)
     shade = np.array(rgb(colour) if isinstance(colour, str) else colour, np.uint8)
     return Copies(
@@ -48,6 +54,8 @@ def copies(start: Array, end: Array, radius: Array | float, colour: Any) -> Copi
         end=end,
         radius=np.broadcast_to(np.asarray(radius, float), count).copy(),
         colour=np.broadcast_to(shade, (count, 3)).copy(),
+        second=np.zeros((count, 3)) if second is None else second,
+        wide=np.broadcast_to(np.asarray(radius if wide is None else wide, float), count).copy(),
     )
 
 
@@ -63,5 +71,5 @@ def striped(several: Copies, ever: NDArray[np.bool_], now: NDArray[np.bool_], pa
     for k in range(count):
         start, end = (cut["start"] + (k + one) / count * along for one in (0, 1))
         colour = np.where(now[ever][:, None] & bool(k % 2), light, cut["colour"])
-        found.append(copies(start, end, cut["radius"], colour))
+        found.append(copies(start, end, cut["radius"], colour, cut["second"], cut["wide"]))
     return Copies.all(found)

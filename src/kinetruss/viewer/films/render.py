@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, limits_of, quantity, rgb
+from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, limits_of, number, quantity, rgb
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.viewer.films.camera import ANGLE, Camera, aimed
+from kinetruss.viewer.films.pace import usual_speed
 from kinetruss.viewer.films.shown import Look, Subject
 from kinetruss.viewer.scenes.channels import CHANNELS
 from kinetruss.viewer.scenes.scene import scene
@@ -44,12 +45,12 @@ def render(
     size: tuple[int, int] = (1280, 720),
     at: float | None = None,
     fps: float = 30.0,
-    speed: float = 1.0,
+    speed: float | None = None,
     case: str | None = None,
     mode: int | None = None,
     modes: Sequence[Mode] = (),
     ghost: bool = False,
-    faces: bool = False,
+    faces: bool | None = None,
     loads: bool = True,
     grid: bool = True,
     paths: Sequence[str] = (),
@@ -65,9 +66,11 @@ def render(
     camera : ``iso``, ``front``, ``side``, ``top``, or the direction (x, y, z) from the structure to the camera.
     size : width and height, pixels; even numbers for MP4.
     at : instant of a picture, s; by default the start. The nearest computed sample is shown.
-    fps, speed : frames per second, and how much faster than in reality. Films show the nearest computed samples too.
+    fps, speed : frames per second, and how much faster than in reality; by default a film of a run takes 5 to 8 s. Films show
+    the nearest computed samples too.
     case : load case, by default the first. mode : the mode or mechanism to animate (0: the first); modes : additional ones.
-    ghost : the start pose as thin lines. faces : show rigid triangles as faces. paths : nodes whose path is drawn.
+    ghost : the start pose as thin lines. faces : show rigid triangles as faces; by default if no member has a section.
+    paths : nodes whose path is drawn.
     bare : no text around the picture.
     progress : called with the number of frames done and of all frames.
 
@@ -92,12 +95,26 @@ def render(
     _check(path, size, fps, speed)
     shown = scene(what, model=model, case=case, modes=modes, instants=() if at is None else (at,))
     subject = Subject(
-        shown, Look(ghost=ghost, faces=faces, loads=loads, grid=grid, paths=_nodes(shown, paths), mode=_mode(shown, mode))
+        shown,
+        Look(
+            ghost=ghost,
+            faces=_bodily(shown) if faces is None else faces,
+            loads=loads,
+            grid=grid,
+            paths=_nodes(shown, paths),
+            mode=_mode(shown, mode),
+        ),
     )
     channel = _channel(shown, colour)
     limits = (0.0, 1.0) if channel is None else limits_of(channel["scale"], subject.shown_values(channel))
-    shots = _picture(shown, at, mode) if path.suffix == ".png" else _film(shown, path, at, mode, fps, speed)
-    job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare)
+    pace = 1.0
+    if path.suffix == ".png":
+        shots = _picture(shown, at, mode)
+    else:
+        time = shown.arrays["time"]
+        pace = speed or (usual_speed(float(time[-1] - time[0])) if mode is None else 1.0)
+        shots = _film(shown, path, at, mode, fps, pace)
+    job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare, pace=pace)
     pictures = job.pictures(shots, progress)
     first = next(pictures)  # all input errors are raised before a file is started
     from kinetruss.viewer.films import film as files
@@ -127,6 +144,7 @@ class _Job:
     size: tuple[int, int]
     camera: str | Sequence[float]
     bare: bool
+    pace: float = 1.0
 
     def pictures(self, shots: Sequence[_Shot], progress: Callable[[int, int], None] | None) -> Iterator[NDArray[np.uint8]]:
         """Draw each shot."""
@@ -163,6 +181,7 @@ class _Job:
         kinds = [*header["kinds"], *(one["kind"] for one in header["skins"])]
         notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
         notes += ["striped: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
+        notes += [f"{number(self.pace)} × real time"] * (self.pace != 1)
         notes += [f"grid {quantity(self.subject.step, 'm')}"] * self.subject.look.grid
         return Frame(
             width=self.size[0],
@@ -191,7 +210,7 @@ class _Job:
         ).astype(np.uint8)
 
 
-def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:
+def _check(path: Path, size: tuple[int, int], fps: float, speed: float | None) -> None:
     if path.suffix not in SUFFIXES:
         raise InputError(f"{path}: pictures end in .png, films in .mp4 or .gif. (Vector drawings: kinetruss picture)")
     if not all(low <= one <= high for low, one, high in zip(LEAST, size, MOST, strict=True)):
@@ -200,12 +219,17 @@ def _check(path: Path, size: tuple[int, int], fps: float, speed: float) -> None:
         raise InputError(f"size {size[0]}x{size[1]}: MP4 needs an even width and height.")
     if not 1 <= fps <= 240:
         raise InputError(f"fps={fps:g}: give 1 to 240 frames a second.")
-    if not 0 < speed < np.inf:
+    if speed is not None and not 0 < speed < np.inf:
         raise InputError(f"speed={speed:g}: give a positive number, e.g. 0.5 for half as fast.")
     if path.suffix != ".png":
         from kinetruss.viewer.films.film import check_encoder
 
         check_encoder(path.suffix)
+
+
+def _bodily(shown: Scene) -> bool:
+    """Whether a structure is one of bodies only: no member has a section."""
+    return bool(np.isnan(np.asarray(shown.arrays["radius"], float)).all())
 
 
 def _nodes(shown: Scene, names: Sequence[str]) -> tuple[int, ...]:

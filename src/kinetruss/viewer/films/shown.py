@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import DRIVEN, ELASTIC, KINDS, LOAD, SKINS, THEMES, colours_of, rgb
-from kinetruss.viewer.films.copies import Copies, copies, striped
+from kinetruss.display import DRIVEN, KINDS, LOAD, SKINS, THEMES, colours_of, rgb
+from kinetruss.viewer.films.bars import Bars
+from kinetruss.viewer.films.copies import Copies, copies
 from kinetruss.viewer.films.solids import across, plate, rounded
 
 if TYPE_CHECKING:
@@ -24,11 +25,8 @@ __all__ = ["Look", "Subject"]
 
 PAPER = THEMES["light"]
 SUPPORT, BODY, TRACE, GHOST, NODE, GRID = PAPER["support"], "#3f4a55", PAPER["ink"], "#a8b0b9", PAPER["node"], PAPER["line"]
-RIM = 0.35
-"""Width of the rim of a bar over its radius; it keeps pale colours visible."""
 PRESSURE = 0.3
 """Length of pressure arrows as a fraction of other arrows, since many are next to each other."""
-THIN = {"frame": 0.0, "free": 0.35, "screw": 0.35, "cable": 0.35, "elastic": 0.7, "base": 0.75, "tube": 1.5}
 RING = np.column_stack([np.cos(np.arange(25) * np.pi / 12), np.sin(np.arange(25) * np.pi / 12), np.zeros(25)])
 
 
@@ -120,9 +118,10 @@ class Subject:
         return np.asarray(self.scene.arrays.get("skin", np.zeros((0, 3))), np.int64)
 
     def shown_values(self, channel: dict[str, Any]) -> Array:
-        """All values of a channel for members and faces, flat."""
+        """All values of a channel for the members that are shown and for faces, flat."""
         faces = self.scene.arrays.get(str(channel.get("faces")), np.zeros(0))
-        return np.concatenate([self.values(channel).ravel(), np.asarray(faces, float).ravel()])
+        seen = [kind != "frame" for kind in self.scene.header["kinds"]]
+        return np.concatenate([self.values(channel)[:, seen].ravel(), np.asarray(faces, float).ravel()])
 
     def skin_colours(self, frame: int, channel: dict[str, Any] | None, limits: Sequence[float]) -> NDArray[np.uint8]:
         """Colours of faces (f, 3), 0 to 255: by value if the channel has values of faces, else by kind."""
@@ -161,25 +160,25 @@ class Subject:
         index = {name: k for k, name in enumerate(self.scene.header["members"])}
         return [index[name] for name in self.scene.header["not_unique"] if name in index]
 
-    def rods(self, frame: int, x: Array, colours: NDArray[np.uint8], hatched: NDArray[np.bool_] | None = None) -> Copies:
-        """Bars, marks of their kinds, shafts of arrows, rings of motors; `hatched` over (frames, members)."""
-        bars = self._bars(x, colours)
-        if hatched is not None and hatched.any():
-            two = np.array(self.scene.header["two_rods"], int)
-            one = np.setdiff1d(np.arange(len(self.ends)), two)
-            ever: NDArray[np.bool_] = np.asarray(hatched.any(axis=0))
-            owners = [one, two, two, two][: len(bars)]
-            bars = [striped(some, ever[of], hatched[frame, of], PAPER["back"]) for some, of in zip(bars, owners, strict=True)]
-        found = [*bars, *self._marks(x)]
-        shafts, _ = self._arrows(frame, x)
-        return Copies.all([*found, shafts, self._rings(x)])
+    @cached_property
+    def bars(self) -> Bars:
+        """Round and rectangular bars, beams and marks."""
+        return Bars(self.scene, self.usual, self.radius)
 
-    def rims(self, x: Array) -> Copies:
-        """Rims of the bars: their back sides, a little thicker."""
-        found = Copies.all(self._bars(x, np.zeros((len(self.ends), 3), np.uint8)))
-        least = 0.011 * self.usual
-        wide = np.where(found.radius > 0, found.radius + RIM * np.maximum(found.radius, least), 0.0)
-        return copies(found.start, found.end, wide, PAPER["outline"])
+    def rods(
+        self, frame: int, x: Array, colours: NDArray[np.uint8], hatched: NDArray[np.bool_] | None = None
+    ) -> tuple[Copies, Copies]:
+        """Round bars, marks of their kinds, shafts of arrows, rings of motors; and rectangular bars.
+
+        hatched : over (frames, members).
+        """
+        stripes = hatched is not None and bool(hatched.any())
+        round_, flat = (
+            self.bars.striped(one, hatched, frame) if stripes and hatched is not None else [some for some, _ in one]
+            for one in self.bars.drawn(x, colours)
+        )
+        shafts, _ = self._arrows(frame, x)
+        return Copies.all([*round_, *self.bars.marks(x), shafts, self._rings(x)]), Copies.all(flat)
 
     def cones(self, frame: int, x: Array) -> Copies:
         """Supports and heads of arrows."""
@@ -233,42 +232,6 @@ class Subject:
         node, towards = self._held
         found.append((self.places[:, node] - 0.1 * self.usual * towards).reshape(-1, 3))
         return np.concatenate(found)
-
-    def _bars(self, x: Array, colours: NDArray[np.uint8]) -> list[Copies]:
-        p, q = x[self.ends.T]
-        two = np.array(self.scene.header["two_rods"], int)
-        one = np.setdiff1d(np.arange(len(p)), two)
-        thin = np.array([THIN.get(kind, 1.0) for kind in self.scene.header["kinds"]])
-        found = [copies(p[one], q[one], (thin * self.radius)[one], colours[one])]
-        if len(two):
-            base, tube = (np.asarray(self.scene.arrays["rods"], float)[two, k] for k in (1, 4))
-            a, b, r, c = p[two], q[two], self.radius[two], colours[two]
-            found += [
-                copies(a, _toward(a, b, base), 0.75 * r, c),
-                copies(_toward(b, a, tube), b, 1.5 * r, c),
-                copies(a, b, 0.35 * r, c),
-            ]
-        return found
-
-    def _marks(self, x: Array) -> list[Copies]:
-        """Collars of actuators at the free end of the tube, of driven bars in the middle; bands of springs."""
-        p, q = x[self.ends.T]
-        length, kinds = np.linalg.norm(q - p, axis=1), self.scene.header["kinds"]
-        two = set(self.scene.header["two_rods"])
-        found = []
-        for k, kind in enumerate(kinds):
-            if k in two:
-                places, half, width, colour = [max(0.0, 1 - self.scene.arrays["rods"][k, 4] / length[k])], 1.6, 2.2, DRIVEN
-            elif kind == "driven":
-                places, half, width, colour = [0.5], 2.2, 1.8, DRIVEN
-            elif kind == "elastic":
-                places, half, width, colour = [0.3, 0.4, 0.5, 0.6, 0.7], 0.3, 1.7, ELASTIC
-            else:
-                continue
-            middle = p[k] + np.array(places)[:, None] * (q[k] - p[k])
-            reach = half * self.radius[k] * (q[k] - p[k]) / (length[k] or 1.0)
-            found.append(copies(middle - reach, middle + reach, width * self.radius[k], colour))
-        return found
 
     @cached_property
     def _held(self) -> tuple[NDArray[np.int64], Array]:
@@ -352,9 +315,9 @@ class Subject:
         fine = 0.001 * self.size
         if self.look.ghost:
             edges = np.sort(self.skin[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-            seen = [kind != "frame" for kind in self.scene.header["kinds"]]
-            p, q = self.places[0][np.concatenate([self.ends[seen], np.unique(edges, axis=0)]).T]
-            found.append(copies(p, q, fine, GHOST))
+            start, end = self.bars.lines(self.places[0])
+            p, q = self.places[0][np.unique(edges, axis=0).T]
+            found.append(copies(np.concatenate([start, p]), np.concatenate([end, q]), fine, GHOST))
         for node in self.look.paths:
             way = self.places[:, node]
             found.append(copies(way[:-1], way[1:], 2 * fine, TRACE))
@@ -389,11 +352,3 @@ class Subject:
 
 SWING = 0.08
 """Amplitude of a mode as a fraction of the size of the structure."""
-
-
-def _toward(p: Array, q: Array, size: Array) -> Array:
-    """Points at a distance from p towards q, at most q."""
-    length = np.linalg.norm(q - p, axis=1)
-    part = np.minimum(size / np.where(length > 0, length, 1.0), 1.0)
-    found: Array = p + part[:, None] * (q - p)
-    return found

@@ -10,14 +10,16 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.viewer.films.copies import Copies
+
     Array = NDArray[np.float64]
 
-__all__ = ["Turned", "across", "ball", "cone", "plate", "rod", "rounded"]
+__all__ = ["Turned", "across", "ball", "box", "cone", "plate", "rod", "rounded"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Turned:
-    """A shape of revolution: points (k, 3) and normals (k, 3), last component along the axis; quads (m, 4)."""
+    """A shape about an axis: points (k, 3) and normals (k, 3), last component along the axis; quads (m, 4)."""
 
     points: Array
     normals: Array
@@ -28,11 +30,11 @@ class Turned:
         quads = (self.quads[None] + len(self.points) * np.arange(count)[:, None, None]).reshape(-1, 4)
         return np.column_stack([np.full(len(quads), 4), quads]).ravel()
 
-    def placed(self, start: Array, end: Array, radius: Array) -> tuple[Array, Array]:
-        """Points and normals (copies * k, 3) of copies from start (copies, 3) to end with radius (copies,)."""
-        along = end - start
-        u, v, w = across(along)
-        frame = np.stack([u * radius[:, None], v * radius[:, None], along], axis=1)
+    def placed(self, several: Copies) -> tuple[Array, Array]:
+        """Points and normals (copies * k, 3) of copies."""
+        start, along = several.start, several.end - several.start
+        u, v, w = across(along, several.second)
+        frame = np.stack([u * several.radius[:, None], v * several.wide[:, None], along], axis=1)
         points = start[:, None] + np.einsum("kj,cji->cki", self.points, frame)
         normals = np.einsum("kj,cji->cki", self.normals, np.stack([u, v, w], axis=1))
         return points.reshape(-1, 3), normals.reshape(-1, 3)
@@ -42,19 +44,43 @@ class Turned:
         return np.repeat(values, len(self.points), axis=0)
 
 
-def across(along: Array) -> tuple[Array, Array, Array]:
-    """Two unit vectors normal to each direction (n, 3), and its own unit vector; arbitrary if it has no length."""
+def across(along: Array, second: Array | None = None) -> tuple[Array, Array, Array]:
+    """Two unit vectors normal to each direction (n, 3), and its own unit vector; arbitrary if it has no length.
+
+    second (n, 3) : directions nearest to which the first of them are, if they are not 0 or along the axis.
+    """
     size = np.linalg.norm(along, axis=1, keepdims=True)
     w = np.divide(along, size, out=np.tile([0.0, 0.0, 1.0], (len(along), 1)), where=size > 0)
     helper = np.where(np.abs(w[:, :1]) > 0.7, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
     u = np.cross(helper, w)
     u /= np.linalg.norm(u, axis=1, keepdims=True)
+    if second is not None:
+        beside = second - w * np.sum(w * second, axis=1, keepdims=True)
+        far = np.linalg.norm(beside, axis=1, keepdims=True)
+        u = np.divide(beside, far, out=u, where=far > 1e-9 * np.linalg.norm(second, axis=1, keepdims=True))
     return u, np.cross(w, u), w
 
 
-def rod(sides: int) -> Turned:
-    """A closed cylinder."""
+def rod(sides: int, *, closed: bool = True) -> Turned:
+    """A cylinder. closed : with its ends."""
+    if not closed:
+        return _turned([(1, 0), (1, 1)], [(1, 0), (1, 0)], sides)
     return _turned([(0, 0), (1, 0), (1, 0), (1, 1), (1, 1), (0, 1)], [(0, -1), (0, -1), (1, 0), (1, 0), (0, 1), (0, 1)], sides)
+
+
+def box(*, closed: bool = True) -> Turned:
+    """A box of half height and width 1. closed : with its ends."""
+    corners = np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)], float)
+    points, normals = [], []
+    for k in range(4):
+        a, b = corners[k], corners[(k + 1) % 4]
+        points += [(*a, 0), (*b, 0), (*b, 1), (*a, 1)]
+        normals += [(*((a + b) / 2), 0)] * 4
+    for z, order in ((0, (3, 2, 1, 0)), (1, (0, 1, 2, 3))) if closed else ():
+        points += [(*corners[k], z) for k in order]
+        normals += [(0, 0, 2 * z - 1)] * 4
+    quads = np.arange(len(points)).reshape(-1, 4)
+    return Turned(points=np.array(points, float), normals=np.array(normals, float), quads=quads)
 
 
 def cone(sides: int) -> Turned:

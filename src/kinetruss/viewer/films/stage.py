@@ -14,7 +14,7 @@ from PIL import Image
 
 from kinetruss.display import KINDS, THEMES
 from kinetruss.errors import InputError
-from kinetruss.viewer.films.solids import Turned, ball, cone, rod
+from kinetruss.viewer.films.solids import Turned, ball, box, cone, rod
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -48,7 +48,14 @@ class Stage:
         self.plotter.add_light(pyvista.Light(light_type="headlight"))
         many = len(subject.ends) > SEVERAL
         sides = 8 if many else 20
-        self._shapes = {"lines": rod(6), "rods": rod(sides), "rims": rod(sides), "cones": cone(sides), "balls": ball(sides)}
+        self._shapes = {
+            "lines": rod(6),
+            "rods": rod(sides),
+            "rims": rod(sides, closed=False),
+            "cones": cone(sides),
+            "balls": ball(sides),
+        }
+        self._shapes |= {"boxes": box(), "box rims": box(closed=False)}
         self._meshes: dict[str, Any] = {}
         self._faces: dict[str, Any] = {}
         self._skin: Any = None
@@ -69,8 +76,11 @@ class Stage:
         """
         subject = self._subject
         x = subject.points(frame, swing)
-        self._put("rods", subject.rods(frame, x, colours, hatched))
-        self._put("rims", subject.rims(x), lit=False)
+        rods, boxes = subject.rods(frame, x, colours, hatched)
+        self._put("rods", rods)
+        self._put("boxes", boxes)
+        for name, rims in zip(("rims", "box rims"), subject.bars.rims(x), strict=True):
+            self._put(name, rims, lit=False)
         self._put("cones", subject.cones(frame, x))
         self._put("balls", subject.balls(x))
         self._put_faces("bodies", subject.bodies(x), BODY, 1.0)
@@ -85,14 +95,14 @@ class Stage:
         shape: Turned = self._shapes[name]
         if not len(several.radius):
             return
-        points, normals = shape.placed(several.start, several.end, several.radius)
+        points, normals = shape.placed(several)
         if name not in self._meshes:
             mesh = self._pv.PolyData(points, shape.faces(len(several.radius)))
             mesh.point_data.active_normals = normals
             mesh.point_data["colour"] = shape.spread(several.colour)
             actor = self.plotter.add_mesh(mesh, scalars="colour", rgb=True, copy_mesh=False)
             _matt(actor, 0.58 if lit else 0.0)
-            if name == "rims":
+            if name.endswith("rims"):
                 actor.prop.culling = "front"
             self._meshes[name] = mesh
             return

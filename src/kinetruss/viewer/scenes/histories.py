@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.mechanics.structure import skin_of
 from kinetruss.model import Pressure
+from kinetruss.model.beams import shown_names
 from kinetruss.viewer.scenes.channels import CHANNELS
 
 if TYPE_CHECKING:
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 
     Told = tuple[dict[str, Any], dict[str, NDArray[Any]]]
 
-__all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving"]
+__all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving", "sections_of_beams"]
 
 EXACT = 600_000
 """Largest count of numbers over time that a scene keeps as float32; above it curves are rounded."""
@@ -31,11 +33,14 @@ EXACT = 600_000
 ARROWS = 24
 """Largest number of pressure arrows: they show its direction, the panel and the legend its size."""
 
+STATIONS, MOST_SECTIONS = 13, 200_000
+"""Stations along a beam at which a scene has its section forces, and the largest count of these numbers over time."""
+
 UNITS = {
     "time": "s", "position": "m", "velocity": "m/s", "acceleration": "m/s^2", "drive_position": "m or rad", "member_force": "N",
     "joint_force": "N", "action_force": "N", "action_place": "", "reaction": "N", "drive_force": "N or N m",
     "load_force": "N", "rest_force": "N",
-    "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J", "skin_stress": "Pa",
+    "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J", "skin_stress": "Pa", "beam_section": "N, N m or Pa",
 }  # fmt: skip
 
 
@@ -77,7 +82,7 @@ def moving(
         "rounded": rounded,
         "samples": {"all": count, "shown": len(time)},
         "status": motion.status.value,
-        "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
+        "message": " ".join(filter(None, [_said(motion.message, run), "" if run else motion.unchecked, *_not_held(run)])),
         "not_checked": _unchecked(model) if told else {},
         "channels": channels,
         "over_run": over_run,
@@ -85,6 +90,12 @@ def moving(
         **(told[0] if told else {}),
     }
     return more, found
+
+
+def _said(message: str, run: RunResult | None) -> str:
+    """The message of a motion, without what it could not check if the run has checked it."""
+    checked = run is not None and bool(run.demand)
+    return re.sub(r"Not checked without forces: .*? \(dynamics\.limits_kept\)\.\s*", "", message) if checked else message
 
 
 def _not_held(run: RunResult | None) -> list[str]:
@@ -95,7 +106,8 @@ def _not_held(run: RunResult | None) -> list[str]:
 def _unchecked(model: Model) -> dict[str, str]:
     from kinetruss.strength.verdict import unchecked
 
-    return unchecked(model)
+    shown = shown_names(model)
+    return {shown[name]: what for name, what in unchecked(model).items()}
 
 
 def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:
@@ -117,6 +129,16 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     return {} if found is None else {"skin_stress": found}
 
 
+def sections_of_beams(model: Model, result: Forces | Result) -> dict[str, NDArray[np.float64]]:
+    """``beam_section``, the `beam_sections` along elastic beams; nothing where they are many."""
+    from kinetruss.strength.verdict import beam_sections
+
+    count = sum(beam.kind == "elastic" for beam in model.beams.values())
+    if not count or result.data.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
+        return {}
+    return {"beam_section": beam_sections(model, result, STATIONS)}
+
+
 def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:
     static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(time=keep), motion=motion)
     return forces.with_(data=forces.data.isel(time=keep), motion=motion, static=static)
@@ -126,19 +148,21 @@ def _forces(
     model: Model, forces: Forces, run: RunResult | None, rounded: bool
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]], list[str]]:
     """Header fields and arrays of one load case, and names of arrays with the worst of the run (in a large scene)."""
-    from kinetruss.strength.verdict import strength_histories, worst_of
+    from kinetruss.strength.verdict import middle_forces, strength_histories, worst_of
 
     data = forces.data
     case = forces.load_case if forces.load_case in model.load_cases else None
     loads, load_force = loads_of(model, data["time"].values, case, forces.motion.data["position"].values)
-    names = ("member_force", "reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
-    found = {name: data[name].values for name in names if name in data} | {"load_force": load_force}
+    names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
+    found = {"member_force": middle_forces(model, forces)}
+    found |= {name: data[name].values for name in names if name in data} | {"load_force": load_force}
+    found |= sections_of_beams(model, forces)
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
     found |= worst if rounded else strength_histories(model, forces)
     actions, acting = _actions(model, forces)
     found |= acting
     if forces.static is not None and not rounded:
-        found["rest_force"] = forces.static.data["member_force"].values
+        found["rest_force"] = middle_forces(model, forces.static)
     told = {
         "load_case": forces.load_case,
         "loads": loads,

@@ -17,7 +17,15 @@ from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.runs import RunResult
 from kinetruss.runs.missions import check_histories
 from kinetruss.strength import check
-from kinetruss.viewer.scenes.histories import UNITS, actions_at_rest, channels_of, loads_of, moving, stress_of_faces
+from kinetruss.viewer.scenes.histories import (
+    UNITS,
+    actions_at_rest,
+    channels_of,
+    loads_of,
+    moving,
+    sections_of_beams,
+    stress_of_faces,
+)
 from kinetruss.viewer.scenes.modes import mechanisms, vibrations
 from kinetruss.viewer.scenes.record import FORMAT, VERSION, Mode, Scene
 from kinetruss.viewer.scenes.topology import topology
@@ -28,6 +36,8 @@ if TYPE_CHECKING:
     from kinetruss.strength.verdict import Headline
 
 __all__ = ["scene"]
+
+AT_REST = "Not checked: an equilibrium has no verdict. A run has one, or the forces of statics.at_poses"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,7 +101,7 @@ def scene(
     }  # fmt: skip
     shown = list(modes)
     verdict = _verdict(subject)
-    header["verdict"] = verdict.record
+    header["verdict"] = verdict.record | ({"text": AT_REST} if subject.rest is not None else {})
     if subject.motion is None:
         more, histories = _standing(subject)
         if subject.linear is not None:
@@ -144,16 +154,19 @@ def _verdict(subject: _Subject) -> Headline:
 
     run = subject.run
     if run is not None and (len(subject.forces) == len(run.forces) or not subject.forces):
-        return headline(run.verdict, run.demand)
+        return headline(run.verdict, run.demand, timed=run.motion.data.sizes["time"] > 1)
     if not subject.forces:
         return headline(None)
     names = {one.load_case for one in subject.forces}
-    return headline(check(subject.model, subject.forces), {k: v for k, v in (run.demand if run else {}).items() if k in names})
+    timed = subject.motion is not None and subject.motion.data.sizes["time"] > 1
+    demand = {k: v for k, v in (run.demand if run else {}).items() if k in names}
+    return headline(check(subject.model, subject.forces), demand, timed=timed)
 
 
 def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """A model in its own pose, or the state of a linearisation: one frame with its loads at the start."""
     from kinetruss.kinematics import assemble
+    from kinetruss.strength.verdict import middle_forces
 
     model = subject.model
     more: dict[str, Any] = {}
@@ -169,7 +182,8 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     found = {"time": np.zeros(1), "position": position[None], "load_force": force}
     if subject.rest is not None:
         still = np.zeros_like(found["position"])
-        found |= {"member_force": subject.rest.data["member_force"].values[None], "velocity": still, "acceleration": still}
+        found |= {"member_force": middle_forces(model, subject.rest)[None], "velocity": still, "acceleration": still}
+        found |= sections_of_beams(model, subject.rest)
         found |= stress_of_faces(model, found["position"])
         more["actions"], acting = actions_at_rest(model, subject.rest)
         found |= acting

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.beams import beam_curves
 from kinetruss.mechanics.structure import body_faces, orientation, skin_of
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
-from kinetruss.model.beams import shown_kinds
+from kinetruss.model.beams import chords, shown_kinds, shown_names
 from kinetruss.model.parts import placed
 from kinetruss.strength.members import parts_of
 
@@ -27,15 +28,18 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     the plane 1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``box`` (m, 2) half
     height along axis 2 and half width along axis 3 of rectangles, m, NaN for others; ``part_member`` (parts,); ``part_shape``
     (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump`` (n,) kg; with
-    membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,).
+    membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,); with elastic beams ``beam_member`` (k,),
+    ``beam_nodes`` (k, v), and coefficients of these nodes that give the places of their axes, ``beam_along`` (k, g, v), and
+    local axis 2 there, ``beam_across`` (k, g, v).
     """
     system, parts, skin = compile(model), parts_of(model), skin_of(model)
-    members = model.members
+    members, (sections, rectangles) = model.members, _sections(model)
     index = {name: i for i, name in enumerate(model.nodes)}
     header: dict[str, Any] = {
         "nodes": list(model.nodes),
-        "members": list(members),
+        "members": list(shown_names(model).values()),
         "kinds": list(shown_kinds(model).values()),
+        "beams": [k for k, name in enumerate(members) if name in chords(model)],
         "directors": [k for k, node in enumerate(model.nodes.values()) if node.director],
         "supports": [
             {"node": index[node], "axes": axes} for node, axes in model.fixed.items() if not model.nodes[node].director
@@ -59,8 +63,8 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "rods": system.own_rods,
         "reference": orientation(system).reference,
         "orient": orientation(system).node,
-        "radius": np.array([_radius(model, one) for one in members.values()]),
-        "box": np.array([_box(model, one) for one in members.values()]).reshape(-1, 2),
+        "radius": np.array([max(_fibres(one)) for one in sections]),
+        "box": np.array([_fibres(one) for one in rectangles]).reshape(-1, 2),
         "part_member": parts.member.astype(np.int32),
         "part_shape": parts.shape.astype(np.int32),
         "part_scale": parts.scale,
@@ -69,6 +73,9 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     }
     if len(skin.nodes):
         arrays |= {"skin": skin.nodes.astype(np.int32), "skin_part": skin.part.astype(np.int32)}
+    if (curves := beam_curves(system)) is not None:
+        arrays |= {"beam_member": curves.member.astype(np.int32), "beam_nodes": curves.nodes.astype(np.int32)}
+        arrays |= {"beam_along": curves.along, "beam_across": curves.across}
     return header, arrays
 
 
@@ -125,12 +132,20 @@ def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
     return [[a, b, c] for a in sorted(near) for b in sorted(near[a]) for c in sorted(near[a] & near.get(b, set()))]
 
 
-def _box(model: Model, member: Any) -> tuple[float, float]:
-    section = None if isinstance(member, Active) else model.section_of(member)
-    return section.extreme_fibres if isinstance(section, Rectangle) else (np.nan, np.nan)
+def _sections(model: Model) -> tuple[list[Any], list[Any]]:
+    """The section of each member or None: of an active member that of its tube, of a chord that of its beam; and the
+    rectangles whose axes are known: an active member has round rods, a rigid beam in space no axis 2 among the nodes.
+    """
+    beams = dict(zip(chords(model), model.beams.values(), strict=False))
+    found, flat = [], []
+    for name, one in model.members.items():
+        section = model.section_of(one.tube if isinstance(one, Active) else beams.get(name, one))
+        turned = isinstance(one, Active) or (name in beams and beams[name].kind == "rigid" and model.dim == 3)
+        found.append(section)
+        flat.append(section if isinstance(section, Rectangle) and not turned else None)
+    return found, flat
 
 
-def _radius(model: Model, member: Any) -> float:
-    """Half the largest width of the section, m."""
-    section = model.section_of(member.tube if isinstance(member, Active) else member)
-    return float(np.nan) if section is None else float(max(section.extreme_fibres))
+def _fibres(section: Any) -> tuple[float, float]:
+    """Half height along axis 2 and half width along axis 3, m; NaN without a section."""
+    return (np.nan, np.nan) if section is None else section.extreme_fibres
