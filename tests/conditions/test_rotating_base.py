@@ -278,7 +278,7 @@ def test_a_stored_run_keeps_the_rotation_and_its_pages_show_it(tmp_path):
     run = kt.run(model, out=tmp_path / "run")
     stored = kt.runs.load(tmp_path / "run")
     for one in (run, stored):
-        again = kt.strength.sections(one.model, one.forces["all"], stations=run.told.stations)
+        again = kt.strength.sections(one.model, one.forces["all"], stations=run.definition.stations)
         assert again.section_M.values == pytest.approx(run.sections["all"].section_M.values, rel=1e-12, abs=1e-12)
     scene = kt.viewer.scene(stored)
     r = stored.motion.position.values - CENTER

@@ -95,7 +95,7 @@ def test_a_stored_run_keeps_the_model_given_and_has_the_results_of_the_changed_o
     again = kt.runs.load(tmp_path / "hot")
     assert again.origin == crane
     assert again.model.nodes == kt.under(crane, "hot").nodes == run.model.nodes
-    assert again.told.condition == "hot"
+    assert again.definition.condition == "hot"
     whole = kt.run(crane, "hot")
     assert again.forces["all"].member_force.values == pytest.approx(whole.forces["all"].member_force.values, rel=1e-9)
     assert "condition" in kt.report.document_page(again).html

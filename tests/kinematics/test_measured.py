@@ -179,7 +179,7 @@ def test_coloured_noise_is_reported():
 def test_a_motion_faster_than_its_rows_is_reported():
     t = np.linspace(0, 5.5, 60)
     noise = NOISE * np.random.default_rng(1).standard_normal(60)
-    assert "cannot be told from its motion" in smoothed(t, tones(t, (0.05, 1.3), (0.01, 12.0))[:, 0] + noise).message
+    assert "cannot be distinguished from its motion" in smoothed(t, tones(t, (0.05, 1.3), (0.01, 12.0))[:, 0] + noise).message
     assert "not white" in smoothed(t, tones(t, (0.05, 1.3), (0.01, 25.0))[:, 0] + noise).message
 
 

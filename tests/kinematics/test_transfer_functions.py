@@ -145,7 +145,7 @@ def test_refusals():
     ):  # fmt: skip
         with pytest.raises(InputError, match=text):
             kt.kinematics.transfer_functions(model, names)
-    with pytest.raises(InputError, match="No drive called 'rotor' to let go. There are: motor"):
+    with pytest.raises(InputError, match="No drive called 'rotor' to release. There are: motor"):
         kt.kinematics.transfer_functions(model, free=["rotor"])
     # crank and coupler in one line: the rocker's end cannot move the crank
     flat = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (3, 0)}, fixed={"A": "xy", "C": "y"},

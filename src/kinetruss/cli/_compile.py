@@ -51,9 +51,9 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
 
     began = time.perf_counter()
     with bar(quiet or as_json, "kernels", first="") as seen:
-        told = seen or (_silent if quiet or as_json else _lines())
+        shown = seen or (_silent if quiet or as_json else _lines())
         try:
-            with _counted(told) as (compiled, look), warnings.catch_warnings():
+            with _counted(shown) as (compiled, look), warnings.catch_warnings():
                 warnings.simplefilter("error", KernelCacheWarning)
                 _run_all(look)
                 if rare:
@@ -115,7 +115,7 @@ def _run_group(group: Sequence[tuple[str, str]]) -> None:
 
 
 @contextmanager
-def _counted(told: Callable[[int, int], None]) -> Iterator[tuple[set[str], Callable[[], None]]]:
+def _counted(shown: Callable[[int, int], None]) -> Iterator[tuple[set[str], Callable[[], None]]]:
     """Names of the compiled kernels, and a function that counts those of other processes too; reports the count after each."""
     from kinetruss.kernels.compiled import jit
     from kinetruss.kernels.compiled.caches import count_kernels
@@ -124,7 +124,7 @@ def _counted(told: Callable[[int, int], None]) -> Iterator[tuple[set[str], Calla
 
     def look() -> None:
         compiled.update(jit.keeper.kept() - kept)
-        told(len(kept | compiled), count)
+        shown(len(kept | compiled), count)
 
     class Counter(logging.Handler):
         def emit(self, record: logging.LogRecord) -> None:
@@ -135,7 +135,7 @@ def _counted(told: Callable[[int, int], None]) -> Iterator[tuple[set[str], Calla
     level = logger.level
     logger.addHandler(counter)
     logger.setLevel(logging.INFO)
-    told(len(kept), count)
+    shown(len(kept), count)
     try:
         yield compiled, look
     finally:
@@ -151,10 +151,10 @@ def _lines() -> Callable[[int, int], None]:
     """A function that prints a line after every `STEP` kernels."""
     last = 0
 
-    def told(done: int, count: int) -> None:
+    def shown(done: int, count: int) -> None:
         nonlocal last
         if done // STEP > last:
             last = done // STEP
             click.echo(f"Compiling the kernels: {last * STEP} of at most {count}", err=True)
 
-    return told
+    return shown

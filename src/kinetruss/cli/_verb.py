@@ -30,7 +30,7 @@ class Verb(click.Command):
             return super().make_context(info_name, args, parent, **extra)
         except click.ClickException as error:
             if wanted:
-                _told(error)
+                _echo(error)
             raise
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -47,7 +47,7 @@ class Verb(click.Command):
             ctx.exit(INTERRUPTED)
         except click.ClickException as error:
             if ctx.params.get("as_json"):
-                _told(error)
+                _echo(error)
             raise
         except KinetrussError as error:
             if ctx.params.get("as_json"):
@@ -61,7 +61,7 @@ def _warned(message: Warning | str, *_place: Any) -> None:
     click.echo(f"Warning: {message}", err=True)
 
 
-def _told(error: click.ClickException) -> None:
+def _echo(error: click.ClickException) -> None:
     """Report wrong usage, or Ctrl-C, as the one object, and end the command."""
     print_json("error", {"error": error.format_message(), "exit_code": error.exit_code})
     raise click.exceptions.Exit(error.exit_code) from None

@@ -159,8 +159,8 @@ class _Springs:
         own = self.rate(now) if 0.0 <= t <= self.last else np.zeros(len(L))
         natural = self.length(now)
         k = 1.0 / np.where(self.given, self.f, self.per_length * natural + self.fixed)
-        pull = (k * (L - natural + self.delay * ((u * rate).sum(axis=1) - own)))[:, None] * u
+        tension = (k * (L - natural + self.delay * ((u * rate).sum(axis=1) - own)))[:, None] * u
         found = np.zeros((len(x), self.dim))
-        np.add.at(found, self.p, pull)
-        np.subtract.at(found, self.q, pull)
+        np.add.at(found, self.p, tension)
+        np.subtract.at(found, self.q, tension)
         return found

@@ -56,14 +56,14 @@ def notes(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]
     section: is 20 m across, and the longest bar that has it is 1 m long. Write the unit, e.g. '20 mm'; a bare number is in m.
     """
     found = model if isinstance(model, Model) else read(model, max_size=max_size)
-    told = plausibility(found)
-    return told if isinstance(model, Model) else placed(model, told, max_size=max_size)
+    remarks = plausibility(found)
+    return remarks if isinstance(model, Model) else placed(model, remarks, max_size=max_size)
 
 
 def _freedoms(model: Model) -> list[Fault]:
-    """Freedoms that no drive holds, told at the first run that moves drives.
+    """Freedoms that no drive holds, reported at the first run that moves drives.
 
-    A model without one is a mechanism to be studied, or to be let go.
+    A model without one is a mechanism to be studied, or to be released.
     """
     driven = [
         name

@@ -82,11 +82,11 @@ class LiveModel(anywidget.AnyWidget):
         if not isinstance(content, dict) or not isinstance(content.get("text"), str):
             return
         found = self.session.answer(content["text"])
-        told = {"id": content.get("id")}
+        header = {"id": content.get("id")}
         if isinstance(found, bytes):
-            self.send(told, buffers=[found])
+            self.send(header, buffers=[found])
         else:
-            self.send({**told, "text": _text(found)})
+            self.send({**header, "text": _text(found)})
         self.values = dict(self.session.pose.values)
 
 

@@ -76,7 +76,7 @@ class RunResult:
         return self.model if self.given is None else self.given
 
     @property
-    def told(self) -> Run:
+    def definition(self) -> Run:
         """The run as the model describes it, with its trajectory in place of a name."""
         run = self.origin.runs[self.name]
         return run.with_(trajectory=self.origin.trajectory_of(run))

@@ -157,17 +157,17 @@ class Session:
         """The whole scene, and everything that can be changed."""
         now = self.instant()
         picture = scene(now.forces, model=self.model)
-        return framed({"kind": "scene", "setup": self.setup(), "state": self._told(now, note)}, pack(picture))
+        return framed({"kind": "scene", "setup": self.setup(), "state": self._state(now, note)}, pack(picture))
 
     def state(self, note: str = "", fine: bool = False) -> bytes:
         """The present pose: drive values in the header, positions and forces as float32 after it."""
         now = self.instant(fine)
         blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in now.arrays.items() if name != "time"}
         table = [[name, values.size] for name, values in blocks.items()]
-        header = {"kind": "state", "state": self._told(now, note), "arrays": table}
+        header = {"kind": "state", "state": self._state(now, note), "arrays": table}
         return framed(header, *(values.tobytes() for values in blocks.values()))
 
-    def _told(self, now: Instant, note: str) -> dict[str, Any]:
+    def _state(self, now: Instant, note: str) -> dict[str, Any]:
         return {
             "values": self.pose.values,
             "gauge": number(self.pose.gauge),

@@ -63,7 +63,7 @@ def _moved(modes: MotorModes, j: int) -> Iterator[ModeEvent]:
 
 
 def _sped(modes: MotorModes, j: int) -> Iterator[ModeEvent]:
-    """A motor that comes to its largest speed, is let go there, or comes back to it."""
+    """A motor that comes to its largest speed, leaves it there, or comes back to it."""
     model, mode, own = modes.models[j], modes.modes[j], modes.body.places
     s, most = mode.direction, model.max_rate
     if not (s and math.isfinite(most)):
@@ -78,7 +78,7 @@ def _sped(modes: MotorModes, j: int) -> Iterator[ModeEvent]:
 
 
 def _flowed(modes: MotorModes, j: int) -> Iterator[ModeEvent]:
-    """A current through an inductance that comes to its limit, or is let go there."""
+    """A current through an inductance that comes to its limit, or leaves it there."""
     model, mode = modes.models[j], modes.modes[j]
     most = model.max_current
     if not (model.inductive and math.isfinite(most)) or mode.speed == HELD:

@@ -34,8 +34,8 @@ def beam_records(model: Model) -> list[dict[str, Any]]:
 
 def beam_text(one: dict[str, Any]) -> str:
     """The line of a beam."""
-    told = [f"beam {one['name']}: {one['kind']}, {one['ends'][0]} to {one['ends'][1]}, length {quantity(one['length'], 'm')}"]
-    told += [one["section"]] if one["section"] else []
-    told += [f"hinged at {', '.join(one['hinges'])}"] if one["hinges"] else []
-    told += [f"{word} at {', '.join(one[key])}" for key, word in (("release", "released"), ("clamped", "clamped")) if one[key]]
-    return ", ".join(told)
+    lines = [f"beam {one['name']}: {one['kind']}, {one['ends'][0]} to {one['ends'][1]}, length {quantity(one['length'], 'm')}"]
+    lines += [one["section"]] if one["section"] else []
+    lines += [f"hinged at {', '.join(one['hinges'])}"] if one["hinges"] else []
+    lines += [f"{word} at {', '.join(one[key])}" for key, word in (("release", "released"), ("clamped", "clamped")) if one[key]]
+    return ", ".join(lines)

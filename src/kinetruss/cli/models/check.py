@@ -33,13 +33,13 @@ def check(model: Path, as_json: bool, max_size: int) -> None:
     from kinetruss.kinematics import notes
 
     faults = check_model(model, max_size=max_size)
-    told = [] if faults else notes(model, max_size=max_size)
+    remarks = [] if faults else notes(model, max_size=max_size)
     if as_json:
-        found, doubts = ([fault_record(fault, str(model)) for fault in these] for these in (faults, told))
+        found, doubts = ([fault_record(fault, str(model)) for fault in these] for these in (faults, remarks))
         print_json("check", {"model": str(model), "ok": not faults, "faults": found, "notes": doubts})
     else:
         lines = ModelError(faults, str(model)).lines() if faults else [_counts(model, read(model, max_size=max_size))]
-        for line in [*lines, *(f"note: {line}" for line in ModelError(told, str(model)).lines())]:
+        for line in [*lines, *(f"note: {line}" for line in ModelError(remarks, str(model)).lines())]:
             click.echo(line)
     if faults:
         raise click.exceptions.Exit(InputError.exit_code)

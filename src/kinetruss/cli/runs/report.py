@@ -92,8 +92,8 @@ def report(
     lines = reports.lines(found)
     if as_json:
         pdf = None if written.paper is None else str(written.paper)
-        told = {"html": str(written.page), "pdf": pdf, "note": written.note, "whole": found.whole, "opened": shown}
-        print_json("report", told | {"result": list(lines)})
+        fields = {"html": str(written.page), "pdf": pdf, "note": written.note, "whole": found.whole, "opened": shown}
+        print_json("report", fields | {"result": list(lines)})
         return
     click.echo("\n".join([*lines, *(str(path) for path in (written.page, written.paper) if path is not None)]))
     if written.note:

@@ -17,7 +17,7 @@ EPILOG = """\b
 Examples:
   kinetruss run slew.yaml -o runs/slew --pictures
   kinetruss run slew.yaml fast -o runs/fast --json
-  kinetruss run double_pendulum.yaml fall -o runs/fall      # a simulation: what is let go
+  kinetruss run double_pendulum.yaml fall -o runs/fall      # a simulation: the motion after release
   kinetruss run --resume runs/slew
   kinetruss run slew.yaml --set runs.slew.trajectory.duration=3,5,10 --set "library.payload_mass=2 kg,5 kg" -o runs/compare
 """
@@ -66,7 +66,7 @@ def run(
     if resumed is None and (model is None or out is None):
         raise click.UsageError("Give a MODEL file and -o OUT, or --resume OUT.")
     if texts:
-        assert model is not None and out is not None  # noqa: S101 - told to mypy; checked above
+        assert model is not None and out is not None  # noqa: S101 - for mypy; checked above
         if pictures:
             raise click.UsageError("--pictures goes with one run. For several: kinetruss plot OUT --quantity Q -o FILE")
         _variants(model, name, out, texts, overwrite, as_json, quiet, max_size)
@@ -100,7 +100,7 @@ def _compute(
         from kinetruss.io import read
         from kinetruss.results.store import check_target, check_unlocked
 
-        assert model is not None and out is not None  # noqa: S101 - told to mypy; the verb has checked it
+        assert model is not None and out is not None  # noqa: S101 - for mypy; the verb has checked it
         check_unlocked(out)  # printed before the model is read and the kernels are loaded
         check_target(out, overwrite)
         loaded = read(model, max_size=max_size)

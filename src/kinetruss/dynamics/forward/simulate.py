@@ -98,8 +98,8 @@ def simulate(
         events=events,
     )
     work = stepper_for(problem_of(model, last, asked), last)
-    told = None if progress is None else lambda done: progress(done, len(t))
-    found = simulation_of(work, work.advance(t, progress=told))
+    callback = None if progress is None else lambda done: progress(done, len(t))
+    found = simulation_of(work, work.advance(t, progress=callback))
     if found.status is Status.INTERRUPTED and raise_on_failure:
         raise Interrupted(found.message, found)
     if raise_on_failure and not found.status.ok:

@@ -39,11 +39,11 @@ def free_forces(
     for i, place in enumerate(x.reshape(len(x), -1, 3)):
         J = jacobian(system, place, values[i])
         N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
-        pull = N[i][:, None] * row_directions(system, place, values[i])
-        np.add.at(rest[i].reshape(-1, 3), p, pull)
-        np.subtract.at(rest[i].reshape(-1, 3), q, pull)
-        np.subtract.at(joint[i, :, 0], system.row_member, pull)
-        np.add.at(joint[i, :, 1], system.row_member, pull)
+        tension = N[i][:, None] * row_directions(system, place, values[i])
+        np.add.at(rest[i].reshape(-1, 3), p, tension)
+        np.subtract.at(rest[i].reshape(-1, 3), q, tension)
+        np.subtract.at(joint[i, :, 0], system.row_member, tension)
+        np.add.at(joint[i, :, 1], system.row_member, tension)
     take_sum_forces(system, x, N, rest)
     return arrangement.not_unique
 

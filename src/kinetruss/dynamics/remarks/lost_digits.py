@@ -65,18 +65,18 @@ def _refined(problem: Problem, t: float, x: Floats, v: Floats) -> tuple[Floats, 
     # M a + J^T N = f, J a = gamma, without what prescribed coordinates take
     f, gamma, own = ws.f.copy(), ws.gamma.copy(), np.zeros(x.size)
     own[free] = a[free]
-    step, pull, rows, before = np.zeros(x.size), np.zeros(len(N)), np.zeros(len(N)), np.abs(N).max()
+    step, tension, rows, before = np.zeros(x.size), np.zeros(len(N)), np.zeros(len(N)), np.abs(N).max()
     for _ in range(TURNS):
         inertia = np.zeros(x.size)
         mass_times(eq, x, own, inertia)
         force = f - inertia
         add_constraint_forces(eq, ws, N, force)
         row_along(eq, ws, own, rows)
-        solve(eq, ws, force, gamma - rows, step, pull)
-        size = float(np.abs(pull).max())
+        solve(eq, ws, force, gamma - rows, step, tension)
+        size = float(np.abs(tension).max())
         if not ROUND_OFF * np.abs(N).max() < size < 0.5 * before:
             break
         own[free] += step[free]
-        N, before = N + pull, size
+        N, before = N + tension, size
     a[free] = own[free]
     return a, N

@@ -32,11 +32,11 @@ def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]
         found = model if isinstance(model, Model) else read(model, max_size=max_size)
     except ModelError as error:
         return error.faults
-    told = faults(found)
+    listed = faults(found)
     for name, run in found.runs.items():
         if run.motion is not None:
-            told += _motion_faults(name, run.motion, found)
-    return told
+            listed += _motion_faults(name, run.motion, found)
+    return listed
 
 
 def _motion_faults(name: str, path: str, model: Model) -> list[Fault]:

@@ -117,10 +117,10 @@ def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: 
     try:
         model = Model(**reading.data)
     except ModelError as error:
-        told = [fault for fault in error.faults if not rests_on(fault, lost)]
+        own = [fault for fault in error.faults if not rests_on(fault, lost)]
         if () in lost:
-            told = [fault for fault in told if fault.path != ("nodes",)]
-        raise ModelError(faults + told) from None
+            own = [fault for fault in own if fault.path != ("nodes",)]
+        raise ModelError(faults + own) from None
     if faults:
         raise ModelError(faults)
     return model

@@ -282,10 +282,10 @@ def let_go(drives: Drives, o: Room, scale: float) -> bool:
     worst, at = 1e-9 * scale, -1
     for d in range(drives.row.size):
         if drives.held[d] == 1 or drives.held[d] == 2:
-            pull = (o.q[0, d] - o.ref[0, d]) - o.out[0, d] / drives.weight[d]
-            pull = -pull if drives.held[d] == 1 else pull
-            if pull > worst:
-                worst, at = pull, d
+            excess = (o.q[0, d] - o.ref[0, d]) - o.out[0, d] / drives.weight[d]
+            excess = -excess if drives.held[d] == 1 else excess
+            if excess > worst:
+                worst, at = excess, d
     if at >= 0:
         drives.held[at] = 0
     return at >= 0

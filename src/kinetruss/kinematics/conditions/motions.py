@@ -1,4 +1,4 @@
-"""The motion that drives are told to do, done by a structure under a condition."""
+"""A commanded motion of drives, done by a structure under a condition."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def commanded(
     start: ArrayLike | None = None,
     least: float = LEAST,
 ) -> Motion:
-    """The motion of `changed` (the model under the condition) when its drives are told what the trajectory tells the model's.
+    """The motion of `changed` (the model under the condition) by the commands of the trajectory to the drives of the model.
 
     Drives get the values that they have without the condition; locked ones stay as in the model; those that are gone get
     none. Poses of a trajectory are thus not corrected for temperature or failures.
@@ -41,19 +41,19 @@ def commanded(
     ------
     InputError : fewer drives than freedoms; samples between which something turns too far.
     """
-    told, system = sample(model, trajectory, times), compile(changed)
-    column = {name: k for k, name in enumerate(told.drives)}
+    commands, system = sample(model, trajectory, times), compile(changed)
+    column = {name: k for k, name in enumerate(commands.drives)}
     pick = [column[name] for name in system.drives]
-    laws = [np.ascontiguousarray(one[:, pick]) for one in (told.value, told.rate, told.acceleration)]
+    laws = [np.ascontiguousarray(one[:, pick]) for one in (commands.value, commands.rate, commands.acceleration)]
     standing = start_values(model)
     for name in condition.locked:
         k = system.drives.index(name)
         laws[0][:, k], laws[1][:, k], laws[2][:, k] = standing[name], 0.0, 0.0
     sampled = Sampled(
-        drives=system.drives, times=told.times, value=laws[0], rate=laws[1], acceleration=laws[2], space="lengths"
+        drives=system.drives, times=commands.times, value=laws[0], rate=laws[1], acceleration=laws[2], space="lengths"
     )
-    motion = follow_path(system, path_of(system, told.times, sampled), "lengths", start=start, least=least)
+    motion = follow_path(system, path_of(system, commands.times, sampled), "lengths", start=start, least=least)
     x, v = (flat_positions(system, motion.arrays[name].values) for name in ("position", "velocity"))
-    if (more := len(halved(system, x, v, told.times, sampled))) > len(told.times):
-        raise InputError(f"Something turns too far between two of the {len(told.times)} samples. Take {more} or more samples.")
+    if (more := len(halved(system, x, v, commands.times, sampled))) > len(commands.times):
+        raise InputError(f"Something turns too far between two of {len(commands.times)} samples. Take {more} or more samples.")
     return motion

@@ -73,7 +73,7 @@ def measured(record: Measured) -> Smoothed:
     coordinate). ``noise`` (coordinate): standard deviation of one reading, of a rate where rates are smoothed;
     ``noise_error``: its own standard error; ``freedom``: effective number of parameters of the curve. ``trajectory``: the
     smoothed record, for `kinematics.follow`. The message names outliers, noise that is not white, given rates that are not
-    those of the values, and records whose noise cannot be told from the motion.
+    those of the values, and records whose noise cannot be distinguished from the motion.
 
     Raises
     ------
@@ -137,8 +137,8 @@ def measured_law(record: Measured, t: Floats) -> tuple[Floats, Floats, Floats]:
 def _curve(record: ByIdentity) -> Any:
     from scipy.interpolate import BPoly
 
-    jets = np.stack([one.jet for one in _completed(record)], axis=2)
-    return BPoly.from_derivatives(np.array(record.model.times), jets)
+    derivatives = np.stack([one.jet for one in _completed(record)], axis=2)
+    return BPoly.from_derivatives(np.array(record.model.times), derivatives)
 
 
 def measured_notes(record: Measured) -> str:
@@ -176,8 +176,8 @@ def _doubts(record: Measured, name: str, one: _Column) -> list[str]:
         return []
     if one.smooth.rough:
         return [
-            f"The curve of {name} needs {one.smooth.freedom:.0f} parameters for {len(y)} rows: its noise cannot be told "
-            "from its motion, and the standard errors are too small. Give more rows a second, or a shorter record."
+            f"The curve of {name} needs {one.smooth.freedom:.0f} parameters for {len(y)} rows: its noise cannot be "
+            "distinguished from its motion, and the standard errors are too small. Give more rows a second, or a shorter record."
         ]
     # residuals of a smoother are correlated by about minus its parameters per row
     lag = float((rest[1:] * rest[:-1]).sum() / (rest**2).sum()) + one.smooth.freedom / len(rest)

@@ -27,7 +27,7 @@ SPLINE, PENALISED = 7, 4
 """Degree of the smoothing spline, and the derivative that it keeps small."""
 LEAST_ROWS = 16
 ROUGH = 0.6
-"""Largest number of parameters of a curve per row; noise cannot be told from a motion that needs more."""
+"""Largest number of parameters of a curve per row; noise cannot be distinguished from a motion that needs more."""
 MOST_KNOTS = 300
 """Largest number of coefficients of a smoothing spline; a longer record has knots at some of its rows."""
 EVEN = 1e-3

@@ -100,14 +100,14 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in POSE)]
     standing = start | _standing_poses(model, poses, start, names)
     moved = sample_profile(trajectory, t, standing)
-    jets = np.zeros((t.size, len(drives), 3))
-    jets[:, :, 0] = np.fromiter(start.values(), float, len(start))
+    derivatives = np.zeros((t.size, len(drives), 3))
+    derivatives[:, :, 0] = np.fromiter(start.values(), float, len(start))
     column = {name: k for k, name in enumerate(drives)}
     for name, law in moved.items():
         if name in column:
-            jets[:, column[name]] = np.stack(law, axis=-1)
-    asked, margin = _move_poses(model, poses, standing, moved, column, jets)
-    value, rate, acceleration = (np.ascontiguousarray(jets[:, :, order]) for order in range(3))
+            derivatives[:, column[name]] = np.stack(law, axis=-1)
+    asked, margin = _move_poses(model, poses, standing, moved, column, derivatives)
+    value, rate, acceleration = (np.ascontiguousarray(derivatives[:, :, order]) for order in range(3))
     space: Literal["lengths", "pose"] = "pose" if poses else "lengths"
     wanted = {name: asked[:, j, :, 0] for j, name in enumerate(poses)}
     sampled = Sampled(drives=drives, times=t, value=value, rate=rate, acceleration=acceleration, space=space, poses=wanted)
@@ -219,10 +219,10 @@ def _move_poses(
     standing: Mapping[str, float],
     moved: Mapping[str, Law],
     column: Mapping[str, int],
-    jets: Floats,
+    derivatives: Floats,
 ) -> tuple[Floats, Floats]:
-    """Write the drives of all moved poses into jets; returns the prescribed poses (n, poses, 3, 3) and their reach margins."""
-    asked = np.zeros((jets.shape[0], len(poses), 3, 3))
+    """Write the drives of all moved poses into derivatives; returns prescribed poses (n, poses, 3, 3) and their reach margins."""
+    asked = np.zeros((derivatives.shape[0], len(poses), 3, 3))
     lengths, margin = np.empty_like(asked), np.ones(asked.shape[:2])
     if not poses:
         return asked, margin
@@ -236,7 +236,7 @@ def _move_poses(
     base, longeron = (np.array([getattr(record, side) for record in records]) for side in ("base", "longeron"))
     gimbal_inverse(base, longeron, asked, lengths, margin)
     columns = [[column[drive] for drive in record.drives] for record in records]
-    jets[:, columns] = lengths
+    derivatives[:, columns] = lengths
     return asked, margin
 
 

@@ -131,8 +131,8 @@ def first_state(given: Problem, parameters: NDArray[np.float64], t: float, start
     if lacking := cannot(given, A):
         raise InputError(f"{lacking} Leave that free, or start from another position. (Its coordinates: {', '.join(names)}.)")
     free = given.drives.held != 3
-    pull = (given.drives.weight * (state.q - given.reference))[free]
-    s = np.linalg.lstsq(A[:, free].T, pull, rcond=None)[0]
+    weighted = (given.drives.weight * (state.q - given.reference))[free]
+    s = np.linalg.lstsq(A[:, free].T, weighted, rcond=None)[0]
     return replace(state, s=s)
 
 

@@ -231,12 +231,12 @@ def _platform_targets(
         node, axis = divmod(int(held[0]), 3)
         raise InputError(f"Platform node {system.nodes[node]!r} is fixed in {'xyz'[axis]}.")
     centre = system.x0[index].mean(axis=0)
-    jets = np.zeros((3, len(t), len(PLATFORM)))
+    derivatives = np.zeros((3, len(t), len(PLATFORM)))
     for k, name in enumerate(PLATFORM):
         if name in moved:
-            jets[:, :, k] = moved[name]
+            derivatives[:, :, k] = moved[name]
     found = np.empty((3, len(t), len(index), dim))
-    platform_motion(centre, system.x0[index] - centre, jets, found)
+    platform_motion(centre, system.x0[index] - centre, derivatives, found)
     value, rate, second = found.reshape(3, len(t), -1)
     return flats, (value, rate, second)
 

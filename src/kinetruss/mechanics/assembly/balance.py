@@ -69,13 +69,13 @@ class Balance:
         system = self.system
         _, L, u = ends_of(system, x)
         # N u of laws and given thrusts
-        pull = (bar_laws(system, L).tension - self.push)[:, None] * u
+        tensions = (bar_laws(system, L).tension - self.push)[:, None] * u
         if np.any(self.torque):
             # T n/L of given torques
-            pull -= (self.torque / L)[:, None] * turned(u)
+            tensions -= (self.torque / L)[:, None] * turned(u)
         found = self.force.reshape(-1, 3).copy()
-        np.add.at(found, system.p, pull)
-        np.subtract.at(found, system.q, pull)
+        np.add.at(found, system.p, tensions)
+        np.subtract.at(found, system.q, tensions)
         if system.continua is not None:
             found += resting_forces(system.continua, x)
         rods = np.flatnonzero(system.two_rods)
@@ -152,13 +152,13 @@ class Balance:
         self,
         x: NDArray[np.float64],
         N: NDArray[np.float64],
-        pull: NDArray[np.float64],
+        tensions: NDArray[np.float64],
         v: NDArray[np.float64] | None = None,
         a: NDArray[np.float64] | None = None,
     ) -> tuple[Any, Any]:
         """K and C (3 n, 3 n), N/m and N s/m, along a motion v, a (n, 3); tension (m,), N: by laws and given forces."""
         tension, torque = row_tensions(self.system, x, N)
-        K, C = tangents(self.system, x, pull + tension, self.torque + torque, self.gravity, v, a)
+        K, C = tangents(self.system, x, tensions + tension, self.torque + torque, self.gravity, v, a)
         # T d^2q/dx^2 of measures
         if np.any(back := measure_forces(self.system, N) - self.turn):
             K = K + sum_stiffness(self.system, x, back)
@@ -180,17 +180,17 @@ def measure_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float64
     return found
 
 
-def sum_stiffness(system: System, x: NDArray[np.float64], pull: NDArray[np.float64]) -> Any:
+def sum_stiffness(system: System, x: NDArray[np.float64], tensions: NDArray[np.float64]) -> Any:
     """K (3 n, 3 n) of generalised forces on measures (measures,): each force times the Hessian of its measure."""
     rows: list[Any] = [np.zeros(0, np.int64)]
     columns: list[Any] = [np.zeros(0, np.int64)]
     values: list[Any] = [np.zeros(0)]
     # force of each measure times its Hessian
-    for m in np.flatnonzero(pull):
+    for m in np.flatnonzero(tensions):
         flats, H = measure_hessian(system, m, x)
         rows.append(np.repeat(flats, len(flats)))
         columns.append(np.tile(flats, len(flats)))
-        values.append(pull[m] * H.reshape(-1))
+        values.append(tensions[m] * H.reshape(-1))
     at = (np.concatenate(rows), np.concatenate(columns))
     return csr_array(coo_array((np.concatenate(values), at), shape=(x.size, x.size)))
 

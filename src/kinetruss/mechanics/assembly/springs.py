@@ -24,7 +24,7 @@ __all__ = ["SpringHistories", "refuse_turns", "spring_forces", "spring_laws", "s
 class SpringHistories(NamedTuple):
     """value and rate of the coordinate (m or rad, m/s or rad/s), force on it (N or N m), energy (J), all (times, springs).
 
-    An angle is told within half a turn of the rest.
+    An angle is known within half a turn of the rest.
     """
 
     value: NDArray[np.float64]
@@ -46,7 +46,7 @@ def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64
 def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
     """Refuse motions x, v (times, 3 n) of angles beyond half a turn from the rest of a spring, where its law would jump.
 
-    Of two samples on both sides of the jump, the way over it is told from that through the rest by the rates.
+    Of two samples on both sides of the jump, the rates distinguish the way over it from that through the rest.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64],
     for i, k in np.argwhere(over & (period > 0.0))[:1]:
         raise AnalysisError(
             f"Spring {system.springs[k]!r} passes half a turn from its rest between t = {t[i]:.6g} and {t[i + 1]:.6g} s, where "
-            "its law would jump. Give another rest, or the pull of a spring wound up by more as its preload."
+            "its law would jump. Give another rest, or the moment of a spring wound up by more as its preload."
         )
 
 

@@ -143,7 +143,7 @@ def basis(system: System, dofs: list[Coordinate] | None, x: NDArray[np.float64])
     if wanted == 0:
         if not system.drives:
             raise InputError("Nothing can move here: bars and supports hold all nodes. Release a support, or let a bar strain.")
-        raise InputError("Nothing can move here: all drives are held. Name those that are let go, in dofs or free.")
+        raise InputError("Nothing can move here: all drives are held. Name those that are released, in dofs or free.")
     if dofs is None:
         dofs = _picked(system, J[rows], wanted)
     if len(dofs) != wanted:
@@ -161,7 +161,7 @@ def dof_basis(system: System, dofs: str | Iterable[str] | None, x: NDArray[np.fl
     """The basis of named degrees of freedom; the drives among them and those of `free` are released."""
     names = [free] if isinstance(free, str) else list(free)
     if unknown := [name for name in names if name not in system.drives]:
-        raise InputError(f"No drive called {unknown[0]!r} to let go. There are: {', '.join(system.drives) or 'none'}.")
+        raise InputError(f"No drive called {unknown[0]!r} to release. There are: {', '.join(system.drives) or 'none'}.")
     chosen, own = (None, ()) if dofs is None else chosen_dofs(system, dofs)
     return basis(released(system, tuple(dict.fromkeys([*names, *own]))), chosen, x)
 

@@ -74,15 +74,15 @@ class HeldShapes:
         system, found = self.system, self.elements
         out = np.full((len(x), *found.rigidity.shape), np.nan)
         for i, place in enumerate(x):
-            pull = N[i][:, None] * row_directions(system, place, values[i])
+            tension = N[i][:, None] * row_directions(system, place, values[i])
             for k, rows in zip(self.beams, self.bars, strict=True):
-                out[i, k] = _modes_of(system, found, k, place, (rows, pull))
+                out[i, k] = _modes_of(system, found, k, place, (rows, tension))
         return out
 
 
 def _modes_of(system: System, found: BeamElements, k: int, x: NDArray[np.float64], bars: Any) -> NDArray[np.float64]:
     """Mode forces (s,) of beam k from the forces N u of its bars: rows and (all rows, 3) N, on their first ends."""
-    rows, pull = bars
+    rows, tension = bars
     own = found.nodes[k]
     second = own[len(own) // 2 :]
     at = x[second] - x[second[0]]
@@ -92,7 +92,7 @@ def _modes_of(system: System, found: BeamElements, k: int, x: NDArray[np.float64
         m = system.row_member[r]
         for node, sign in ((int(system.p[m]), 1.0), (int(system.q[m]), -1.0)):
             if node in place:
-                force[place[node]] += sign * pull[r]
+                force[place[node]] += sign * tension[r]
     # rigid motions of the second frame: translations, then rotations
     dim = found.axes.shape[1]
     ways = [np.broadcast_to(axis, at.shape) for axis in np.eye(3)[:dim]]

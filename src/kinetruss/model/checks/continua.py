@@ -102,18 +102,18 @@ def _shapes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Ite
     content, size = _content(x[rows], dim)
     flat = np.abs(content) <= FLAT * size
     mend = "Move a node, or take the element out."
-    yield from _told(path, flat, rows, part, "are flat" if flat.sum() > 1 else "is flat", mend)
+    yield from _faults_of(path, flat, rows, part, "are flat" if flat.sum() > 1 else "is flat", mend)
     if path[0] == "solids" or dim == 2:
         turned = (content < 0) & ~flat
         what = "turned inside out" if path[0] == "solids" else "clockwise"
         mend = "Swap two of its nodes." if path[0] == "solids" else "Give its nodes counter-clockwise."
-        yield from _told(path, turned, rows, part, f"{'are' if turned.sum() > 1 else 'is'} {what}", mend)
+        yield from _faults_of(path, turned, rows, part, f"{'are' if turned.sum() > 1 else 'is'} {what}", mend)
     if getattr(part, "axis", None) is not None and dim == 3 and not flat.any():
         a, b, c = (x[rows[:, k]] for k in range(3))
         normal = np.cross(b - a, c - a)
         along = np.abs(normal @ np.array(part.axis)) / (np.linalg.norm(normal, axis=1) * np.linalg.norm(part.axis))
         mend = "Choose an axis that lies across no element, or split the membrane."
-        yield from _told(path, along > 1 - 1e-9, rows, part, "stand across axis", mend)
+        yield from _faults_of(path, along > 1 - 1e-9, rows, part, "stand across axis", mend)
 
 
 def _content(points: NDArray[np.float64], dim: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -132,7 +132,7 @@ def _content(points: NDArray[np.float64], dim: int) -> tuple[NDArray[np.float64]
     return np.min(found, axis=0), np.max(size, axis=0)
 
 
-def _told(path: tuple[str, str], bad: NDArray[np.bool_], rows: Any, part: Any, what: str, mend: str) -> Iterator[Fault]:
+def _faults_of(path: tuple[str, str], bad: NDArray[np.bool_], rows: Any, part: Any, what: str, mend: str) -> Iterator[Fault]:
     """One fault for all elements with the same fault, the first of them named."""
     found = np.flatnonzero(bad)
     if not len(found):

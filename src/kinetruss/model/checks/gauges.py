@@ -102,7 +102,7 @@ def _group(model: ModelData, group: str) -> Iterator[Fault]:
     if not _separates([gauge.angle for gauge in gauges.values()], model.dim == 2):
         angles = ", ".join(f"{math.degrees(gauge.angle):g}" for gauge in gauges.values())
         mend = "Add gauges: two opposite each other, or three around the section."
-        message = f"group {group!r}: axial strain cannot be told from bending with gauges at {angles} deg."
+        message = f"group {group!r}: axial strain cannot be distinguished from bending with gauges at {angles} deg."
         yield Fault(("gauges", first, "group"), message, mend, about=about)
 
 

@@ -60,7 +60,7 @@ class Condition(Record):
     base_rotation : in place of that of the model; see `BaseRotation`.
     temperature : difference from the temperature of the model's lengths, K, of all members; temperatures : member -> K,
         instead of it. See `Material.thermal_expansion`. Driven lengths stay as commanded, bodies and continua as they are.
-    locked : drives held at their value in the model, whatever they are told to do.
+    locked : drives held at their value in the model, whatever their commands are.
     released : drives that carry no force.
     failed : members taken out, with their mass.
     """

@@ -41,7 +41,7 @@ class Spring(Record):
     `friction` is Coulomb's, of a given size; `slip` is the rate at which it has 76 % of it. It creeps below, it does not stick.
 
     Units: stiffness N/m or N m/rad, damping N s/m or N m s/rad, friction and preload N or N m, slip m/s or rad/s. An angle must
-    stay within half a turn of `rest`; what a spring wound up by more turns pulls is given as its preload.
+    stay within half a turn of `rest`; the moment of a spring wound up by more turns is given as its preload.
     """
 
     coordinate: Measured | None = None
@@ -67,7 +67,7 @@ class Spring(Record):
         if not (self.stiffness or self.damping or self.friction or self.preload or self.table):
             raise ValueError("the spring has no force. Give stiffness, damping, friction, preload or table.")
         if self.table and self.stiffness:
-            raise ValueError("stiffness and table both say how it pulls. Leave one out.")
+            raise ValueError("stiffness and table both state the force. Leave one out.")
         if self.play and not (self.stiffness or self.table):
             raise ValueError("play is the dead band of a stiffness. Give stiffness, or leave play out.")
         if self.play and self.preload:

@@ -18,17 +18,17 @@ LONGEST = 200
 Record = dict[str, Any]
 
 
-def envelopes(told: Record, record: Record) -> Iterator[Part]:
-    """The sections. told : entries of members and motors (`lined`); record : of `mission_record`."""
-    yield Part("members", "Members", "Every part by its governing rule and pair", _members(told["strength"]))
+def envelopes(entries: Record, record: Record) -> Iterator[Part]:
+    """The sections. entries : those of members and motors (`lined`); record : of `mission_record`."""
+    yield Part("members", "Members", "Every part by its governing rule and pair", _members(entries["strength"]))
     yield Part(
         "extremes",
         "Extremes of members",
         "Largest tension, compression and bending",
-        _extremes(record["extremes"], told["units"]),
+        _extremes(record["extremes"], entries["units"]),
     )
     yield Part("drives", "Drives", "Largest loads, rates and powers", _drives(record["drives"]))
-    yield Part("motors", "Motors", "Largest demands, against limits", _motors(told["limits"]))
+    yield Part("motors", "Motors", "Largest demands, against limits", _motors(entries["limits"]))
     yield Part("pairs", "Pairs", "Motions, conditions and load cases, worst first", _pairs(record["pairs"]))
 
 

@@ -35,15 +35,15 @@ __all__ = ["mission_html", "mission_lines"]
 def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = None, paper: str = "a4") -> str:
     """The report as HTML with its record; view : a page in three dimensions of the governing pair."""
     record = mission_record(run)
-    told = lined(run, record)
+    entries = lined(run, record)
     title = run.model.title or f"Mission {run.name}"
     pairs = Pairs(run)
-    pair = _governing(pairs, told)
-    sheets = worked_pairs(pairs, told)
+    pair = _governing(pairs, entries)
+    sheets = worked_pairs(pairs, entries)
     record |= {
         "out": None if run.path is None else run.path.resolve().name,
         "worked": worked_record(sheets),
-        "result": list(result_lines(told)),
+        "result": list(result_lines(entries)),
     }
     mark = "" if run.whole else " (not complete)"
     given = filled(block, run.model.report)
@@ -51,8 +51,8 @@ def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = Non
     return framed(
         title,
         given,
-        result_lines(told),
-        list(_parts(run, pair, sheets, told, view)),
+        result_lines(entries),
+        list(_parts(run, pair, sheets, entries, view)),
         kicker="Report of a mission",
         quiet=" · ".join(word for word in (f"Mission {run.name}", counted(run.good, "pair"), version, given.date) if word),
         record=record,
@@ -100,29 +100,29 @@ def _units(data: xr.Dataset, axis: str) -> dict[str, str]:
     return dict(zip(map(str, data[axis].values), map(str, data["unit"].values), strict=True)) if axis in data else {}
 
 
-def _governing(pairs: Pairs, told: dict[str, Any]) -> RunResult | None:
+def _governing(pairs: Pairs, entries: dict[str, Any]) -> RunResult | None:
     """The pair of the governing entry as a run; None if it cannot be done again."""
-    worst = governing_entry(told)
+    worst = governing_entry(entries)
     return pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
 
 
-def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], told: dict[str, Any], view: str) -> Iterator[Part]:
+def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any], view: str) -> Iterator[Part]:
     yield Part("result", "Result", "", list(_state(run)))
     if pair is not None:
-        found = assumptions(pair, told, condition=False)
+        found = assumptions(pair, entries, condition=False)
         yield Part("assumed", "Assumptions, and what was not checked", "What the results rest on", found)
         frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
         seen = [element("div", frame, class_="screen")] if view else []
-        words = f"Motion, condition and load case: {_label(run, told)}"
+        words = f"Motion, condition and load case: {_label(run, entries)}"
         yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, document_record(pair, []))])
     calculations = "The governing entry of each check over all pairs, with the numbers of its pair at its instant"
     yield Part("worked", "Worked calculations", calculations, shown(sheets))
     noted = findings(run)
     record = mission_record(run)
     pairs = [one | {"finding": noted.get(one["label"], "")} for one in record["pairs"]]
-    yield from envelopes(told, record | {"pairs": pairs})
+    yield from envelopes(entries, record | {"pairs": pairs})
     if pair is not None:
-        name = f"mission {run.name}, pair {_label(run, told)}"
+        name = f"mission {run.name}, pair {_label(run, entries)}"
         basis = [*inputs(pair, name), *_conditions(run), *section_constants(pair.model)]
         yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
         yield Part("method", "Method and sources", "", _methods(pair))
@@ -131,15 +131,15 @@ def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], told: d
 
 def _conditions(run: MissionRun) -> list[Markup]:
     """The conditions of the mission."""
-    named = run.told.conditions or ()
+    named = run.definition.conditions or ()
     rows = [
         (name, worded(run.model.conditions[name]) or "the model as it is") for name in named if name in run.model.conditions
     ]
     return [Table(("condition", "what changes"), rows, "Conditions of the mission").html] if rows else []
 
 
-def _label(run: MissionRun, told: dict[str, Any]) -> str:
-    worst = governing_entry(told)
+def _label(run: MissionRun, entries: dict[str, Any]) -> str:
+    worst = governing_entry(entries)
     return str(run.pairs["label"].values[0]) if worst is None else str(worst["load_case"])
 
 
@@ -150,16 +150,17 @@ def _state(run: MissionRun) -> Iterator[Markup]:
     for label, words in findings(run).items():
         found.setdefault(words, []).append(label)
     if found:
-        told = [
+        entries = [
             f"{'all pairs' if len(labels) == run.good > 1 else '; '.join(labels)}: {words}" for words, labels in found.items()
         ]
-        yield element("div", element("h3", "Findings"), element("ul", [element("li", one) for one in told]), class_="warnings")
+        items = [element("li", one) for one in entries]
+        yield element("div", element("h3", "Findings"), element("ul", items), class_="warnings")
 
 
 def findings(run: MissionRun) -> dict[str, str]:
     """Findings by pair, without what the motion alone did not check of motors, since the mission does."""
-    told = {label: checked_words(words, run.trains is not None) for label, words in run.findings.items()}
-    return {label: words for label, words in told.items() if words}
+    entries = {label: checked_words(words, run.trains is not None) for label, words in run.findings.items()}
+    return {label: words for label, words in entries.items() if words}
 
 
 def _methods(pair: RunResult) -> list[Markup]:

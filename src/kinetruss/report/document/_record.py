@@ -31,12 +31,12 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
     NaN becomes None, infinity the text ``Infinity``. Only the name of the run folder is included, since reports are sent out.
     """
     text = model_text(run)
-    told = run.told
+    definition = run.definition
     found = summary_record(run) | {
         "schema": SCHEMA,
         "out": None if run.path is None else run.path.resolve().name,
         "dimension": run.model.dim,
-        "options": {"analysis": told.analysis, "stations": told.stations, "load_cases": list(run.forces)},
+        "options": {"analysis": definition.analysis, "stations": definition.stations, "load_cases": list(run.forces)},
         "settings": dict(run.settings),
         "model_sha256": hashlib.sha256(text.encode()).hexdigest(),
         "model": text,

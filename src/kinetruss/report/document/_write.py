@@ -116,18 +116,18 @@ def _proofs(text: str, scratch: Path) -> Iterator[bytes | str]:
     yield first
     if isinstance(first, str):
         return
-    fitted, told = text, read_paper(first)
+    fitted, measured = text, read_paper(first)
     for fit in FITS[1:]:
-        if told.left <= EMPTY:
+        if measured.left <= EMPTY:
             break
         resized = text.replace("<main>", f'<main style="--fit: {fit}">', 1)
         again = _print(resized, scratch)
         if isinstance(again, str):
             break
-        if read_paper(again).left < told.left:
-            fitted, told = resized, read_paper(again)
-    if told.starts:
-        yield _print(with_pages(fitted, told.starts), scratch)
+        if read_paper(again).left < measured.left:
+            fitted, measured = resized, read_paper(again)
+    if measured.starts:
+        yield _print(with_pages(fitted, measured.starts), scratch)
 
 
 def _print(text: str, scratch: Path) -> bytes | str:

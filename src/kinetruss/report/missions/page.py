@@ -138,8 +138,8 @@ def _pair(pairs: xr.Dataset, k: int) -> tuple[str, ...]:
     one = {name: pairs[name].values[k] for name in pairs.data_vars}
     used = "-" if np.isnan(one["utilisation"]) else quantity(float(one["utilisation"]), "%")
     when = "-" if np.isnan(one["time"]) else instant(float(one["time"]))
-    told = [str(one[name]) for name in ("label", "part", "rule", "finding")]
-    return told[0], used, told[1], told[2], when, f"{one['samples']:.0f}", one_line(told[3], 200)
+    texts = [str(one[name]) for name in ("label", "part", "rule", "finding")]
+    return texts[0], used, texts[1], texts[2], when, f"{one['samples']:.0f}", one_line(texts[3], 200)
 
 
 def _extremes(data: xr.Dataset) -> Iterator[tuple[str, ...]]:

@@ -84,10 +84,10 @@ def _histories(figure: Histories) -> Canvas:
     canvas = _canvas(width, height)
     axes = canvas.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
     canvas.subplots_adjust(left=0.88 / width, right=6.4 / width, top=1 - 0.42 / height, bottom=0.48 / height, hspace=0.16)
-    told: dict[str, Any] = {}
+    known: dict[str, Any] = {}
     for ax, panel in zip(axes, figure.panels, strict=True):
         _panel(ax, figure.time, panel)
-        _legend(ax, told)
+        _legend(ax, known)
     axes[0].set_title(figure.title)
     axes[-1].set_xlabel("time (s)")
     axes[-1].set_xlim(figure.time[0], figure.time[-1] if len(figure.time) > 1 else None)
@@ -147,18 +147,18 @@ def _panel(ax: Any, time: Any, panel: Panel, pens: Mapping[str, int] | None = No
     ax.set_ylabel(f"{panel.quantity} ({unit})" if unit else panel.quantity)
 
 
-def _legend(ax: Any, told: dict[str, Any]) -> None:
+def _legend(ax: Any, known: dict[str, Any]) -> None:
     """The legend, without names that panels above already show with the same colours."""
     handles, labels = ax.get_legend_handles_labels()
     here = {
         label: str(handle.get_facecolor() if hasattr(handle, "get_facecolor") else handle.get_color())
         for handle, label in zip(handles, labels, strict=True)
     }
-    clash = any(told.get(label, colour) != colour for label, colour in here.items())
-    kept = [pair for pair in zip(handles, labels, strict=True) if clash or pair[1] not in told]
+    clash = any(known.get(label, colour) != colour for label, colour in here.items())
+    kept = [pair for pair in zip(handles, labels, strict=True) if clash or pair[1] not in known]
     if kept:
         ax.legend(*zip(*kept, strict=True), loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0)
-    told.update(here)
+    known.update(here)
 
 
 def _limit(ax: Any, panel: Panel, factor: float, shown: float) -> None:

@@ -262,8 +262,8 @@ def _hinges(model: Model, x: Array) -> Array:
 
 def _joined(model: Model, index: dict[str, int]) -> tuple[int, ...]:
     """Nodes of members and bodies: all except those of meshes only."""
-    told = [*(one.ends for one in model.members.values()), *(one.nodes for one in model.bodies.values())]
-    return tuple(sorted({index[node] for nodes in told for node in nodes if node in index}))
+    given = [*(one.ends for one in model.members.values()), *(one.nodes for one in model.bodies.values())]
+    return tuple(sorted({index[node] for nodes in given for node in nodes if node in index}))
 
 
 def _kinds(model: Model) -> dict[str, str]:

@@ -249,7 +249,7 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
 def _at_rest(run: RunResult, static: Any) -> Any:
     from kinetruss import strength
 
-    return strength.sections(run.model, static, stations=run.told.stations)
+    return strength.sections(run.model, static, stations=run.definition.stations)
 
 
 def _held(run: RunResult, quantity: str, static: Any, demand: Any) -> Any:

@@ -30,12 +30,12 @@ LACKS = {
 
 def statics_title(run: RunResult) -> str:
     """The title of these lines."""
-    return "Elastic members along the motion" if run.told.analysis in FLEXIBLE else "Static analysis"
+    return "Elastic members along the motion" if run.definition.analysis in FLEXIBLE else "Static analysis"
 
 
 def statics_record(run: RunResult) -> dict[str, Any] | None:
     """What statics or elastic members add to forces, by load case, as plain data; None for other runs."""
-    analysis = run.told.analysis
+    analysis = run.definition.analysis
     if analysis not in LACKS:
         return None
     return {
@@ -47,40 +47,40 @@ def statics_record(run: RunResult) -> dict[str, Any] | None:
 
 def _case(run: RunResult, found: Result) -> dict[str, Any]:
     data = found.data
-    told: dict[str, Any] = {}
+    fields: dict[str, Any] = {}
     shift = _shift(run, found)
     if shift is not None and shift.size:
         seen = [not run.model.nodes[str(name)].director for name in data["node"].values]  # without the frames of beams
         size = np.where(seen, np.linalg.norm(shift, axis=2), 0.0)
         i, k = np.unravel_index(int(size.argmax()), size.shape)
-        told["displacement"] = {
+        fields["displacement"] = {
             "node": str(data["node"].values[k]),
             "size": float(size[i, k]),
             "vector": shift[i, k].tolist(),
             "time": float(data["time"].values[i]),
         }
     if "energy" in data:
-        told["strain_energy"] = float(data["energy"].values.max(initial=0.0))
+        fields["strain_energy"] = float(data["energy"].values.max(initial=0.0))
     if "stiffness" in data and data["stiffness"].size:
-        told["least_stiffness"] = float(data["stiffness"].values.min())
-        told["unstable"], told["neutral"] = int(data.attrs["unstable"]), int(data.attrs["neutral"])
-    return told | _elastic(found)
+        fields["least_stiffness"] = float(data["stiffness"].values.min())
+        fields["unstable"], fields["neutral"] = int(data.attrs["unstable"]), int(data.attrs["neutral"])
+    return fields | _elastic(found)
 
 
 def _elastic(found: Result) -> dict[str, Any]:
     """Lowest and highest frequency of each mode; the largest change of a length; overshoot, residual and largest difference."""
     data = found.data
-    told: dict[str, Any] = {}
+    fields: dict[str, Any] = {}
     if "frequency" in data:
         values = data["frequency"].values
-        told["frequencies"] = [{"least": float(one.min()), "largest": float(one.max())} for one in values.T]
+        fields["frequencies"] = [{"least": float(one.min()), "largest": float(one.max())} for one in values.T]
     if "change" in data and data["change"].size:
-        told["change"] = _largest(data["change"])
-        told["error"] = float(np.abs(data["error"].values).max(initial=0.0))
+        fields["change"] = _largest(data["change"])
+        fields["error"] = float(np.abs(data["error"].values).max(initial=0.0))
     if "difference" in data and data["difference"].size:
-        told["difference"] = _largest(data["difference"])
-        told |= {name: float(data.attrs[name]) for name in ("overshoot", "residual") if np.isfinite(data.attrs[name])}
-    return told
+        fields["difference"] = _largest(data["difference"])
+        fields |= {name: float(data.attrs[name]) for name in ("overshoot", "residual") if np.isfinite(data.attrs[name])}
+    return fields
 
 
 def _largest(values: Any) -> dict[str, Any]:

@@ -92,10 +92,10 @@ def summary_record(run: RunResult) -> dict[str, Any]:
 def _text(run: RunResult) -> str:
     """The page as text."""
     parts = [_head(run)]
-    if told := list(simulation_lines(run)):
-        parts.append(Table(("", ""), told, "Simulation").text)
-    if told := list(statics_lines(run)):
-        parts.append(Table(("", ""), told, statics_title(run)).text)
+    if given := list(simulation_lines(run)):
+        parts.append(Table(("", ""), given, "Simulation").text)
+    if given := list(statics_lines(run)):
+        parts.append(Table(("", ""), given, statics_title(run)).text)
     if forces := largest_forces(run):
         parts.append(f"Largest member forces (tension positive)\n{_columns(run, FORCE_HEAD, [*map(_force_cells, forces)])}")
     if rows := worst_rows(run):

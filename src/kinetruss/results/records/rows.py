@@ -61,8 +61,8 @@ class Row:
         """``crank, yield: 3.6 % (8.451 MPa of 235 MPa)``; of an entry not checked its note."""
         if not self.checked:
             return f"{self.part}, {self.rule}: {self.note}"
-        told = f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}"
-        return f"{told} ({quantity(self.value, self.unit)} of {quantity(self.limit, self.unit)})" if self.unit else told
+        given = f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}"
+        return f"{given} ({quantity(self.value, self.unit)} of {quantity(self.limit, self.unit)})" if self.unit else given
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.text}>"

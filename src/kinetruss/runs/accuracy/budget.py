@@ -174,7 +174,7 @@ class _Job:
         model = at_instant(model, at[1] if isinstance(at, tuple) else 0.0)
         self.model, self.drives = driven_lengths(model, chosen)
         self.chosen, self.load_case = chosen, load_case
-        self.jets = _command(model, at)
+        self.derivatives = _command(model, at)
         system = compile(self.model)
         self.own: dict[int, Coordinate] = {}
         self.kinds: list[tuple[str, str]] = []
@@ -252,8 +252,8 @@ class _Job:
         if not model.all_drives:
             still = np.zeros((len(rows), len(model.nodes), model.dim))
             return kinematics.from_arrays(model, rows, still + kinematics.assemble(model), still, still)
-        jets = np.array([self.jets.get(name, (value, 0.0, 0.0)) for name, value in start_values(model).items()])
-        value, rate, acceleration = (np.repeat(one[None], len(rows), axis=0) for one in jets.T)
+        derivatives = np.array([self.derivatives.get(name, (value, 0.0, 0.0)) for name, value in start_values(model).items()])
+        value, rate, acceleration = (np.repeat(one[None], len(rows), axis=0) for one in derivatives.T)
         names = list(model.all_drives)
         for k, drive in enumerate(self.drives):
             if drive is not None:
@@ -289,5 +289,5 @@ def _command(model: Model, at: Any) -> dict[str, tuple[float, float, float]]:
     else:
         return {name: (value, 0.0, 0.0) for name, value in start_values(model).items()}
     found = kinematics.sample(model, trajectory, [time])
-    jets = np.stack([found.value[0], found.rate[0], found.acceleration[0]], axis=1)
-    return {name: (float(a), float(b), float(c)) for name, (a, b, c) in zip(found.drives, jets, strict=True)}
+    derivatives = np.stack([found.value[0], found.rate[0], found.acceleration[0]], axis=1)
+    return {name: (float(a), float(b), float(c)) for name, (a, b, c) in zip(found.drives, derivatives, strict=True)}

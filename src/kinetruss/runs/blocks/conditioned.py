@@ -66,17 +66,17 @@ def followed(
 
 
 def poses_under(model: Model, condition: Condition | None, poses: Mapping[str, Mapping[str, float]]) -> dict[str, Any]:
-    """Listed poses as told to the drives that are left; locked ones stay."""
+    """Listed poses as commands of the drives that are left; locked ones stay."""
     if condition is None or not condition.moves_otherwise:
         return {name: dict(pose) for name, pose in poses.items()}
     gone = {*condition.released, *condition.locked}
     gone |= {name for name, drive in model.all_drives.items() if getattr(drive, "bar", None) in condition.failed}
     found = {}
     for name, pose in poses.items():
-        told = {}
+        commands = {}
         if pose:
             standing = Quintic(moves={one: (value, value) for one, value in pose.items()}, duration=1.0)
             value = kinematics.sample(model, standing, [0.0]).value[0]
-            told = dict(zip(model.all_drives, value.tolist(), strict=True))
-        found[name] = {one: value for one, value in told.items() if one not in gone}
+            commands = dict(zip(model.all_drives, value.tolist(), strict=True))
+        found[name] = {one: value for one, value in commands.items() if one not in gone}
     return found

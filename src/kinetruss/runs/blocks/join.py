@@ -57,8 +57,8 @@ class Accumulator:
 def notes_of(block: Block) -> list[str]:
     """The notes of a block."""
     # the message of forces starts with that of their motion
-    told = [block.motion.message] if block.simulation is None else [block.simulation.message]
-    found = [forces.message for forces in block.forces.values()] or told
+    messages = [block.motion.message] if block.simulation is None else [block.simulation.message]
+    found = [forces.message for forces in block.forces.values()] or messages
     return [text for text in dict.fromkeys(found) if text]
 
 

@@ -115,11 +115,11 @@ def _blamed(error: ModelError, values: Mapping[str, Any], change: Any) -> ModelE
         try:
             change({path: value})
         except ModelError as alone:
-            return _told(alone, f"{path}={value}")
-    return _told(error, ", ".join(f"{path}={value}" for path, value in values.items()))
+            return _with_setting(alone, f"{path}={value}")
+    return _with_setting(error, ", ".join(f"{path}={value}" for path, value in values.items()))
 
 
-def _told(error: ModelError, setting: str) -> ModelError:
+def _with_setting(error: ModelError, setting: str) -> ModelError:
     # no position in the file: the file has another value there
     return ModelError([replace(fault, line=None, column=None, file=None) for fault in error.faults], setting)
 

@@ -201,8 +201,8 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     stored = stored_by.sum() + (0.5 * more - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
-    pull = force[:, None] * u
-    joint = np.stack([-pull, pull], axis=1) - ends
+    tensions = force[:, None] * u
+    joint = np.stack([-tensions, tensions], axis=1) - ends
     supports = [system.node_index(name) for name in system.supports]
     data = {
         "displacement": variable(("node", "axis"), solved.displacement.reshape(-1, 3)[:, :dim], "m", "node displacement"),

@@ -117,9 +117,9 @@ def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArra
     if own and isinstance(result, Forces):
         if result.attrs.get("weight", "all") != "all":
             return np.zeros_like(found)
-        if (told := result.attrs.get("gravity")) is not None:
+        if (listed := result.attrs.get("gravity")) is not None:
             found = np.zeros_like(found)
-            found[..., : system.dim] = told
+            found[..., : system.dim] = listed
     return found
 
 

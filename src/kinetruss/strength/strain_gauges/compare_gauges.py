@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = ["compare_gauges", "inside"]
 
-TOLD = 0.3
+LEAST_SHARE = 0.3
 """Smallest part of the rate of a history that is neither constant nor like it: with less, a lag looks like an offset."""
 
 _SUMMARY = {
@@ -147,7 +147,7 @@ def _shift(
     times: NDArray[np.float64], simulated: NDArray[np.float64], rows: NDArray[np.float64], measured: NDArray[np.float64]
 ) -> float:
     """The lag of a measured history, s, within a tenth of its length: that with which offset + scale x simulated fits best;
-    NaN if it cannot be told from these.
+    NaN if these do not determine it.
     """
     from scipy.interpolate import make_interp_spline
     from scipy.optimize import minimize_scalar
@@ -172,7 +172,7 @@ def _shift(
     here, slope = curve(rows[inner] - grid[k]), curve(rows[inner] - grid[k], 1)
     design = np.stack([np.ones(len(here)), here], axis=1)
     rest = slope - design @ np.linalg.lstsq(design, slope, rcond=None)[0]
-    if np.linalg.norm(rest) < TOLD * np.linalg.norm(slope):
+    if np.linalg.norm(rest) < LEAST_SHARE * np.linalg.norm(slope):
         return float("nan")
     bounds = (grid[max(k - 1, 0)], grid[min(k + 1, 40)])
     return float(minimize_scalar(misfit, bounds=bounds, method="bounded", options={"xatol": 1e-6 * span}).x)

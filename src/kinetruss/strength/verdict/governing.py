@@ -140,9 +140,9 @@ def _lacking(columns: Columns) -> tuple[set[str], int]:
     """The parts that were not checked completely, and the number of all that have a rule or a note."""
     used, names = columns["utilisation"].values, columns["part"].values.tolist()
     notes = columns["note"].values.tolist() if "note" in columns else np.full(used.shape, "").tolist()
-    told = [[str(note) for note in row] for row in notes]
-    listed = [k for k in range(len(names)) if any(told[k]) or np.isfinite(used[k]).any() or np.isposinf(used[k]).any()]
-    return {str(names[k]) for k in listed if any(note.startswith(NOT_CHECKED) and note != NO_RULE for note in told[k])}, len(
+    texts = [[str(note) for note in row] for row in notes]
+    listed = [k for k in range(len(names)) if any(texts[k]) or np.isfinite(used[k]).any() or np.isposinf(used[k]).any()]
+    return {str(names[k]) for k in listed if any(note.startswith(NOT_CHECKED) and note != NO_RULE for note in texts[k])}, len(
         listed
     )
 

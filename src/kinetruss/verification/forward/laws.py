@@ -51,6 +51,6 @@ def caught() -> dict[str, float]:
     times = [0.0, 0.3, 0.5 * (TIGHT + SLACK), SLACK + 0.2]
     run = kt.dynamics.simulate(model, times[-1], times=times, method=METHOD, events=watched)
     y = run.motion.position.sel(node="P", axis="y").values
-    pull = run.forces.member_force.sel(member="cable").values
+    tension = run.forces.member_force.sel(member="cable").values
     first = {event.name: event.time for event in reversed(run.events)}
-    return first | {"falling": float(y[1]), "lowest": float(y[2]), "pull": float(pull[2]), "thrown": float(y[3])}
+    return first | {"falling": float(y[1]), "lowest": float(y[2]), "pull": float(tension[2]), "thrown": float(y[3])}

@@ -21,9 +21,9 @@ def pendulum(method: str) -> dict[str, float]:
 def tension() -> dict[str, float]:
     """Tension of the bar at whole seconds divided by its closed form 3 m g cos(angle)."""
     run = kt.dynamics.simulate(kt.library.mechanisms.pendulum(angle=-math.pi / 2), 10.0, samples=11, method=METHODS["dop853"])
-    pull = run.forces.member_force.sel(member="link1").values
+    axial = run.forces.member_force.sel(member="link1").values
     y = run.motion.position.sel(node="P1", axis="y").values
-    return {"tension": float(np.abs(pull + 3 * 9.81 * y).max() / (3 * 9.81))}
+    return {"tension": float(np.abs(axial + 3 * 9.81 * y).max() / (3 * 9.81))}
 
 
 def triple(method: str) -> dict[str, float]:

@@ -34,7 +34,7 @@ def straight() -> dict[str, float]:
 
 
 def energy(name: str) -> dict[str, float]:
-    """Change of energy of a loop let go for 0.3 s, of the largest kinetic one."""
+    """Change of energy of a loop released for 0.3 s, of the largest kinetic one."""
     run = kt.dynamics.simulate(getattr(kt.library.mechanisms, name)(), 0.3, samples=31)
     return {"energy": drift(run)}
 

@@ -14,7 +14,7 @@ START = (-0.3, 0.8, 0.5, 0.2, -1.0)
 TIMES = (0.2, 0.4, 0.6, 0.8)
 
 
-def pushes(t: float, x: Any, _: Any) -> dict[str, Any]:
+def given_forces(t: float, x: Any, _: Any) -> dict[str, Any]:
     """Forces of the drives on the nodes, N: along the lift and the reach, and as couples at the three hinges."""
     at = dict(zip(NODES, x, strict=True))
     force = {name: np.zeros(3) for name in ("A", "B", "G", "X", "E", "J", "U")}
@@ -34,9 +34,9 @@ def pushes(t: float, x: Any, _: Any) -> dict[str, Any]:
 NODES = tuple(kt.library.mechanisms.robot().nodes)
 
 
-def _pull(force: dict[str, Any], node: str, foot: str, pull: Any) -> None:
-    force[node] += pull
-    force[foot] -= pull
+def _pull(force: dict[str, Any], node: str, foot: str, tension: Any) -> None:
+    force[node] += tension
+    force[foot] -= tension
 
 
 def _twist(force: dict[str, Any], at: dict[str, Any], node: str, foot: str, moment: Any) -> None:
@@ -52,7 +52,7 @@ def run() -> dict[str, dict[str, float]]:
         0.8,
         times=(0.0, *TIMES),
         tasks=dict.fromkeys(kt.library.mechanisms.robot().all_drives, kt.Free()),
-        user_force=pushes,
+        user_force=given_forces,
         method=kt.DOP853(rtol=1e-11, atol=1e-12),
     )
     return {f"{t}s": coordinates(found.motion.data.sel(time=t)) for t in TIMES}

@@ -31,8 +31,8 @@ def _found(model: kt.Model, forces: kt.results.Forces, time: float) -> dict[str,
     motion = forces.motion.data.sel(time=time)["position"]
     for name, member in model.members.items():
         a, b = (motion.sel(node=end).values for end in member.ends)
-        pull = np.array([found[f"{name}.B.{axis}"] for axis in "xyz"[: model.dim]])
-        found[f"{name}.tension_B"] = float(pull @ (b - a) / np.linalg.norm(b - a))
+        tension = np.array([found[f"{name}.B.{axis}"] for axis in "xyz"[: model.dim]])
+        found[f"{name}.tension_B"] = float(tension @ (b - a) / np.linalg.norm(b - a))
     cut = partial(kt.dynamics.free_body, model, forces.motion, forces, time=time)
     found |= {
         "equations": len(system.equations),

@@ -54,7 +54,7 @@ def crown() -> dict[str, float]:
 
 
 def prism() -> dict[str, float]:
-    """Twist, deg, and force densities over that of the verticals, of a prism let go 10 degrees off."""
+    """Twist, deg, and force densities over that of the verticals, of a prism released 10 degrees off."""
     side = {
         name: [(math.cos(a), math.sin(a), z) for a in np.radians([start, start + 120, start + 240])]
         for name, start, z in (("L", 0.0, 0.0), ("H", 140.0, 1.2))

@@ -92,7 +92,7 @@ class Frame:
         return sheet
 
     def _scale(self, sheet: Any, draw: Any, letter: int, top: int) -> None:
-        assert self.channel is not None  # noqa: S101 - told to mypy
+        assert self.channel is not None  # noqa: S101 - for mypy
         small, wide = _font(round(0.85 * letter)), min(20 * letter, round(0.55 * self.width))
         draw.text((letter, top + letter * 0.7), heading(self.channel, self.limits), fill=INK, font=_font(letter), anchor="lm")
         bar = colours_of(self.channel["scale"], np.linspace(self.limits[0], self.limits[1], wide), self.limits)
@@ -131,10 +131,10 @@ class Frame:
         camera = self.camera
         reach, level = 1.35 * letter, top + 2.3 * letter
         shown = [(name, np.array(axis, float), colour, self.width - 3.2 * letter) for name, axis, colour in AXES[: self.dim]]
-        pull = np.zeros(3)
-        pull[: len(self.gravity)] = self.gravity
-        if np.linalg.norm(pull) > 0:
-            shown.append(("g", pull / np.linalg.norm(pull), QUIET, self.width - 7.4 * letter))
+        down = np.zeros(3)
+        down[: len(self.gravity)] = self.gravity
+        if np.linalg.norm(down) > 0:
+            shown.append(("g", down / np.linalg.norm(down), QUIET, self.width - 7.4 * letter))
         for name, axis, colour, left in sorted(shown, key=lambda one: float(one[1] @ camera.backward)):
             tip = np.array([axis @ camera.right, -(axis @ camera.upward)]) * reach
             start = (left, level) if name != "g" else (left - tip[0] / 2, level - 0.3 * letter - tip[1] / 2)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from kinetruss.results import Forces, Motion, Result
     from kinetruss.runs import RunResult
 
-    Told = tuple[dict[str, Any], dict[str, NDArray[Any]]]
+    Described = tuple[dict[str, Any], dict[str, NDArray[Any]]]
 
 __all__ = ["EXACT", "UNITS", "actions_at_rest", "loads_of", "moving", "sections_of_beams"]
 
@@ -46,7 +45,7 @@ UNITS = {
 
 def moving(
     model: Model, motion: Motion, forces: Sequence[Forces], run: RunResult | None, most: int, instants: Sequence[float] = ()
-) -> Told:
+) -> Described:
     """Header fields and arrays of a motion and of the forces along it, one entry of `forces` a load case.
 
     The arrays of the first load case have their plain names, those of the next begin with ``1:``, ``2:``, .. ``cases`` holds
@@ -70,11 +69,11 @@ def moving(
     moved, each = 3 * found["position"].size, len(time) * len(model.members) * (4 + 2 * model.dim)
     rounded = moved + min(1, len(forces)) * each > EXACT
     fitting = 1 if rounded else (EXACT - moved) // max(each, 1)
-    told: list[dict[str, Any]] = []
+    described: list[dict[str, Any]] = []
     over_run: list[str] = []
     for k, one in enumerate(forces[:fitting]):
         fields, arrays, over_run = _forces(model, one, run, rounded)
-        told.append(fields)
+        described.append(fields)
         found |= {f"{k}:{name}" if k else name: values for name, values in arrays.items()}
     found |= stress_of_faces(model, motion.data["position"].values)
     channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.members))]
@@ -82,20 +81,14 @@ def moving(
         "rounded": rounded,
         "samples": {"all": count, "shown": len(time)},
         "status": motion.status.value,
-        "message": " ".join(filter(None, [_said(motion.message, run), "" if run else motion.unchecked, *_not_held(run)])),
-        "not_checked": _unchecked(model) if told else {},
+        "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
+        "not_checked": _unchecked(model) if described else {},
         "channels": channels,
         "over_run": over_run,
-        "cases": told,
-        **(told[0] if told else {}),
+        "cases": described,
+        **(described[0] if described else {}),
     }
     return more, found
-
-
-def _said(message: str, run: RunResult | None) -> str:
-    """The message of a motion, without what it could not check if the run has checked it."""
-    checked = run is not None and bool(run.demand)
-    return re.sub(r"Not checked without forces: .*? \(dynamics\.limits_kept\)\.\s*", "", message) if checked else message
 
 
 def _not_held(run: RunResult | None) -> list[str]:
@@ -163,7 +156,7 @@ def _forces(
     found |= acting
     if forces.static is not None and not rounded:
         found["rest_force"] = middle_forces(model, forces.static)
-    told = {
+    described = {
         "load_case": forces.load_case,
         "loads": loads,
         "actions": actions,
@@ -171,7 +164,7 @@ def _forces(
         "supported": [str(name) for name in data["support"].values],
         "not_unique": [str(name) for name in data.attrs.get("not_unique", [])],
     }
-    return told, found, list(worst)
+    return described, found, list(worst)
 
 
 def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
@@ -205,11 +198,11 @@ def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]],
     members = {name: k for k, name in enumerate(model.members)}
     place = data["action_place"].values
     spread = np.isnan(place).any(axis=0)
-    told = []
+    described = []
     pairs = zip(data["action_source"].values.tolist(), data["action_member"].values.tolist(), spread.tolist(), strict=True)
     for source, member, along in pairs:
         kind, _, name = source.partition(" ")
-        told.append(
+        described.append(
             {
                 "source": name,
                 "kind": kind,
@@ -218,7 +211,7 @@ def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]],
                 "mean": kind in ("drive", "coupling", "spring", "hub"),
             }
         )
-    return told, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}
+    return described, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}
 
 
 def loads_of(

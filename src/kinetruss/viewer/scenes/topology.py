@@ -101,7 +101,7 @@ def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], end
 
 def _body(member: int, bar: Bar) -> dict[str, Any]:
     """The planar body that a bar represents: its centre (m) along the bar and to its left, and its mass (kg)."""
-    assert bar.body is not None  # noqa: S101 - told to mypy
+    assert bar.body is not None  # noqa: S101 - for mypy
     return {"member": member, "center": [float(x) for x in bar.body.center], "mass": float(bar.body.mass)}
 
 

@@ -163,11 +163,11 @@ def _drives(figure: Loaded, points: Array, labels: Labels) -> None:
     """Names of driven members at their middle."""
     model = figure.model
     lines = _lines(figure)
-    told = figure.governing[0] if figure.governing else ""
+    chief = figure.governing[0] if figure.governing else ""
     shown = 0
     for name, drive in model.all_drives.items():
         bar = getattr(drive, "bar", "")
-        if bar in lines and told not in (name, bar) and shown < NAMED // 2:
+        if bar in lines and chief not in (name, bar) and shown < NAMED // 2:
             shown += 1
             labels.put(name, points[list(lines[bar])].mean(axis=0), DRIVEN, most=CROWDED)
 

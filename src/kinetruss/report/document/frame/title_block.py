@@ -21,11 +21,10 @@ def title_block(block: TitleBlock) -> Markup:
 
 def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> TitleBlock:
     """A title block whose empty entries are those of a model, and its date that of the report."""
-    told = {} if own is None else {name: value for name, value in own.model_dump().items() if value}
-    told = (
-        {"date": date} | told | ({} if block is None else {name: value for name, value in block.model_dump().items() if value})
-    )
-    return TitleBlock(**told)
+    fields = {"date": date}
+    for given in (own, block):
+        fields |= {} if given is None else {name: value for name, value in given.model_dump().items() if value}
+    return TitleBlock(**fields)
 
 
 def _cells(block: TitleBlock, name: str) -> Markup:

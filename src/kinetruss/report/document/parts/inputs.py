@@ -64,7 +64,7 @@ def inputs(run: RunResult, name: str = "") -> list[Markup]:
         ("Drive trains", "used by", _trains(model)),
         ("Springs on coordinates (SI)", "name", _named(model.springs)),
         ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
-        ("Tasks of drives and events", "name", [*_named(run.told.tasks), *_named(run.told.events, "event ")]),
+        ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
     for caption, head, rows in lists:
         shown = list(rows)
@@ -75,35 +75,35 @@ def inputs(run: RunResult, name: str = "") -> list[Markup]:
 
 
 def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:
-    told = run.told
+    definition = run.definition
     yield "run", name
-    yield "analysis", f"{ANALYSES[told.analysis]} (in the model file: {told.analysis})"
-    if told.motion is not None:
-        yield "motion", f"node histories from the file {told.motion.replace(chr(92), '/').rpartition('/')[2]}"
-    elif told.targets is not None:
-        yield "task (m, rad, s)", worded(told.targets)
-    elif told.trajectory is not None:
-        yield "trajectory (m, rad, s)", worded(told.trajectory)
-    if told.condition is not None:
-        yield "condition", f"{told.condition}: {worded(run.origin.conditions[told.condition])}"
-    if told.t_end is not None:
-        yield "simulated time", quantity(told.t_end, "s")
-        yield "method", _method(run, told)
+    yield "analysis", f"{ANALYSES[definition.analysis]} (in the model file: {definition.analysis})"
+    if definition.motion is not None:
+        yield "motion", f"node histories from the file {definition.motion.replace(chr(92), '/').rpartition('/')[2]}"
+    elif definition.targets is not None:
+        yield "task (m, rad, s)", worded(definition.targets)
+    elif definition.trajectory is not None:
+        yield "trajectory (m, rad, s)", worded(definition.trajectory)
+    if definition.condition is not None:
+        yield "condition", f"{definition.condition}: {worded(run.origin.conditions[definition.condition])}"
+    if definition.t_end is not None:
+        yield "simulated time", quantity(definition.t_end, "s")
+        yield "method", _method(run, definition)
     yield "samples", f"{run.samples} requested, {run.good} good"
     if run.forces:
         yield "load cases", ", ".join("all loads" if case == "all" else case for case in run.forces)
-        yield "stations along members", str(told.stations)
+        yield "stations along members", str(definition.stations)
     for path, value in run.settings.items():
         yield f"set: {path}", str(value)
 
 
-def _method(run: RunResult, told: Run) -> str:
+def _method(run: RunResult, definition: Run) -> str:
     """The method used, with all its options, or its name if the run was stored without them."""
     taken = {} if run.simulation is None else run.simulation.data.attrs
     if "method_options" in taken:
-        told = told.with_(method=json.loads(taken["method_options"]))
-    if told.method is not None:
-        return worded(told.method, whole=True)
+        definition = definition.with_(method=json.loads(taken["method_options"]))
+    if definition.method is not None:
+        return worded(definition.method, whole=True)
     return str(taken.get("method") or "chosen for the motion")
 
 

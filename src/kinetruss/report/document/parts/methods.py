@@ -81,14 +81,14 @@ SOLVED = {"statics.linear": LINEAR, "statics.equilibrium": EQUILIBRIUM}
 
 def methods(run: RunResult) -> Iterator[tuple[str, str, str]]:
     """Name, what was done, and published sources (or none) of each method that the run used."""
-    told = run.told
-    if run.simulation is not None or told.analysis == "dynamics.simulate":
+    definition = run.definition
+    if run.simulation is not None or definition.analysis == "dynamics.simulate":
         yield FORWARD
-    elif told.analysis in SOLVED:
-        yield SOLVED[told.analysis]
+    elif definition.analysis in SOLVED:
+        yield SOLVED[definition.analysis]
     else:
-        yield GIVEN if told.motion is None else MEASURED
-    if run.forces and told.analysis not in SOLVED:
+        yield GIVEN if definition.motion is None else MEASURED
+    if run.forces and definition.analysis not in SOLVED:
         yield INVERSE
     if run.verdict is not None:
         yield STRENGTH

@@ -49,7 +49,7 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
 
 def _motion(run: RunResult) -> list[tuple[str, Any]]:
     """The present hash of the motion's file."""
-    given = run.told.motion
+    given = run.definition.motion
     if given is None:
         return []
     path = Path(given)

@@ -122,8 +122,8 @@ def standing(run: RunResult) -> list[Markup]:
     if record is None:
         return []
     moved = {case: one for case, one in record["cases"].items() if "displacement" in one}
-    told = ("displacement,", "strain energy,") if moved else ()
-    rows = [row for row in statics_lines(run) if not row[0].startswith(told)]
+    listed = ("displacement,", "strain energy,") if moved else ()
+    rows = [row for row in statics_lines(run) if not row[0].startswith(listed)]
     lines = [Table(("", ""), rows, statics_title(run)).html] if rows else []
     return [*lines, *([_displaced(run, moved)] if moved else [])]
 

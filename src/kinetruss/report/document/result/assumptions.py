@@ -71,5 +71,5 @@ def _assumed(run: RunResult, *, condition: bool) -> Iterator[str]:
         yield f"The forces of {few(list(dict.fromkeys(names)))} are not unique: they depend on stiffness or convention."
     if run.verdict is not None:
         yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
-    if condition and run.told.condition is not None:
-        yield f"Operating condition: {run.told.condition}."
+    if condition and run.definition.condition is not None:
+        yield f"Operating condition: {run.definition.condition}."

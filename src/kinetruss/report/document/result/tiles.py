@@ -48,10 +48,10 @@ def warned(record: Record) -> list[Markup]:
     """The warnings; nothing without any."""
     if not record["warnings"]:
         return []
-    told = element("ul", [element("li", one) for one in record["warnings"]])
+    listed = element("ul", [element("li", one) for one in record["warnings"]])
     held = [row for row in (*record["strength"], *record["limits"]) if row["utilisation"] is not None]
     kind = "warnings" if record["whole"] and not any(map(is_over, held)) else "warnings grave"
-    return [element("div", element("h3", "Warnings"), told, class_=kind)]
+    return [element("div", element("h3", "Warnings"), listed, class_=kind)]
 
 
 def _tiles(record: Record) -> Iterator[Markup]:

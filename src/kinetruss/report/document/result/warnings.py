@@ -33,7 +33,7 @@ def warnings(run: RunResult) -> list[str]:
 
 def _ending(run: RunResult) -> Iterator[str]:
     if run.whole and run.message:  # the top of the report says it if a run is not complete
-        yield from [told] if (told := checked_words(run.message, bool(run.demand))) else []
+        yield from [given] if (given := checked_words(run.message, bool(run.demand))) else []
 
 
 def checked_words(message: str, demands: bool) -> str:

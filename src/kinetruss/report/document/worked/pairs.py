@@ -35,20 +35,20 @@ class Pairs:
         return self._done[label]
 
 
-def worked_pairs(pairs: Pairs, told: Mapping[str, Any]) -> list[Sheet]:
-    """The calculations, worst first. told : rows of members and drives with the labels of their pairs (`lined`)."""
-    found = list(_sheets(pairs, told))
+def worked_pairs(pairs: Pairs, given: Mapping[str, Any]) -> list[Sheet]:
+    """The calculations, worst first. given : rows of members and drives with the labels of their pairs (`lined`)."""
+    found = list(_sheets(pairs, given))
     return sorted(found, key=lambda sheet: -sheet.row.utilisation)
 
 
-def _sheets(pairs: Pairs, told: Mapping[str, Any]) -> Iterator[Sheet]:
+def _sheets(pairs: Pairs, given: Mapping[str, Any]) -> Iterator[Sheet]:
     for row in governing_rows(pairs.mission):
         pair = pairs.of(row.load_case)
         own = None if pair is None or pair.verdict is None else _same(pair.verdict.table(), row.part, row.rule)
         sheet = None if pair is None or own is None else member_sheet(pair, own)
         if pair is not None and sheet is not None:
             yield _of_pair(sheet, pair, row.load_case)
-    for one in governing_trains(told["limits"]):
+    for one in governing_trains(given["limits"]):
         pair = pairs.of(one["load_case"])
         for case, demand in () if pair is None else pair.demand.items():
             own = _same(demand.table(), one["part"], one["rule"])
