@@ -289,7 +289,7 @@ M7 = {"member": "M7", "angle": 0.0}
         ({"G": {"member": "M6", "distance": "-1 mm"}}, "must not be negative"),
         ({"G": {"member": "M6", "factor": 0}}, "greater than 0"),
         ({"G": {"member": "M6", "angle": "3 mm"}}, "is not an angle"),
-        ({"G": {"member": "M6", "group": "g"}}, r"group 'g': axial strain cannot be distinguished from bending with gauges at 0 deg"),
+        ({"G": {"member": "M6", "group": "g"}}, r"group 'g': axial strain cannot be distinguished from bending with gauges at"),
         ({"G": {"member": "M6", "group": "g"}, "H": {"member": "M6", "angle": 1, "group": "g"}}, "Add gauges: two opposite"),
         ({"G": {"member": "M6", "group": "g"}, "H": {"member": "M5", "angle": math.pi, "group": "g"}}, "sits at another place"),
     ],

@@ -177,7 +177,7 @@ def _doubts(record: Measured, name: str, one: _Column) -> list[str]:
     if one.smooth.rough:
         return [
             f"The curve of {name} needs {one.smooth.freedom:.0f} parameters for {len(y)} rows: its noise cannot be "
-            "distinguished from its motion, and the standard errors are too small. Give more rows a second, or a shorter record."
+            "distinguished from its motion, and the standard errors are too small. Give more rows a second or a shorter record."
         ]
     # residuals of a smoother are correlated by about minus its parameters per row
     lag = float((rest[1:] * rest[:-1]).sum() / (rest**2).sum()) + one.smooth.freedom / len(rest)

@@ -221,7 +221,7 @@ def _move_poses(
     column: Mapping[str, int],
     derivatives: Floats,
 ) -> tuple[Floats, Floats]:
-    """Write the drives of all moved poses into derivatives; returns prescribed poses (n, poses, 3, 3) and their reach margins."""
+    """Write the drives of all moved poses into derivatives; returns their poses (n, poses, 3, 3) and reach margins."""
     asked = np.zeros((derivatives.shape[0], len(poses), 3, 3))
     lengths, margin = np.empty_like(asked), np.ones(asked.shape[:2])
     if not poses:
