@@ -56,5 +56,11 @@ def robot(
         gap=posed.gap,
         offsets=made.offsets,
         freedoms=posed.freedoms,
-        notes=[f"coupling {name}: the rest of the robot implies it" for name in posed.implied],
+        notes=[_gravity(found, path), *(f"coupling {name}: the rest of the robot implies it" for name in posed.implied)],
     )
+
+
+def _gravity(found: Robot, path: Path) -> str:
+    value = ", ".join(f"{g:g}" for g in found.gravity)
+    assumed = "; a URDF names none: change it in the model file" if path.suffix.lower() == ".urdf" else ""
+    return f"gravity is ({value}) m/s^2{assumed}"
