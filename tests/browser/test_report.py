@@ -133,7 +133,8 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
         assert f"{k + 1} / {len(pages)}" in one
     record = report.document_page(lift).record
     captions = (
-        "What was computed", "Mobility of the model", "Envelope of member forces, pushed", "Governing rule of each part",
+        "What was computed", "Mobility of the model", "Envelope of member forces, load case pushed",
+        "Governing rule of each part",
         "Demands on the actuators against their limits", "What was checked", "Provenance",
     )  # fmt: skip
     for caption in captions:

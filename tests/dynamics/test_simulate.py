@@ -401,10 +401,10 @@ def test_velocities_of_supports_are_none():
     np.testing.assert_allclose(moved.motion.velocity.values[0], 0, atol=1e-15)
 
 
-@pytest.mark.parametrize("given", ["2 s", None, True, [1.0]])
+@pytest.mark.parametrize("given", ["2 m", None, True, [1.0]])
 def test_an_end_or_samples_that_are_no_numbers(given):
     if given is not None:
-        with pytest.raises(kt.InputError, match="t_end is .* Give a number"):
+        with pytest.raises(kt.InputError, match="t_end is .* Give a number|is not a time"):
             kt.dynamics.simulate(FOUR, given)
     with pytest.raises(kt.InputError, match="samples is .* whole number"):
         kt.dynamics.simulate(FOUR, 1.0, samples=2.5 if given is None else given)

@@ -248,12 +248,13 @@ def test_status_of_the_forces_is_passed_on(lift):
     assert check(model, forces).status is Status.COMPLETED
 
 
-def test_no_samples_no_numbers(lift):
+def test_a_motion_without_samples_is_refused(lift):
     model, forces = lift
     none = forces.with_(
         data=forces.data.isel(time=slice(0, 0)), motion=forces.motion.with_(data=forces.motion.data.isel(time=slice(0, 0)))
     )
-    assert not any(r.checked for r in check(model, none).table())
+    with pytest.raises(InputError, match="The motion has no sample"):
+        check(model, none)
 
 
 def test_text_table(lift):

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display.numbers import counted
+from kinetruss.display import counted
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.model import Model
 

@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kinetruss.display.numbers import counted
+from kinetruss.display import counted
 from kinetruss.errors import Fault, ModelError, UnitError, shown
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.model import nearest

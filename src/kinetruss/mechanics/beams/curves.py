@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.mechanics.kept import kept
-from kinetruss.model.parts.bracing import CHORD
+from kinetruss.model.beams import CHORD
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -18,9 +18,10 @@ if TYPE_CHECKING:
         rigid_groups,
         shape_bars,
     )
-    from kinetruss.model.beams.shown import FRAME, shown_kinds, shown_names
+    from kinetruss.model.beams.shown import CHORD, FRAME, shown_kinds, shown_names
 
 __all__ = [
+    "CHORD",
     "FRAME",
     "axes_of_beam",
     "carriers_of",
@@ -39,6 +40,6 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups shape_bars",
-        "shown": "FRAME shown_kinds shown_names",
+        "shown": "CHORD FRAME shown_kinds shown_names",
     },
 )

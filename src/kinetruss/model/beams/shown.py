@@ -11,7 +11,7 @@ from kinetruss.model.parts.members import Active
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["FRAME", "shown_kinds", "shown_names"]
+__all__ = ["CHORD", "FRAME", "shown_kinds", "shown_names"]
 
 FRAME = "frame"
 """Kind of the bars of frames, which pictures leave out."""

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
-from kinetruss.display.numbers import counted
+from kinetruss.display import counted
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.exchange.readers.texts import tree_of
 from kinetruss.exchange.robots import LeftOut

@@ -10,7 +10,7 @@ from xml.parsers import expat
 
 import numpy as np
 
-from kinetruss.display.numbers import counted
+from kinetruss.display import counted
 from kinetruss.errors import Fault, ModelError, shown
 from kinetruss.limits import LARGEST, MOST_ENTRIES
 from kinetruss.model import nearest

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure as Canvas
 from kinetruss.display import DRIVEN, LOAD, quantity
 from kinetruss.mechanics.structure import skin_of
 from kinetruss.model import HingeDrive
-from kinetruss.model.beams.shown import FRAME, shown_kinds
+from kinetruss.model.beams import FRAME, shown_kinds
 from kinetruss.report.document.figure.labels import CROWDED, Labels
 from kinetruss.report.pictures.style import ALARM, INK, PRINT, QUIET, RC
 from kinetruss.report.pictures.view import projected
