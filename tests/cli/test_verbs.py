@@ -216,6 +216,7 @@ def test_joint_forces_by_member_node_axis_and_time(folder):
     text = call("info", folder / "run", "--joints").stdout
     assert "shear_3" in text
     assert "supports" in text
+    assert " N" in text and not re.search(r"(\d\.?){5}", text)  # four digits, with their unit (docs/numbers.md)
     record = json.loads(
         call("info", folder / "run", "--joints", "--node", "T", "--axis", "z", "--time", "0.5", "--json").stdout
     )
