@@ -289,6 +289,12 @@ def test_export_says_what_it_cannot_do(folder, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_an_end_of_a_member_is_not_taken_for_a_node(folder):
+    run = runs.load(folder / "run")
+    assert [one.of for one in report.curves(run, "end_force", ["LA"])] == ["LA end A", "LA end B"]
+    assert "end A (first node)" in run.forces["pushed"].end_force.attrs["long_name"]
+
+
 def test_plot_draws_a_quantity_and_all_pictures(folder, tmp_path):
     done = call("plot", folder / "run", "--quantity", "drive_force", "-o", tmp_path / "f.svg")
     assert (done.exit_code, (tmp_path / "f.svg").exists()) == (0, True)
