@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -62,10 +63,26 @@ def test_a_mechanism_of_the_library_becomes_a_model_that_runs(tmp_path, monkeypa
     monkeypatch.chdir(tmp_path)
     assert call("new", "press", "--like", "slider_crank").exit_code == 0
     made = kt.read("press.yaml")
-    assert made.with_(title="Slider-crank", runs={}) == kt.library.mechanisms.slider_crank()
+    built = kt.library.mechanisms.slider_crank()
+    assert made.with_(title="Slider-crank", runs={}, nodes=built.nodes) == built
     turned = kt.run(made).motion.drive_position.sel(drive="motor")
     assert float(turned[-1] - turned[0]) == pytest.approx(6.283185307179586, abs=1e-9)
     assert call("new", "hook", "--like", "mechanisms.bricard").exit_code == 0
+
+
+MECHANISMS = [name for name in kt.library.builders() if name.startswith("mechanisms.")]
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_round_off_of_a_mechanism_is_written_as_zero(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert call("new", "mine", "--like", name).exit_code == 0
+    assert not re.search(r"\de-1[3-9]", Path("mine.yaml").read_text("utf-8"))
+    made, built = kt.read("mine.yaml"), kt.library.build(name)
+    assert made.with_(title=built.title, runs=built.runs, nodes=built.nodes) == built
+    for node, one in built.nodes.items():
+        assert made.nodes[node].at == pytest.approx(one.at, rel=1e-15, abs=1e-14)
+        assert made.nodes[node].with_(at=one.at) == one
 
 
 def test_as_json(tmp_path, monkeypatch):

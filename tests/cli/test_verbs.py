@@ -216,6 +216,7 @@ def test_joint_forces_by_member_node_axis_and_time(folder):
     text = call("info", folder / "run", "--joints").stdout
     assert "shear_3" in text
     assert "supports" in text
+    assert " N" in text and not re.search(r"(\d\.?){5}", text)  # four digits, with their unit (docs/numbers.md)
     record = json.loads(
         call("info", folder / "run", "--joints", "--node", "T", "--axis", "z", "--time", "0.5", "--json").stdout
     )
@@ -286,6 +287,12 @@ def test_export_says_what_it_cannot_do(folder, tmp_path, monkeypatch):
     assert done.exit_code == 2
     assert "pip install 'kinetruss[export]'" in done.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_end_of_a_member_is_not_taken_for_a_node(folder):
+    run = runs.load(folder / "run")
+    assert [one.of for one in report.curves(run, "end_force", ["LA"])] == ["LA end A", "LA end B"]
+    assert "end A (first node)" in run.forces["pushed"].end_force.attrs["long_name"]
 
 
 def test_plot_draws_a_quantity_and_all_pictures(folder, tmp_path):

@@ -225,6 +225,8 @@ def test_every_command_shows_a_mission(tmp_path):
     ):
         done = CliRunner().invoke(main, words)
         assert done.exit_code == 0, (words, done.output)
+    done = CliRunner().invoke(main, ["export", out, str(tmp_path / "wind.csv"), "--group", "wind"])
+    assert f"The governing pair of {out} has no 'wind'. It has: motion" in done.stderr and "kinetruss-" not in done.stderr
     told = json.loads(CliRunner().invoke(main, ["info", out, "--json"]).output)
     assert told["pairs_done"] == 16 and told["envelope"][0]["utilisation"] > 0
     assert "Report of a mission" in (tmp_path / "report" / "report.html").read_text("utf-8")

@@ -91,6 +91,21 @@ def test_long_tables_are_printed_short():
     assert repr(model.nodes).endswith("... 1,000 in all}")
 
 
+def test_long_lists_are_printed_in_short():
+    times = np.arange(2001.0)
+    for long in (
+        kt.Spline(times=times, values={"motor": times}),
+        kt.Measured(times=times, values={"motor": times}, rates={"motor": times}),
+        kt.TableInput(times=times, voltages=times),
+        kt.NodalForce(node="A", times=times, forces=np.zeros((2001, 2))),
+        kt.History(times=times, displacements=np.zeros((2001, 2))),
+    ):
+        assert "times=(0.0, 1.0, 2.0, ..., 2000.0; 2,001 in all)" in repr(long)
+        assert len(repr(long)) < 250
+    short = kt.Spline(times=times[:12], values={"motor": times[:12]})
+    assert repr(short) == f"Spline(times={tuple(times[:12].tolist())}, values={{'motor': {tuple(times[:12].tolist())}}})"
+
+
 def test_a_copy_with_an_update_is_checked():
     model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"])
     assert model.members["b"].mass is None

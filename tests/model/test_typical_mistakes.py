@@ -36,6 +36,9 @@ WRONG_FIELDS = [
     (lambda m: kt.dynamics.inverse(_turn(m)[0], m), "A model is expected first, not a Motion."),
     (lambda m: kt.kinematics.mobility("leg.yaml"), "A model is expected first, not 'leg.yaml'. Give a kt.Model, or kt.read("),
     (lambda m: kt.report.picture(m, "leg.png", at="3 kg"), "'3 kg' is not a time (s)"),
+    (lambda m: m.with_(section="circle"), "section: no section called 'circle'. Give a solid round bar as {kind: rod, "),
+    (lambda m: m.with_(section=kt.Circle(centre=(0, 0))), "kind 'circle' is not known. Give a solid round bar as {kind: rod, "),
+    (lambda m: m.with_(section={"kind": "pipe"}), "a round tube as {kind: tube, outer: 20 mm, inner: 16 mm} (kt.Tube)"),
     (lambda m: kt.dynamics.simulate(m, "1 m"), "'1 m' is not a time (s)"),
 ]
 

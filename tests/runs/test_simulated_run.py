@@ -9,6 +9,8 @@ import pytest
 import kinetruss as kt
 from kinetruss.errors import InputError, StoreError
 from kinetruss.results import Status
+from kinetruss.results.store import open_store
+from kinetruss.results.store.checkpoint import write_state
 from kinetruss.runs import RunResult, forces_at, load, resume, run
 from samples import fourbar
 
@@ -74,6 +76,32 @@ def test_an_interrupted_run_is_readable_and_goes_on_bit_for_bit(tmp_path):
     assert [path.name for path in (tmp_path / "half" / "state").iterdir()] == ["80.npz"]
     assert resume(tmp_path / "half").whole
     assert acceptance.differences(tmp_path / "whole", tmp_path / "half") == []
+
+
+def test_a_state_without_units_of_events_is_read_and_resumed(tmp_path):
+    """The states of earlier versions have none: they come from the events of the run."""
+
+    def stop(done: int, total: int) -> None:
+        if done == 80:
+            raise KeyboardInterrupt
+
+    events = {
+        "under": kt.Event(coordinate="B.x", value=0, stop=False),
+        "slack": kt.Event(force="lower", value=0, stop=False),
+    }
+    falls = model(runs={"fall": kt.Run(analysis="dynamics.simulate", t_end=20.0, samples=101, events=events)})
+    with pytest.raises(KeyboardInterrupt):
+        run(falls, out=tmp_path / "run", block=10, progress=stop)
+    before = load(tmp_path / "run").simulation
+    store = open_store(tmp_path / "run")
+    write_state(store.path, 80, {name: values for name, values in store.state().items() if name != "event_units"})
+    old = load(tmp_path / "run").simulation
+    assert set(old.data["event_unit"].values) == {"m", "N"}
+    assert old.data["event_unit"].identical(before.data["event_unit"])
+    assert old.events == before.events
+    done = resume(tmp_path / "run")
+    assert done.whole
+    assert done.simulation.events[: len(old.events)] == old.events
 
 
 def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch):

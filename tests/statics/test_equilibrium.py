@@ -335,3 +335,22 @@ def test_lengths_that_cannot_be_closed_end_paths_and_buckling_too(sought):
                      loads={"p": kt.NodalForce(node="C", force=(0.0, -1.0))})  # fmt: skip
     with pytest.raises(kt.AnalysisError, match="is off by"):
         sought(model, "p", lengths={"a": 0.1})
+
+
+def test_redundant_rigid_bars_are_named_once_and_elastic_ones_are_not():
+    at = {"A": (-1, 1), "B": (0, 1), "C": (1, 1), "D": (2, 0), "P": {"at": (0, 0), "mass": 2.0}}
+    bars = {"left": ("A", "P"), "middle": ("B", "P"), "right": ("C", "P"), "tie": ("D", "P")}
+    common = {"nodes": at, "fixed": ["A", "B", "C", "D"], "gravity": (0, -9.81)}
+    sentence = "The force of these members is not unique (redundant structure): left, middle, right."
+    star = kt.Model(**common, bars=bars | {"tie": kt.Bar(ends=("D", "P"), kind="elastic", stiffness=1e3)})
+    found = kt.statics.equilibrium(star)
+    assert found.message == sentence
+    assert found.data.attrs["not_unique"] == ["left", "middle", "right"]
+    # what is given is in balance, whatever the share
+    s, m, _, _ = found.member_force.values / (2.0 * 9.81)
+    assert m + 2 * s / np.sqrt(2) == pytest.approx(1.0, abs=1e-12)
+    run = kt.run(star.with_(runs={"rest": kt.Run(analysis="statics.equilibrium")}))
+    assert run.forces["all"].message.count(sentence) == 1
+    two = star.with_(bars={name: star.bars[name] for name in ("left", "right", "tie")})
+    unique = kt.statics.equilibrium(two)
+    assert (unique.message, unique.data.attrs["not_unique"]) == ("", [])

@@ -3,7 +3,7 @@
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.mechanics.beams import BeamElements
 from kinetruss.mechanics.kept import kept
-from kinetruss.mechanics.structure.arrange import Arrangement, arrange, eliminated, plan_of, rearrange
+from kinetruss.mechanics.structure.arrange import Arrangement, arrange, eliminated, not_unique_note, plan_of, rearrange
 from kinetruss.mechanics.structure.blocks import block_triangular
 from kinetruss.mechanics.structure.constraint_gradients import (
     RANK_TOLERANCE,
@@ -63,6 +63,7 @@ __all__ = [
     "measure_hessian",
     "measure_turning",
     "measured",
+    "not_unique_note",
     "plan_of",
     "rearrange",
     "row_directions",

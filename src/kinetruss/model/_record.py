@@ -24,6 +24,7 @@ from pydantic_core import core_schema
 
 from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
+from kinetruss.model._described import brief
 from kinetruss.model._words import faults_of
 from kinetruss.units import EITHER, NUMBER, parse, unit_of
 
@@ -148,11 +149,11 @@ class Record(BaseModel, metaclass=_Raising):
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
-        """Fields that are not at their default."""
+        """Fields that are not at their default, long lists in short."""
         for name, field in type(self).model_fields.items():
             value = getattr(self, name)
             if field.is_required() or value != field.get_default(call_default_factory=True):
-                yield name, value
+                yield name, brief(value)
 
     def __str__(self) -> str:
         return repr(self)

@@ -9,6 +9,7 @@ from pydantic_core import core_schema
 
 from kinetruss.errors import FrozenError, shown
 from kinetruss.limits import MOST_ENTRIES
+from kinetruss.model._described import brief
 from kinetruss.model._words import nearest
 
 __all__ = ["Filled", "ReadOnly", "Table"]
@@ -61,10 +62,9 @@ model.with_(nodes=model.nodes | {...}).
         return type(self), (dict(self),)
 
     def __repr__(self) -> str:
-        if len(self) <= _SHOWN:
-            return super().__repr__()
-        first = ", ".join(f"{key!r}: {value!r}" for key, value in list(self.items())[: _SHOWN // 3])
-        return f"{{{first}, ... {len(self):,} in all}}"
+        whole = len(self) <= _SHOWN
+        first = ", ".join(f"{key!r}: {brief(value)!r}" for key, value in list(self.items())[: None if whole else _SHOWN // 3])
+        return f"{{{first}}}" if whole else f"{{{first}, ... {len(self):,} in all}}"
 
 
 def _plain(value: Any) -> Any:

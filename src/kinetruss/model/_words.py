@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from pydantic import ValidationError
 
-__all__ = ["faults_of", "nearest"]
+__all__ = ["SECTIONS", "faults_of", "nearest"]
 
 Path = tuple[str | int, ...]
 _LONGEST = 200  # characters of a name
@@ -44,6 +44,11 @@ _EXAMPLES = {
     "moves": "[0, 90 deg], the first and the last value",
     "nodes": "A: [0, 0], B: [1 m, 0]",
 }
+SECTIONS = (
+    "Give a solid round bar as {kind: rod, diameter: 10 mm} (kt.Rod), a round tube as {kind: tube, outer: 20 mm, inner: 16 mm} "
+    "(kt.Tube), others as kind: rectangle or general."
+)
+"""How to write a section in its place, for those who name one by another word (``circle``, ``pipe``)."""
 _ENTRIES = {"dict_type": "name: ...", "tuple_type": "[a, b]"}
 
 # record that may be given as a list -> the same
@@ -117,7 +122,9 @@ def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
     """Message and fix of pydantic's own errors."""
     if kind == "union_tag_invalid":
         known = re.findall(r"'([^']*)'", context["expected_tags"])
-        return f"kind {shown(context['tag'])} is not known.", nearest(context["tag"], known)
+        meant = get_close_matches(context["tag"], known, cutoff=0.7)
+        mend = SECTIONS if "tube" in known and not meant else nearest(context["tag"], known)
+        return f"kind {shown(context['tag'])} is not known.", mend
     if kind == "literal_error":
         known = re.findall(r"'([^']*)'|(\d+)", context["expected"])
         names = [a or b for a, b in known]

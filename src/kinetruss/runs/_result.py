@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from kinetruss.errors import StoreError
-from kinetruss.model import Model, Run
+from kinetruss.model import Event, Model, Run
 from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Status, Verdict
 from kinetruss.results.records import happened
 from kinetruss.results.store import Store, is_locked, key, open_store
@@ -133,7 +135,7 @@ def from_store(store: Store) -> RunResult:
         demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
         statics={case: Result(data=store.read(f"statics/{key(case)}"), **common) for case in _cases(store, "statics")},
-        simulation=_simulation(store, motion, forces, common),
+        simulation=_simulation(store, origin.runs[ledger.run].events, motion, forces, common),
         samples=ledger.samples,
         path=store.path,
         state=_state(store),
@@ -174,13 +176,18 @@ def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> 
     return Forces(data=store.read(f"{place}/total"), motion=motion, static=static, load_case=case, **common)
 
 
-def _simulation(store: Store, motion: Motion, forces: Mapping[str, Forces], common: dict[str, Any]) -> Simulation | None:
+def _simulation(
+    store: Store, events: Mapping[str, Event], motion: Motion, forces: Mapping[str, Forces], common: dict[str, Any]
+) -> Simulation | None:
     if "simulation" not in store.groups or not forces:
         return None
     data = store.read("simulation")
     if store.ledger.state != "finished":
         with suppress(StoreError):  # events are in the state; a damaged state is reported when the run is resumed
-            data = data.assign(happened(store.state() or {}))
+            state = store.state() or {}
+            if "event_names" in state and "event_units" not in state:  # written by a version before the units of events
+                state |= {"event_units": np.array([events[str(name)].unit for name in state["event_names"]], str)}
+            data = data.assign(happened(state))
     return Simulation(data=data, motion=motion, forces=next(iter(forces.values())), **common)
 
 

@@ -5,11 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
+
+if TYPE_CHECKING:
+    from kinetruss.model import Model
 
 __all__ = ["new"]
 
@@ -25,6 +29,8 @@ Examples:
 MECHANISMS = "mechanisms."
 """Start of the names of mechanisms of the library."""
 
+ROUND_OFF = 1e-14
+"""Coordinates below this fraction of the largest are written as 0."""
 SCHEMA = "# yaml-language-server: $schema="
 
 
@@ -85,12 +91,19 @@ def _built(name: str) -> str:
     from kinetruss.io.models import text_of
     from kinetruss.library import build
 
-    model = build(f"{MECHANISMS}{name}")
+    model = _without_round_off(build(f"{MECHANISMS}{name}"))
     text = text_of(model)
     if not model.runs and [one.kind for one in model.all_drives.values()] == ["angle"]:
         rates = f"{{{next(iter(model.drives))}: 1 rev/s}}"
         text += f"runs:\n  turn: {{trajectory: {{kind: constant_rate, rates: {rates}, duration: 1 s}}, samples: 361}}\n"
     return f"{SCHEMA}{schema_file().as_uri()}\n{text}"
+
+
+def _without_round_off(model: Model) -> Model:
+    """The model with 0 in place of coordinates of nodes that are round-off: cos(pi/2) is 6.1e-17."""
+    least = ROUND_OFF * max(abs(x) for node in model.nodes.values() for x in node.at)
+    places = {name: tuple(0.0 if abs(x) < least else x for x in node.at) for name, node in model.nodes.items()}
+    return model.with_(nodes={name: node.with_(at=places[name]) for name, node in model.nodes.items()})
 
 
 def _commented(file: Path, text: str) -> Iterator[str]:

@@ -56,8 +56,12 @@ def export(
             known = ", ".join(exchange.FORMATS)
             raise InputError(f"{file}: a model is written as {known}; tables are written of run folders. {out} is a file.")
         with TemporaryDirectory(prefix="kinetruss-") as scratch:
-            found = opened_run(out, Path(scratch) / "pair")
-            written = io.export(found.path or out, file, groups=group)
+            pair = Path(scratch) / "pair"
+            found = opened_run(out, pair)
+            try:
+                written = io.export(found.path or out, file, groups=group)
+            except InputError as error:  # of a mission: the reader knows its folder, not that of the pair
+                raise InputError(str(error).replace(str(pair), f"The governing pair of {out}")) from None
         _say(out, exchange.Written(files=(written,)), as_json)
         return
     what: Any = opened_run(out) if out.is_dir() else io.read(out, max_size=max_size)

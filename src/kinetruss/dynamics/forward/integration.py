@@ -76,7 +76,7 @@ class Integration:
             "events": events[events[:, 1] <= self._last].copy(),
             "passages": self.passages().copy(),
             "event_names": np.array(list(self.problem.events), str),
-            "event_units": np.array(["m" if one.force is None else "N" for one in self.problem.events.values()], str),
+            "event_units": np.array([one.unit for one in self.problem.events.values()], str),
         }
 
 

@@ -27,7 +27,7 @@ from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given import table_notes
-from kinetruss.mechanics import ByIdentity, System, compile, kept, rearrange
+from kinetruss.mechanics import ByIdentity, System, compile, kept, not_unique_note, rearrange
 from kinetruss.mechanics.assembly import refuse_massless
 from kinetruss.mechanics.constraints import moves_text
 from kinetruss.mechanics.freedom import mobility_at, released
@@ -147,7 +147,7 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     notes, attrs = start_notes(system, before, (x, v), float(np.max(np.ptp(x.reshape(-1, 3), axis=0))))
     notes += tuple(filter(None, [table_notes(model, model.trajectory_of(run), *held.values())]))
     unsure = _not_unique(system, reduced, eq, x)
-    notes += _unsure_note(unsure)
+    notes += [not_unique_note(unsure)] if unsure else []
     notes += [] if motors is not None else _still_note(model, system, eq)
     if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is used: only it chooses the independent constraints anew during the motion."]
@@ -258,13 +258,6 @@ def _still_note(model: Model, system: System, eq: Any) -> list[str]:
         return []
     names = ", ".join(list(model.all_drives)[:3]) + (" ..." if len(model.all_drives) > 3 else "")
     return [f"Nothing can move: all drives ({names}) are held. Give one a task: Free(), GivenForce(...) or a trajectory."]
-
-
-def _unsure_note(unsure: tuple[str, ...]) -> list[str]:
-    if not unsure:
-        return []
-    shown = ", ".join(unsure[:8]) + (f" and {len(unsure) - 8} more" if len(unsure) > 8 else "")
-    return [f"The force of these members is not unique (redundant structure): {shown}."]
 
 
 def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:

@@ -14,7 +14,7 @@ from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import forces as sweep
 from kinetruss.kinematics.given import check_motion
-from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, kept, rearrange
+from kinetruss.mechanics import Arrangement, System, arrange, compile, jacobian, kept, not_unique_note, rearrange
 from kinetruss.mechanics.assembly import Loads, case_loads, nodal_loads, structure_of, with_continua_forces
 from kinetruss.mechanics.freedom import HeldShapes, held_shapes
 from kinetruss.model import Model
@@ -231,9 +231,8 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
             f"{message} Balance alone does not decide the forces of the beams {', '.join(undecided[:8])}, nor those of "
             "supports that they stand on (statics.equilibrium, dynamics.simulate)."
         ).strip()
-    if names:
-        shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
-        message = f"{message} The force of these members is not unique (redundant structure): {shown}.".strip()
+    if (note := not_unique_note(names)) not in message:  # the equilibrium of a run says it already
+        message = f"{message} {note}".strip()
     return Forces(
         data=data.later,
         status=motion.status,

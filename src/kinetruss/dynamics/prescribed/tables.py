@@ -113,7 +113,7 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     every, found, acting = carried(system, read, loads, solved, at_rest)
     data = {
         "member_force": variable(per, every.member_force, "N", "mean axial force, tension positive"),
-        "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at the ends"),
+        "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable((*per, "end", "axis"), every.joint_force[..., :dim], "N", "force on the member from its joint"),
         "reaction": variable(("time", "support", "axis"), every.reaction[..., :dim], "N", "support force on the structure"),
         "drive_force": variable(("time", "drive"), every.drive_force, force_units(system)[0]["drive"], "drive force or torque"),

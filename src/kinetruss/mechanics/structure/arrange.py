@@ -6,6 +6,7 @@ rows in them, rigid bars first, and the rest as `redundant`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.constraints import Elimination
     from kinetruss.mechanics.structure.system import System
 
-__all__ = ["Arrangement", "arrange", "eliminated", "entries_of", "plan_of", "rearrange"]
+__all__ = ["Arrangement", "arrange", "eliminated", "entries_of", "not_unique_note", "plan_of", "rearrange"]
 
 FEW, MOST = 40, 1500
 """Rows and columns from which on, and up to which, an elimination is faster than singular values."""
@@ -46,6 +47,12 @@ class Arrangement:
     redundant: NDArray[np.int64]
     not_unique: NDArray[np.bool_]
     weight: NDArray[np.float64]
+
+
+def not_unique_note(names: Sequence[str]) -> str:
+    """The sentence of a message on members whose force is not unique; empty without any."""
+    shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
+    return f"The force of these members is not unique (redundant structure): {shown}." if names else ""
 
 
 @kept()

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from kinetruss.errors import Fault, shown
-from kinetruss.model._words import nearest
+from kinetruss.model._words import SECTIONS, nearest
 from kinetruss.shelves import shelf
 
 __all__ = ["a_bar", "components", "unknown"]
@@ -39,7 +39,10 @@ def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -
     about = [(table, name) for table in _TABLES[what]]
     if what == "drive or pose coordinate":
         about.append(("poses", name.rpartition(".")[0]))
-    return Fault(path, f"no {what} called {shown(name)}.", nearest(name, known), about=tuple(about))
+    mend = nearest(name, known)
+    if what == "section" and not mend.startswith("Did"):
+        mend = f"{SECTIONS} By name, {mend[0].lower()}{mend[1:]}"
+    return Fault(path, f"no {what} called {shown(name)}.", mend, about=tuple(about))
 
 
 def components(vector: Sequence[float] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:

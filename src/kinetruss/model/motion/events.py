@@ -42,3 +42,8 @@ class Event(Record):
             has = f"has {' and '.join(given)}" if given else "watches nothing"
             raise ValueError(f"{has}. Give one of length (a member), coordinate (NODE.x) or force (a member).")
         return self
+
+    @property
+    def unit(self) -> str:
+        """SI unit of the quantity, and of `value`: m or N."""
+        return "m" if self.force is None else "N"

@@ -285,10 +285,10 @@ Names = list[tuple[Label, tuple[Any, ...]]]
 
 
 def _names(data: xr.DataArray) -> Names:
-    """Labels of all curves with their index in the array; stations have no names."""
+    """Labels of all curves with their index in the array; stations have no names. ``end A`` is no node A."""
     dims = [dim for dim in data.dims[1:] if dim != "station"]
     shape = tuple(data.sizes[dim] for dim in dims)
-    texts = [[str(name) for name in data[dim].values] for dim in dims]
+    texts = [[f"end {name}" if dim == "end" else str(name) for name in data[dim].values] for dim in dims]
     found: Names = []
     for place in np.ndindex(shape):
         where = iter(place)

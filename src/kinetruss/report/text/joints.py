@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Table, instant, number
+from kinetruss.display import Table, instant, quantity
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
@@ -124,12 +124,12 @@ def _supports(data: Any, at: int, member: str | None, node: str | None, shown: l
 
 def _text(found: JointForces) -> str:
     """The table as text."""
-    parts = [f"t = {instant(found.time)}, load case {found.load_case}; force on the member from its joint, N"]
-    rows = [(m, e, n, *(number(x, 8) for x in (*world, *local))) for m, e, n, world, local in found.rows]
+    parts = [f"t = {instant(found.time)}, load case {found.load_case}; force on the member from its joint"]
+    rows = [(m, e, n, *(quantity(x, "N") for x in (*world, *local))) for m, e, n, world, local in found.rows]
     parts.append(Table(("member", "end", "node", *found.axes, *found.local_axes), rows).text)
     if found.supports:
-        rows = [(n, *(number(x, 8) for x in world)) for n, world in found.supports]
-        parts.append("force of the supports on the structure, N\n" + Table(("node", *found.axes), rows).text)
+        rows = [(n, *(quantity(x, "N") for x in world)) for n, world in found.supports]
+        parts.append("force of the supports on the structure\n" + Table(("node", *found.axes), rows).text)
     return "\n\n".join(parts)
 
 

@@ -12,14 +12,14 @@ import xarray as xr
 from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.mechanics import System, compile, constraint_jacobian
+from kinetruss.mechanics import System, compile, constraint_jacobian, not_unique_note, rearrange
 from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, row_tensions, spring_motions
 from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.results.records import force_units
-from kinetruss.statics.large.saddle import LOOKED_AT
+from kinetruss.statics.large.saddle import LOOKED_AT, rows_of
 from kinetruss.statics.large.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
 from kinetruss.statics.small.accuracy import SILENT, accuracy_note
 
@@ -72,8 +72,9 @@ def equilibrium(
     Equilibrium. ``position`` (node, axis) m; ``length`` (member) m; ``member_force`` (member) N, mean over the length, tension
     positive; ``reaction`` (support, axis) N on the structure; ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
     lowest eigenvalues of the stiffness on the changes that rigid bars and held drives allow, and ``mode_shape`` (mode, node,
-    axis). ``stable``, ``ways_out``; the message names unstable modes and modes without stiffness. `dynamics.linearise` takes
-    it as its state.
+    axis). ``stable``, ``ways_out``; the message names unstable modes, modes without stiffness, and the rigid members whose
+    force is not unique (``data.attrs["not_unique"]``; the rule of `dynamics.inverse` shares it out). `dynamics.linearise`
+    takes it as its state.
 
     Raises
     ------
@@ -223,9 +224,11 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         **force_units(system, "drive", "spring")[1],
     }
     ways = [moves_text(shape, system.nodes) for shape in shapes[: found.negative + found.neutral]]
+    unsure = _not_unique(balance.system, reached.x)
     attrs = {
         "kind": "equilibrium",
         "load_case": balance.name,
+        "not_unique": unsure,
         "unstable": found.negative,
         "neutral": found.neutral,
         "ways_out": ways,
@@ -236,9 +239,19 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
     return Equilibrium(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         status=Status.COMPLETED if reached.good else Status.NO_EQUILIBRIUM,
-        message=" ".join(text for text in (_message(reached, ways, system.nodes), _unsure(balance, reached)) if text),
+        message=" ".join(
+            text for text in (_message(reached, ways, system.nodes), _unsure(balance, reached), not_unique_note(unsure)) if text
+        ),
         provenance=provenance(system.model, load_case=balance.name),
     )
+
+
+def _not_unique(system: System, x: NDArray[np.float64]) -> list[str]:
+    """Rigid members in a state of self-stress at positions x (n, 3); in very large structures none are looked for."""
+    if not len(rows_of(system, x).redundant):
+        return []
+    rows = np.flatnonzero(rearrange(system, x, None).not_unique)
+    return list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))
 
 
 def _unsure(balance: Balance, reached: SearchResult) -> str:

@@ -207,7 +207,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     data = {
         "displacement": variable(("node", "axis"), solved.displacement.reshape(-1, 3)[:, :dim], "m", "node displacement"),
         "member_force": variable(("member",), force, "N", "mean axial force, tension positive"),
-        "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at the ends"),
+        "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable(("member", "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
         "reaction": variable(("support", "axis"), reaction[supports, :dim], "N", "support force on the structure"),
         "elongation": variable(("member",), elongation, "m", "elongation by the load"),
