@@ -3,6 +3,8 @@
 import io
 from itertools import count
 
+import pytest
+
 from kinetruss.kernels.compiled.progress import PATIENCE, Progress
 
 
@@ -33,3 +35,30 @@ def test_what_is_quick_says_nothing_and_what_is_long_not_much():
 
 def test_nothing_where_nobody_looks():
     assert lines(io.StringIO(), PATIENCE) == []
+
+
+def test_a_notebook_shows_the_lines():
+    stream = pytest.importorskip("ipykernel.iostream").OutStream
+    shown = []
+
+    class Shown(stream):
+        """The stream of a kernel that has no client: what is written is kept."""
+
+        __module__ = stream.__module__
+
+        def __init__(self):
+            pass
+
+        def write(self, text):
+            shown.append(text)
+
+        def isatty(self):
+            return False
+
+        flush = close = __del__ = lambda self: None
+
+    clock = count(0.0, PATIENCE)
+    progress = Progress(lambda: 448, Shown(), lambda: next(clock))
+    for _ in range(3):
+        progress.compiled()
+    assert shown[0].startswith("kinetruss compiles its kernels, once on this machine: 2 of at most 448")

@@ -14,7 +14,7 @@ PATIENCE = 3.0
 
 
 class Progress:
-    """Lines on a terminal; nothing where nobody looks, as in a pipe or a file.
+    """Lines on a terminal or in a notebook; nothing where nobody looks, as in a pipe or a file.
 
     most : gives the number of kernels there are at most; asked when the first line is written.
     """
@@ -32,7 +32,7 @@ class Progress:
         self.count += 1
         if self.begun is None:
             self.begun = self.reported = now
-        if now - self.reported < PATIENCE or not stream.isatty():
+        if now - self.reported < PATIENCE or not (stream.isatty() or _of_notebook(stream)):
             return
         self.reported = now
         spent = now - self.begun
@@ -40,3 +40,8 @@ class Progress:
             f"kinetruss compiles its kernels, once on this machine: {self.count} of at most {self.most()}, {spent:.0f} s\n"
         )
         stream.flush()
+
+
+def _of_notebook(stream: TextIO) -> bool:
+    """Whether the kernel of a notebook shows what is written; it is no terminal."""
+    return type(stream).__module__.startswith("ipykernel.")
