@@ -10,7 +10,7 @@ import pytest
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from samples import tripod
-from served import Served, serve
+from served import Served, serve, start
 
 
 def dyad() -> kt.Model:
@@ -233,3 +233,40 @@ def test_a_field_shows_what_is_reached_and_never_keeps_what_is_not(show, served)
     mass.fill("-3")
     mass.press("Enter")
     shown.until("document.querySelector('[aria-label=\"payload in kg\"]').value === '20'")
+
+
+def test_a_page_that_lost_its_studio_goes_on_with_its_changes(show, tmp_path):
+    one = serve(dyad(), tmp_path)
+    shown = show(one.address)
+    slide(shown, "left", 0.9)
+    shown.page.get_by_role("button", name="Set key frame here").click()
+    ask(shown, do="mass", node="C", mass=50.0)
+    forces = ask(shown, do="query")["member_force"]
+    one.process.kill()
+    one.process.communicate()
+    shown.until("kinetruss.live.closed")
+    assert "goes on with them" in shown.page.locator(".controls .banner").inner_text()
+    again = start(tmp_path, str(tmp_path / "model.yaml"))
+    try:
+        assert again.address == one.address
+        shown.until("!kinetruss.live.closed")
+        assert shown.page.locator(".controls .banner").inner_text() == "The studio answers again."
+        assert ask(shown, do="query")["member_force"] == pytest.approx(forces, rel=1e-9)
+        assert shown.page.get_by_label("payload in kg").is_enabled()
+        assert shown.js("kinetruss.live.controls.frames.frames.length") == 1
+        slide(shown, "left", 0.8)
+        assert ask(shown, do="query")["values"]["left"] == pytest.approx(0.8, abs=3e-4)
+        again.process.kill()
+        again.process.communicate()
+        again = start(tmp_path, str(tmp_path / "model.yaml"))
+        other = show(again.address)  # a new page: it asks first
+        assert ask(other, do="query")["values"]["left"] != pytest.approx(0.8, abs=3e-4)
+        if other.page.get_by_role("button", name="Go on with them").count():
+            other.page.get_by_role("button", name="Go on with them").click()
+            other.until("kinetruss.live.controls.frames.frames.length === 1")
+            settled(other)
+            assert other.page.get_by_role("button", name="Go on with them").count() == 0
+            assert ask(other, do="query")["values"]["left"] == pytest.approx(0.8, abs=3e-4)
+    finally:
+        again.process.kill()
+        again.process.communicate()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 
 import kinetruss as kt
@@ -119,6 +120,27 @@ def test_a_clamp_goes_with_the_last_beam_of_its_node(desk):
     found = done(desk, do="delete", nodes=["B"])
     assert (found["data"]["clamped"], found["faults"]) == (["A"], [])
     assert "clamped" not in done(desk, do="delete", members=["b1"])["data"]
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_a_clamp_has_the_moment_of_its_load(dim):
+    pad, tip = [0.0] * (dim - 2), [-10.0 if k == dim - 1 else 0.0 for k in range(dim)]
+    desk = Desk(dim=dim)
+    for x in (1.0, 1.5):
+        done(desk, do="add", at=[x, 2.0, *pad])
+    done(desk, do="bar", ends=["A", "B"])
+    done(desk, do="make", what="beam", members=["b1"])
+    done(desk, do="set", path=["clamped"], value=["A"])
+    done(desk, do="set", path=["fixed"], value=["A"])
+    done(desk, do="set", path=["gravity"])
+    found = done(desk, do="set", path=["loads"], value={"tip": {"node": "B", "force": tip}})
+    arm = kt.statics.equilibrium(desk.drawing.found.model).data["position"].values
+    lever = np.zeros(3)
+    lever[:dim] = arm[1] - arm[0]
+    wanted = -np.cross(lever, [*tip, 0.0][:3])
+    assert found["reaction"]["A"] == pytest.approx([-one for one in tip], abs=1e-8)
+    assert found["reaction_moment"] == {"A": pytest.approx(wanted[-1:] if dim == 2 else wanted, abs=1e-8)}
+    assert np.linalg.norm(wanted) == pytest.approx(5.0, rel=1e-2)
 
 
 def test_the_picture_to_trace_is_kept_beside_the_drawing_and_its_file(tmp_path, desk):

@@ -138,7 +138,7 @@ def test_saving_goes_into_the_folder_only(studio):
         heard(page)
         assert ask(page, do="save", name="mine.yaml")["message"].startswith("Written: mine.yaml")
     assert (studio.folder / "mine.yaml").is_file()
-    assert {path.name for path in studio.folder.iterdir()} == {"model.yaml", "mine.yaml"}
+    assert {path.name for path in studio.folder.iterdir()} - {".kinetruss"} == {"model.yaml", "mine.yaml"}
 
 
 def test_ctrl_c_ends_it_with_pages_open(tmp_path):

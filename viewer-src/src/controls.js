@@ -12,6 +12,7 @@ export class Controls {
   constructor(live) {
     this.live = live;
     this.banner = el("p", { class: "banner", role: "status", hidden: true });
+    this.offer = el("div", {});
     this.alarm = el("p", { class: "alarm", role: "alert", hidden: true });
     this.drives = new Drives(live);
     this.changes = new Changes(live);
@@ -25,7 +26,7 @@ export class Controls {
     this.file = el("input", { type: "text", "aria-label": "file name", size: 18 });
     this.pose = el("input", { type: "checkbox" });
     this.live_ = el("div", {}, this.drives.node, this.state(), this.changes.node);
-    this.node = el("aside", { class: "controls", "aria-label": "controls" }, this.banner, this.alarm, this.live_, this.frames.node, this.saving());
+    this.node = el("aside", { class: "controls", "aria-label": "controls" }, this.banner, this.offer, this.alarm, this.live_, this.frames.node, this.saving());
   }
 
   state() {
@@ -60,7 +61,15 @@ export class Controls {
     this.changes.rebuild(setup);
     if (!this.file.value) this.file.value = setup.file || "model.yaml";
     this.saveSection.hidden = !setup.writable;
+    this.setOffer(setup.offer);
     this.tell("");
+  }
+
+  /** Changes that were not saved when their studio ended. when : s since 1970. */
+  setOffer(when) {
+    const answer = (words, keep) => el("button", { type: "button", onclick: () => this.live.draft(keep) }, words);
+    fill(this.offer, when ? el("p", { class: "banner" }, `Changes of ${new Date(1000 * when).toLocaleString()} were not saved when their studio ended. They would take the place of what this page shows. `,
+      answer("Go on with them", true), " ", answer("Remove them", false)) : null);
   }
 
   /** Another pose. */

@@ -24,13 +24,31 @@ export class KeyFrames {
     this.frames = this.frames.filter((one) => Math.abs(one.time - time) > 1e-6);
     this.frames.push({ time, values: { ...this.live.controls.last.values } });
     this.frames.sort((a, b) => a.time - b.time);
-    this.at.value = Number((this.frames[this.frames.length - 1].time + 1).toFixed(6));
-    this.show();
+    this.next();
+    this.keep();
   }
 
   remove(frame) {
     this.frames = this.frames.filter((one) => one !== frame);
+    this.keep();
+  }
+
+  /** The field shows a time after the last key frame. */
+  next() {
+    this.at.value = this.frames.length ? Number((this.frames[this.frames.length - 1].time + 1).toFixed(6)) : 0;
+  }
+
+  /** Key frames that the studio has kept. */
+  take(frames) {
+    this.frames = frames;
+    this.next();
     this.show();
+  }
+
+  /** Show the key frames; the studio keeps them. */
+  keep() {
+    this.show();
+    if (this.live.page) this.live.ask({ do: "frames", frames: this.frames });
   }
 
   /** Only drives that are still there. */

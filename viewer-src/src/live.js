@@ -8,22 +8,26 @@ import { fromBase64, readScene } from "./scene.js";
 const REST = 150; // ms after the last answer at which what takes longer is asked for
 const SILENT = 2500; // ms after which a page that no kernel answers shows its still
 const MANY = 40; // members above which that is needed
+const AGAIN = 2000; // ms between attempts to reach a lost studio
 
 /** Connects the page to whoever serves it. */
 export function startLive(root) {
   const live = new Live(root);
   window.kinetruss.live = live;
-  const { post } = root.dataset.live === "frame" ? throughFrame(live) : throughSocket(live);
-  live.post = post;
+  if (root.dataset.live === "frame") throughFrame(live);
+  else throughSocket(live);
 }
 
 function throughSocket(live) {
   const address = `${location.origin.replace(/^http/, "ws")}${location.pathname}live`;
-  const socket = new WebSocket(address);
-  socket.binaryType = "arraybuffer";
-  socket.addEventListener("message", ({ data }) => live.hear(data));
-  socket.addEventListener("close", () => live.close());
-  return { post: (text) => socket.send(text) };
+  const connect = () => {
+    const socket = new WebSocket(live.page ? `${address}?page=${live.page}` : address);
+    socket.binaryType = "arraybuffer";
+    socket.addEventListener("open", () => live.open((text) => socket.send(text)));
+    socket.addEventListener("message", ({ data }) => live.hear(data));
+    socket.addEventListener("close", () => live.close(connect));
+  };
+  connect();
 }
 
 function throughFrame(live) {
@@ -32,7 +36,7 @@ function throughFrame(live) {
   });
   window.parent.postMessage({ kinetruss: "{\"do\":\"live\"}" }, "*");
   setTimeout(() => live.still(), window.parent === window ? 0 : SILENT); // alone there is nobody to answer
-  return { post: (text) => window.parent.postMessage({ kinetruss: text }, "*") };
+  live.open((text) => window.parent.postMessage({ kinetruss: text }, "*"));
 }
 
 /** Header and arrays of a binary message. */
@@ -44,7 +48,7 @@ export function opened(buffer) {
 
 export class Live {
   constructor(root) {
-    Object.assign(this, { root, app: null, running: false, waiting: null, queue: [], wanted: null, answers: 0, closed: false });
+    Object.assign(this, { root, app: null, running: false, waiting: null, queue: [], wanted: null, answers: 0, closed: false, adopt: true, page: "" });
     this.controls = new Controls(this);
   }
 
@@ -149,6 +153,7 @@ export class Live {
       this.setup = header.setup;
       this.controls.rebuild(header.setup);
       this.controls.update(header.state);
+      if (this.adopt) this.begin(header.setup);
     }
     this.controls.running(running ? header : null);
     window.kinetruss.ready = true;
@@ -170,6 +175,31 @@ export class Live {
     this.controls.update(header.state);
   }
 
+  // -- begin, end and begin again ------------------------------------------------------------------------------------
+
+  open(post) {
+    this.post = post;
+    this.adopt = true;
+  }
+
+  /** Go on with the changes that a page of an earlier studio has left, or remove them. */
+  draft(keep) {
+    this.adopt = keep;
+    return this.ask({ do: "draft", keep });
+  }
+
+  /** The first scene of a studio, or of changes that it has kept. */
+  begin({ page, frames }) {
+    const again = this.closed, same = page === this.page;
+    Object.assign(this, { adopt: false, closed: false, page });
+    if (frames.length || (again && same)) this.controls.frames.take(frames);
+    if (!again) return;
+    this.setEnded(false);
+    this.controls.frames.show();
+    if (!same) this.controls.frames.keep();
+    this.controls.tell(same ? "The studio answers again." : "The studio answers again, but it has kept no changes of this page: the model is that of the file.", !same);
+  }
+
   // -- the end -----------------------------------------------------------------------------------------------------
 
   fail(message) {
@@ -179,12 +209,24 @@ export class Live {
     this.root.dataset.state = "failed";
   }
 
-  close() {
-    if (this.closed) return;
+  /** The studio is lost: the picture stays, and nothing can be changed until it answers again. */
+  close(connect) {
+    if (this.root.dataset.state === "failed") return;
     this.closed = true;
-    if (!this.app) this.fail("The studio does not answer. Start it again, and open the address that it prints.");
-    else this.controls.tell("The studio has ended. The picture stays; what was not saved is lost. Start the studio again and open the address that it prints: each start has a new one.", true);
-    this.controls.node.classList.add("ended");
-    for (const field of this.controls.node.querySelectorAll("input, select, button")) field.disabled = true;
+    for (const { resolve } of [this.waiting, ...this.queue].filter(Boolean)) resolve({ kind: "lost" });
+    Object.assign(this, { waiting: null, queue: [], wanted: null });
+    clearTimeout(this.timer);
+    if (!this.app) {
+      this.fail("The studio does not answer. Start it again, and open the address that it prints.");
+      return;
+    }
+    this.setEnded(true);
+    this.controls.tell("The studio has ended. The picture stays and cannot be changed. The changes are kept beside the file: start the studio of the same file again, and this page goes on with them.", true);
+    setTimeout(connect, AGAIN);
+  }
+
+  setEnded(ended) {
+    this.controls.node.classList.toggle("ended", ended);
+    for (const field of this.controls.node.querySelectorAll("input, select, button")) field.disabled = ended;
   }
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import logging
 import secrets
@@ -34,9 +35,12 @@ HEADERS = {
 
 STALE = (
     "No studio has this address. Each start of the studio has a new one, which it prints: open that.\n"
-    "Only a drawing that was autosaved keeps its address. Other unsaved changes of an earlier studio are lost."
+    "A studio in which something was changed keeps its address for the next studio of the same file."
 )
 """The answer to the link of an earlier start."""
+
+REST = 0.4
+"""Seconds without a message after which a changed pose is kept."""
 
 log = logging.getLogger(__name__)
 
@@ -72,12 +76,13 @@ class Guard:
         return len(origins) == 1 and origins[0] in self.origins
 
 
-def application(new: Callable[[], Session], desk: Desk, token: str, hosts: Iterable[str], title: str) -> FastAPI:
+def application(new: Callable[[str], Session], desk: Desk, token: str, hosts: Iterable[str], title: str) -> FastAPI:
     """The application.
 
     Parameters
     ----------
-    new : makes the session of a live page. desk : the drawing that all drawing pages share. token : part of every address.
+    new : makes the session of a live page, from its key if it has lost its studio, or from "".
+    desk : the drawing that all drawing pages share. token : part of every address.
     hosts : ``127.0.0.1:PORT`` and the like.
     """
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, redirect_slashes=False)
@@ -137,19 +142,23 @@ def _same(given: str, token: str) -> bool:
     return secrets.compare_digest(given.encode(), token.encode())
 
 
-async def _talk(socket: WebSocket, new: Callable[[], Session]) -> None:
+async def _talk(socket: WebSocket, new: Callable[[str], Session]) -> None:
     """Answer every message of a page, one after the other; the work is done in a thread outside the event loop."""
     try:
-        session = await run_in_threadpool(new)
-        first = await run_in_threadpool(session.scene)
+        session = await run_in_threadpool(new, socket.query_params.get("page", ""))
+        first = await run_in_threadpool(session.first)
     except KinetrussError as error:
         await _send(socket.send_text, {"kind": "failed", "message": f"This model cannot be shown live. {error}"})
         await socket.close(1011)
         return
     await socket.send_bytes(first)
     while True:
-        message = await socket.receive()
+        coming = asyncio.ensure_future(socket.receive())
+        if not session.kept and not (await asyncio.wait({coming}, timeout=REST))[0]:
+            await run_in_threadpool(session.rest)
+        message = await coming
         if message["type"] == "websocket.disconnect":
+            await run_in_threadpool(session.rest)
             return
         text = message.get("text")
         given = text if text is not None else message.get("bytes") or b""

@@ -8,8 +8,8 @@ from pydantic import Field, TypeAdapter
 
 from kinetruss.studio._messages import Message, read_message
 
-__all__ = ["MOST", "Case", "Command", "Gravity", "KeyFrame", "Live", "Load", "Mass", "Move", "Query", "Reset", "Run", "Save",
-           "Switch", "command_of", "doubt"]  # fmt: skip
+__all__ = ["MOST", "Case", "Command", "Draft", "Frames", "Gravity", "KeyFrame", "Live", "Load", "Mass", "Move", "Query",
+           "Reset", "Run", "Save", "Switch", "command_of", "doubt", "frames_of"]  # fmt: skip
 
 MOST = 262_144
 """Largest size of a message from a page, bytes."""
@@ -74,14 +74,28 @@ class KeyFrame(Message):
     values: Values
 
 
-Frames = Annotated[list[KeyFrame], Field(max_length=500)]
+FrameList = Annotated[list[KeyFrame], Field(max_length=500)]
+
+
+class Frames(Message):
+    """The key frames of the page, to be kept."""
+
+    do: Literal["frames"]
+    frames: FrameList
+
+
+class Draft(Message):
+    """Go on with the changes that a page of an earlier studio has left, or remove them."""
+
+    do: Literal["draft"]
+    keep: bool
 
 
 class Run(Message):
     """Follow the key frames, and find the worst instants."""
 
     do: Literal["run"]
-    frames: Frames
+    frames: FrameList
     samples: Annotated[int, Field(ge=2, le=2001)] = 201
 
 
@@ -110,11 +124,14 @@ class Save(Message):
     name: Name
     pose: bool = False
     replace: bool = False
-    frames: Frames = []
+    frames: FrameList = []
 
 
-Command = Annotated[Move | Switch | Gravity | Load | Mass | Case | Run | Live | Reset | Query | Save, Field(discriminator="do")]
+Command = Annotated[
+    Move | Switch | Gravity | Load | Mass | Case | Frames | Draft | Run | Live | Reset | Query | Save, Field(discriminator="do")
+]
 _ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)
+_FRAMES: TypeAdapter[list[KeyFrame]] = TypeAdapter(FrameList)
 
 
 def doubt(command: Any) -> str:
@@ -137,3 +154,13 @@ def command_of(text: str | bytes) -> Any:
     InputError : too long, not JSON, or not a known command.
     """
     return read_message(text, _ADAPTER, MOST)
+
+
+def frames_of(rows: Any) -> list[KeyFrame]:
+    """Key frames from plain data.
+
+    Raises
+    ------
+    ValueError : they are none.
+    """
+    return _FRAMES.validate_python(rows)

@@ -35,7 +35,7 @@ def serve(
     dim : of the empty drawing, 2 or 3. draw : open the drawing page first; so it is without a file.
     folder : the only folder in which pages can save; by default that of the model file, or the working folder.
     port : on 127.0.0.1; 0 selects a free one. token : part of the address; by default 32 random characters, or those of the
-        last studio of this file if it has autosaved a drawing.
+        last studio of this file if a page of it has changed anything.
     ready : called with the address once the server listens.
 
     Raises
@@ -65,7 +65,11 @@ def serve(
         desk.address = token, here
         hosts = [f"{HOST}:{here}", f"localhost:{here}"]
         title = "kinetruss" if model is None or file is None else model.title or file.stem
-        app = application(lambda: session(desk.model(), file, target, seen, desk.text()), desk, token, hosts, title)
+
+        def new(key: str) -> Any:
+            return session(desk.model(), file, target, seen, desk.text(), shelf=desk, key=key)
+
+        app = application(new, desk, token, hosts, title)
         config = uvicorn.Config(
             app,
             log_level="error",

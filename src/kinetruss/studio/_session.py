@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import secrets
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from kinetruss.errors import InputError, KinetrussError
+from kinetruss.errors import InputError, KinetrussError, StoreError
+from kinetruss.io.formats.plain import plain_model
 from kinetruss.io.models import changed_text
 from kinetruss.mechanics import compile
 from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
@@ -25,25 +27,51 @@ __all__ = ["Session"]
 Answer = bytes | dict[str, Any]
 
 
+class Shelf(Protocol):
+    """Keeps the changes of pages beside the file: the desk of a studio."""
+
+    def page_left(self) -> tuple[str, float] | None:
+        """Key and time of the changes that a page of an earlier studio has left."""
+
+    def take_page(self, key: str) -> dict[str, Any] | None:
+        """The changes of a page."""
+
+    def keep_page(self, key: str, record: dict[str, Any] | None) -> None:
+        """Keep or remove the changes of a page."""
+
+
 class Session:
     """A live model: messages in, messages out.
 
     model : the model shown. file : its file, or None. folder : the only folder in which it can be saved.
     seen : stamp of the file when the model was read (default: its present stamp). text : YAML text of the model, whose
-    comments and order a saved file keeps.
+    comments and order a saved file keeps. shelf : keeps the changes until they are saved, or None. key : of the page whose
+    changes are taken up, if they were kept.
 
     Every answer is based on a converged pose. If a pose cannot be reached, the last good pose stays, with a reason.
     """
 
     def __init__(
-        self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None, text: str = ""
-    ) -> None:
+        self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None, text: str = "",
+        *, shelf: Shelf | None = None, key: str = "",
+    ) -> None:  # fmt: skip
         self.original = model
         self.text = text
         self.file = file
         self.folder = folder
         self.seen = seen_now(file) if seen is None else dict(seen)
+        self.shelf = shelf
+        self.frames: list[say.KeyFrame] = []
+        self.kept = True  # False: the pose has changed since the changes were kept
+        self.unkept = self.remark = ""
         self.restart()
+        record = shelf.take_page(key) if shelf is not None and key else None
+        self.key = key if record is not None else secrets.token_hex(8)
+        if record is not None:
+            try:
+                self.take(record)
+            except InputError as error:
+                self.remark = str(error)
 
     def restart(self) -> None:
         """Start again with the model as it was given."""
@@ -51,6 +79,7 @@ class Session:
         self.case: str | None = None
         self.lost: list[str] = []
         self.pose: Reached = start_of(self.model)
+        self.start = self.pose
 
     # -- messages --------------------------------------------------------------------------------------------------
 
@@ -78,10 +107,17 @@ class Session:
                 self.case = command.name
             case say.Reset():
                 self.restart()
+            case say.Frames():
+                self.frames = command.frames
+                self.keep()
+                return {"kind": "kept"}
+            case say.Draft():
+                return self.draft(command.keep)
             case say.Live():
-                pass
+                return self.scene()
             case _:
                 self.edit(command)
+        self.keep()
         return self.scene(say.doubt(command))
 
     def move(self, values: dict[str, float], fine: bool = False) -> bytes:
@@ -96,6 +132,7 @@ class Session:
                 notes.append(f"{name} is at its limit, {wanted[name]:.6g} m.")
         if wanted:  # else only slow results are requested; the pose keeps its reason to stop
             self.pose = reach(self.model, self.pose.position, self.pose.values, wanted)
+            self.kept = False  # `rest` keeps it: a slider moves many times a second
         return self.state(" ".join(notes), fine)
 
     def edit(self, command: Any) -> None:
@@ -144,14 +181,93 @@ class Session:
         except FileThereError as there:
             return {"kind": "exists", "message": str(there)}
         words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs else "")
+        self._put(None)
         left = f" Removed, because they depend on members that changed: {', '.join(self.lost)}." if self.lost else ""
         return {"kind": "saved", "message": f"{words}.{left}"}
+
+    # -- what is kept ----------------------------------------------------------------------------------------------
+
+    def rest(self) -> None:
+        """Keep the pose, if it has changed since the changes were kept."""
+        if not self.kept:
+            self.keep()
+
+    def keep(self) -> None:
+        """Keep the changes beside the file, if there are any."""
+        same = self.model is self.original and self.case is None and not self.frames and self.pose is self.start
+        self._put(None if same else self.record())
+
+    def _put(self, record: dict[str, Any] | None) -> None:
+        self.kept, self.unkept = True, ""
+        try:
+            if self.shelf is not None:
+                self.shelf.keep_page(self.key, record)
+        except StoreError as error:
+            self.unkept = f"The changes cannot be kept beside the file: {error}"
+
+    def record(self) -> dict[str, Any]:
+        """Everything that a later page needs to go on with this one, for JSON."""
+        return {
+            "original": plain_model(self.original),
+            "text": self.text,
+            "model": plain_model(self.model),
+            "case": self.case,
+            "lost": self.lost,
+            "values": self.pose.values,
+            "position": self.pose.position.tolist(),
+            "frames": [frame.model_dump() for frame in self.frames],
+        }
+
+    def take(self, record: dict[str, Any]) -> None:
+        """Go on with a record; where the file has changed since, the record's own model stays the one to return to.
+
+        Raises
+        ------
+        InputError : it is no such record, or its pose cannot be closed; nothing is changed.
+        """
+        try:
+            original, model = Model(**record["original"]), Model(**record["model"])
+            position = np.array(record["position"], dtype=float)
+            if position.shape != (len(model.nodes), model.dim):
+                raise ValueError
+            values = {str(name): float(value) for name, value in record["values"].items()}
+            pose = stand(model, position, values)
+            case = None if record["case"] is None else str(record["case"])
+            instant(model, pose.position, case)
+            frames, lost, text = say.frames_of(record["frames"]), [str(one) for one in record["lost"]], str(record["text"])
+        except (KinetrussError, KeyError, TypeError, ValueError, AttributeError) as error:
+            why = f" {error}" if isinstance(error, KinetrussError) else ""
+            raise InputError(f"The changes that were kept cannot be shown.{why}") from None
+        if original != self.original:
+            self.original, self.text = original, text
+            self.seen = {}  # saving over the changed file takes a confirmation
+            self.remark = "The file has changed since these changes were made: they are those of the earlier file."
+        self.model = self.original if model == self.original else model
+        self.case, self.lost, self.frames, self.pose = case, lost, frames, pose
+
+    def draft(self, keep: bool) -> bytes:
+        """Take up or remove the changes that a page of an earlier studio has left."""
+        left = self.shelf.page_left() if self.shelf is not None else None
+        if self.shelf is None or left is None:
+            raise InputError("There are no changes of an earlier page.")
+        if keep:
+            record = self.shelf.take_page(left[0])
+            if record is None:
+                raise InputError("The changes of the earlier page cannot be read any more.")
+            self.take(record)
+            self.keep()
+        self.shelf.keep_page(left[0], None)
+        return self.first()
 
     # -- what is shown ---------------------------------------------------------------------------------------------
 
     def instant(self, fine: bool = True) -> Instant:
         """Forces and the other results of the present pose."""
         return instant(self.model, self.pose.position, self.case, fine)
+
+    def first(self) -> bytes:
+        """The scene of a page that has just connected."""
+        return self.scene(self.remark)
 
     def scene(self, note: str = "") -> bytes:
         """The whole scene, and everything that can be changed."""
@@ -172,7 +288,7 @@ class Session:
             "values": self.pose.values,
             "gauge": number(self.pose.gauge),
             "stopped": self.pose.stopped,
-            "note": " ".join(filter(None, [note, self.pose.note, now.forces.message])),
+            "note": " ".join(filter(None, [note, self.unkept, self.pose.note, now.forces.message])),
             "demand": now.demand,
             "mobility": now.mobility,
             "alarms": now.alarms,
@@ -211,6 +327,7 @@ class Session:
     def setup(self) -> dict[str, Any]:
         """The data for the controls of the page."""
         model = self.model
+        left = self.shelf.page_left() if self.shelf is not None else None
         drives = []
         for name, drive in model.all_drives.items():
             low, high, limited = self.limits(name)
@@ -236,4 +353,7 @@ class Session:
             "file": "" if self.file is None else self.file.name,
             "writable": self.folder is not None,
             "lost": self.lost,
+            "page": self.key if self.shelf is not None else "",
+            "offer": None if left is None else left[1],
+            "frames": [frame.model_dump() for frame in self.frames],
         }

@@ -43,8 +43,10 @@ export class Status {
     const axes = [..."xyz"].slice(0, state.dim);
     const reactions = Object.entries(state.reaction).slice(0, 60);
     if (reactions.length) {
-      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "reaction"), axes.map((axis) => el("th", {}, `${axis} (N)`))),
-        reactions.map(([name, values]) => el("tr", {}, el("th", {}, name), values.map((value) => el("td", {}, value === null ? "-" : number(Math.abs(value) < 1e-12 * Math.max(...values.map(Math.abs)) ? 0 : value, 4)))))));
+      const moments = state.reaction_moment, turns = Object.keys(moments).length ? (state.dim === 3 ? axes : ["z"]) : [];
+      const cells = (values) => values.map((value) => el("td", {}, value === null ? "-" : number(Math.abs(value) < 1e-12 * Math.max(...values.map(Math.abs)) ? 0 : value, 4)));
+      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "reaction"), axes.map((axis) => el("th", {}, `${axis} (N)`)), turns.map((axis) => el("th", {}, `M${axis} (N m)`))),
+        reactions.map(([name, values]) => el("tr", {}, el("th", {}, name), cells(values), moments[name] ? cells(moments[name]) : turns.map(() => el("td", {}))))));
     }
     refill(this.tables, ...tables);
   }

@@ -50,7 +50,36 @@ class Desk:
         self.lock = threading.Lock()
         self.address: tuple[str, int] | None = None
         self.kept = False
+        self.left = self.keep.pages() if self.keep is not None else []
         self.results = Results()
+
+    # -- slider pages ----------------------------------------------------------------------------------------------
+
+    def page_left(self) -> tuple[str, float] | None:
+        """Key and time of the newest slider page of an earlier studio that nobody has taken up."""
+        return self.left[0] if self.left else None
+
+    def take_page(self, key: str) -> Record | None:
+        """The changes of a slider page; it is offered to no other page any more."""
+        with self.lock:
+            self.left = [one for one in self.left if one[0] != key]
+            return None if self.keep is None else self.keep.page(key)
+
+    def keep_page(self, key: str, record: Record | None) -> None:
+        """Keep the changes of a slider page beside the file; None removes them.
+
+        Raises
+        ------
+        StoreError : they cannot be written.
+        """
+        with self.lock:
+            self.left = [one for one in self.left if one[0] != key]
+            if self.keep is None:
+                return
+            self._settle()
+            self.keep.keep_page(key, record)
+            if record is not None and self.address is not None:
+                self.keep.keep_address(*self.address)
 
     def _opened(self, model: Model | None, dim: int) -> Drawing:
         if model is None:

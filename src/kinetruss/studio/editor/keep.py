@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import json
+import re
 import time
 from contextlib import suppress
 from dataclasses import dataclass
@@ -20,6 +21,12 @@ __all__ = ["Keep"]
 FOLDER = ".kinetruss"
 MOST = 50
 """Largest number of versions; the oldest are removed."""
+
+PAGES = 16
+"""Largest number of slider pages that a later studio can go on with; the oldest are removed."""
+
+KEY = re.compile("[0-9a-f]{16}")
+"""Keys of slider pages; a browser sends them, and they become parts of file names."""
 
 
 @dataclass(frozen=True)
@@ -128,6 +135,43 @@ class Keep:
         except (OSError, ValueError):
             return None
         return {"place": place, "source": source} if isinstance(place, dict) and source.startswith("data:image/") else None
+
+    def pages(self) -> list[tuple[str, float]]:
+        """Slider pages that are kept, newest first: key and time, s since 1970. Those beyond the largest number are removed."""
+        start, end = f"{self.name}.page-", ".json"
+        found = []
+        with suppress(OSError):
+            for path in (self.folder / FOLDER).iterdir():
+                key = path.name.removeprefix(start).removesuffix(end)
+                if path.name == start + key + end and KEY.fullmatch(key):
+                    found.append((key, path.stat().st_mtime))
+        found.sort(key=lambda one: -one[1])
+        for key, _ in found[PAGES:]:
+            self.keep_page(key, None)
+        return found[:PAGES]
+
+    def keep_page(self, key: str, record: dict[str, Any] | None) -> None:
+        """Keep the changes of a slider page; None removes them.
+
+        Raises
+        ------
+        StoreError : they cannot be written.
+        """
+        if record is not None:
+            self._write(f"page-{key}.json", json.dumps(record, ensure_ascii=False))
+            return
+        with suppress(OSError):
+            self.path(f"page-{key}.json").unlink(missing_ok=True)
+
+    def page(self, key: str) -> dict[str, Any] | None:
+        """The changes of a slider page."""
+        if not KEY.fullmatch(key):
+            return None
+        try:
+            found = json.loads(self.path(f"page-{key}.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return None
+        return found if isinstance(found, dict) else None
 
     def address(self) -> tuple[str, int] | None:
         """Token and port of the last studio of this drawing."""

@@ -16,6 +16,8 @@ from kinetruss.studio.editor.edits import MEMBERS, ends_of, place_of
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from kinetruss.results import Forces
     from kinetruss.studio.editor.drawing import Drawing
     from kinetruss.studio.editor.judge import Judged
@@ -122,24 +124,39 @@ def _drives(found: Judged) -> list[dict[str, Any]]:
 
 
 def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict[str, Any]:
-    """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) by node."""
+    """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) and moments of clamps (N m) by node."""
     if forces is None:
-        return {"force": None, "reaction": {}, "unsure": []}
+        return {"force": None, "reaction": {}, "reaction_moment": {}, "unsure": []}
     arrays = forces.arrays
     names = [str(name) for name in arrays["member"].values]
     values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
     sums: dict[str, list[float]] = {}
+    moments: dict[str, NDArray[np.float64]] = {}
     if "reaction" in arrays:
         for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
             # a clamp of a beam holds nodes that the beam has added to its end, e.g. A.d1: their forces are its reaction too
             at = name if name in nodes else name.rpartition(".")[0]
             if at in nodes:
                 sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
+            if at in nodes and at != name:
+                moments[at] = moments.get(at, np.zeros(1)) + _moment(forces, name, at, row)
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
         "reaction": {name: [number(one) for one in row] for name, row in sums.items()},
+        "reaction_moment": {name: [number(one) for one in row.tolist()] for name, row in moments.items()},
         "unsure": list(forces.attrs.get("not_unique", ())),
     }
+
+
+def _moment(forces: Forces, name: str, at: str, force: list[float]) -> NDArray[np.float64]:
+    """Moment r x F (N m) about a node of a force at a node that a beam has added to it: (3,), in the plane (1,)."""
+    motion = forces.motion.arrays
+    nodes = [str(one) for one in motion["node"].values]
+    place = motion["position"].values[0]
+    arm = np.zeros(3)
+    arm[: len(force)] = place[nodes.index(name)] - place[nodes.index(at)]
+    found = np.cross(arm, [*force, 0.0][:3])
+    return found if len(force) == 3 else found[2:]
 
 
 def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
