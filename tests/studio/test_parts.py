@@ -122,8 +122,8 @@ def test_a_clamp_goes_with_the_last_beam_of_its_node(desk):
     assert "clamped" not in done(desk, do="delete", members=["b1"])["data"]
 
 
-@pytest.mark.parametrize("dim", [2, 3])
-def test_a_clamp_has_the_moment_of_its_load(dim):
+@pytest.mark.parametrize(("dim", "hinged"), [(2, False), (3, False), (3, True)])
+def test_a_clamp_has_the_moment_of_its_load(dim, hinged):
     pad, tip = [0.0] * (dim - 2), [-10.0 if k == dim - 1 else 0.0 for k in range(dim)]
     desk = Desk(dim=dim)
     for x in (1.0, 1.5):
@@ -133,6 +133,9 @@ def test_a_clamp_has_the_moment_of_its_load(dim):
     done(desk, do="set", path=["clamped"], value=["A"])
     done(desk, do="set", path=["fixed"], value=["A"])
     done(desk, do="set", path=["gravity"])
+    if hinged:  # about the vertical: it carries the load
+        done(desk, do="set", path=["beams", "b1", "hinges"], value={"A": [0, 0, 1]})
+        done(desk, do="set", path=["fixed"], value={"A": "xyz", "B": "y"})
     found = done(desk, do="set", path=["loads"], value={"tip": {"node": "B", "force": tip}})
     arm = kt.statics.equilibrium(desk.drawing.found.model).data["position"].values
     lever = np.zeros(3)

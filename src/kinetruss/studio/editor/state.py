@@ -42,7 +42,7 @@ def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
         "alarms": found.alarms,
         "mobility": _mobility(found, light),
         "drives": _drives(found),
-        **_forces(found.forces, list(known), list(places)),
+        **_forces(found.forces, list(known), _origins(found, list(places))),
     }
     if light:
         return record
@@ -123,8 +123,11 @@ def _drives(found: Judged) -> list[dict[str, Any]]:
     ]  # fmt: skip
 
 
-def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict[str, Any]:
-    """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) and moments of clamps (N m) by node."""
+def _forces(forces: Forces | None, members: list[str], origins: dict[str, str]) -> dict[str, Any]:
+    """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) and moments of clamps (N m) by node.
+
+    origins : node or frame of a beam's end -> node at which its reaction is shown.
+    """
     if forces is None:
         return {"force": None, "reaction": {}, "reaction_moment": {}, "unsure": []}
     arrays = forces.arrays
@@ -134,11 +137,11 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
     moments: dict[str, NDArray[np.float64]] = {}
     if "reaction" in arrays:
         for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
-            # a clamp of a beam holds nodes that the beam has added to its end, e.g. A.d1: their forces are its reaction too
-            at = name if name in nodes else name.rpartition(".")[0]
-            if at in nodes:
+            # a clamp holds nodes that a beam has added to its end, e.g. A.d1 and b1.A.axis: their forces are its reaction too
+            at = origins.get(name) or origins.get(name.rpartition(".")[0])
+            if at is not None:
                 sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
-            if at in nodes and at != name:
+            if at is not None and at != name:
                 moments[at] = moments.get(at, np.zeros(1)) + _moment(forces, name, at, row)
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
@@ -146,6 +149,14 @@ def _forces(forces: Forces | None, members: list[str], nodes: list[str]) -> dict
         "reaction_moment": {name: [number(one) for one in row.tolist()] for name, row in moments.items()},
         "unsure": list(forces.attrs.get("not_unique", ())),
     }
+
+
+def _origins(found: Judged, drawn: list[str]) -> dict[str, str]:
+    """Nodes drawn, without those that beams have added (in a JSON file they are drawn), and the beams' own frames there."""
+    if found.model is None:
+        return {}
+    own = {name: name for name in drawn if name in found.model.nodes and not found.model.nodes[name].director}
+    return {f"{name}.{end}": end for name, beam in found.model.beams.items() for end in beam.ends} | own
 
 
 def _moment(forces: Forces, name: str, at: str, force: list[float]) -> NDArray[np.float64]:
