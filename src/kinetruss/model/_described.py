@@ -1,15 +1,15 @@
-"""A model in one line, and long tables of a record in short: what `repr` shows."""
+"""A model in one line: what `repr` shows."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kinetruss.display import counted
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["brief", "contents", "described"]
+__all__ = ["contents", "described"]
 
 COUNTED = (
     ("active", "active member", ""), ("beams", "beam", ""), ("bodies", "body", "bodies"), ("hubs", "hub", ""),
@@ -19,26 +19,6 @@ COUNTED = (
 """Tables of a model that are counted -> the words for one and for several."""
 NAMED = 6
 """Largest number of drives that are named."""
-LISTED = 12
-"""Largest number of entries of a list that are shown."""
-
-
-class _Shown(str):
-    """Text that is shown without quotes."""
-
-    __slots__ = ()
-    __repr__ = str.__str__
-
-
-def brief(value: Any) -> Any:
-    """A value for `repr`: of a long list, the first and the last entries and how many there are; others as they are.
-
-    >>> brief((0.0, 0.5, 1.0)), brief(tuple(range(2001)))
-    ((0.0, 0.5, 1.0), (0, 1, 2, ..., 2000; 2,001 in all))
-    """
-    if not isinstance(value, tuple) or len(value) <= LISTED:
-        return value
-    return _Shown(f"({', '.join(map(repr, value[:3]))}, ..., {value[-1]!r}; {len(value):,} in all)")
 
 
 def described(model: ModelData) -> str:

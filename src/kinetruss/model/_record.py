@@ -24,7 +24,7 @@ from pydantic_core import core_schema
 
 from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
-from kinetruss.model._described import brief
+from kinetruss.model._table import brief
 from kinetruss.model._words import faults_of
 from kinetruss.units import EITHER, NUMBER, parse, unit_of
 

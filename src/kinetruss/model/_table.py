@@ -9,16 +9,33 @@ from pydantic_core import core_schema
 
 from kinetruss.errors import FrozenError, shown
 from kinetruss.limits import MOST_ENTRIES
-from kinetruss.model._described import brief
 from kinetruss.model._words import nearest
 
-__all__ = ["Filled", "ReadOnly", "Table"]
+__all__ = ["Filled", "ReadOnly", "Table", "brief"]
 
 K = TypeVar("K")
 V = TypeVar("V")
 
 _SHOWN = 12
-"""Largest number of entries that are printed; of a longer table, the first few."""
+"""Largest number of entries of a table or a list that are printed; of a longer one, the first few."""
+
+
+class _Shown(str):
+    """Text that is shown without quotes."""
+
+    __slots__ = ()
+    __repr__ = str.__str__
+
+
+def brief(value: Any) -> Any:
+    """A value for `repr`: of a long list, the first and the last entries and how many there are; others as they are.
+
+    >>> brief((0.0, 0.5, 1.0)), brief(tuple(range(2001)))
+    ((0.0, 0.5, 1.0), (0, 1, 2, ..., 2000; 2,001 in all))
+    """
+    if not isinstance(value, tuple) or len(value) <= _SHOWN:
+        return value
+    return _Shown(f"({', '.join(map(repr, value[:3]))}, ..., {value[-1]!r}; {len(value):,} in all)")
 
 
 class ReadOnly(dict[K, V]):

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError, StoreError
-from kinetruss.io.formats.plain import plain_model
+from kinetruss.io.formats import plain_model
 from kinetruss.io.models import changed_text
 from kinetruss.mechanics import compile
 from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
