@@ -73,7 +73,7 @@ def core() -> None:
     for file in ("leg.xml", "leg.urdf"):
         do("export", "leg.yaml", file)
         closures = ["--closures", "leg.closures.yaml"] if file.endswith("urdf") else []
-        assert "1 loops" in do("import", file, "-o", f"{file}.yaml", *closures)
+        assert "1 loop;" in do("import", file, "-o", f"{file}.yaml", *closures)
         do("check", f"{file}.yaml")
     found = json.loads(do("verify", "--filter", "Table 3.2", "--json"))
     assert found["entries"]
