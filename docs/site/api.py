@@ -32,7 +32,8 @@ PACKAGES = {
 }
 """Public packages in the order of the reference -> their question."""
 
-SECTION = re.compile(r"^(Parameters|Returns|Raises|Notes|Examples|Yields|See also)\n-+$", re.MULTILINE)
+SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples", "Yields", "See also")
+SECTION = re.compile(rf"^({'|'.join(SECTIONS)})\n-+$", re.MULTILINE)
 FIELD = re.compile(r"^([A-Za-z_][\w., */]*) : ")
 
 
@@ -51,7 +52,8 @@ def pages(_made: Path) -> Iterator[tuple[str, str]]:
 
 def _page(name: str, question: str) -> str:
     module = getattr(kt, name)
-    lines = [f"# kt.{name}", "", question + ".", "", *text_of(inspect.getdoc(module) or ""), ""]
+    asked = question if question.endswith("?") else f"{question}."
+    lines = [f"# kt.{name}", "", asked, "", *text_of(inspect.getdoc(module) or ""), ""]
     for what, test in (("Functions", inspect.isroutine), ("Records", inspect.isclass)):
         chosen = [(key, one) for key in sorted(module.__all__, key=str.lower) if test(one := getattr(module, key))]
         lines += [f"## {what}", ""] if chosen else []
@@ -88,10 +90,12 @@ def _signature(name: str, one: Any) -> list[str]:
 
 def text_of(doc: str) -> list[str]:
     """A docstring as Markdown: sections as bold words, fields as lists, examples as code."""
-    doc = SECTION.sub(lambda found: f"**{found[1]}**\n", doc)
+    doc = SECTION.sub(r"\n\1:\n", doc)
     lines: list[str] = []
-    for block in re.split(r"\n\s*\n", doc):
-        if re.match(r"\s*>>>", block):
+    for block in re.split(r"\n\s*\n", doc.strip()):
+        if (head := block.strip().rstrip(":")) in SECTIONS and block.strip().endswith(":"):
+            lines += [f"**{head}**", ""]
+        elif re.match(r"\s*>>>", block):
             lines += ["```pycon", inspect.cleandoc(block), "```", ""]
         elif all(line.startswith("    ") for line in block.split("\n")):
             lines += ["```text", inspect.cleandoc(block), "```", ""]

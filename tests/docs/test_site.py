@@ -67,6 +67,14 @@ def test_the_reference_lists_all_public_names(tmp_path):
                 assert f"\n### {name}\n" in page, name
 
 
+def test_headings_of_docstrings_are_bold():
+    text = "\n".join(api.text_of(inspect.getdoc(kt.kinematics.assemble)))
+    for heading in ("Parameters", "Returns", "Raises", "Notes"):
+        assert f"\n\n**{heading}**\n\n" in text
+    for _, page in api.pages(Path()):
+        assert r"\*\*" not in page
+
+
 def test_examples_of_the_reference_are_code():
     for _, page in api.pages(Path()):
         for block in re.findall(r"```pycon\n(.*?)```", page, re.DOTALL):
