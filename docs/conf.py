@@ -13,7 +13,7 @@ author = "kinetruss contributors"
 copyright = "kinetruss contributors, BSD-3-Clause"
 version = release = __version__
 
-extensions = ["myst_nb", "sphinx_design", "made"]
+extensions = ["myst_nb", "sphinx_design", "made", "mathml"]
 exclude_patterns = ["site", "made/static", "made/models"]
 default_role = "code"
 myst_enable_extensions = ["deflist", "dollarmath", "colon_fence", "attrs_inline"]
@@ -25,6 +25,7 @@ nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_merge_streams = True
 
+html_math_renderer = "mathml"
 html_theme = "furo"
 html_title = f"kinetruss {version}"
 html_static_path = ["site/static", "made/static"]
