@@ -1,6 +1,6 @@
 """One code in a process of its own: reads questions (one JSON object a line), runs, answers the same way.
 
-    python _worker.py CODE      # a module _CODE.py beside this one
+    python _worker.py CODE      # a module _CODE.py beside this one, or in ../driven
 
     {"do": "hello"}                                    -> {"version": ...}
     {"do": "settings", "case", "n"}                    -> {"settings": [...]}  {} where the code cannot do the case
@@ -28,7 +28,8 @@ LEAST = 0.05  # seconds that short runs are repeated for, for one median
 def main(code: str) -> None:
     out = os.fdopen(os.dup(1), "w")  # whatever a code writes to the terminal goes nowhere
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-    sys.path.insert(0, str(Path(__file__).resolve().parent))
+    here = Path(__file__).resolve().parent
+    sys.path[:0] = [str(here), str(here.parent / "driven")]
     module = None
     for line in sys.stdin:
         question = json.loads(line)
