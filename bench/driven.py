@@ -17,6 +17,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "peers"), str(HERE / "driven")]
 
 from _ask import Worker  # noqa: E402 - lives beside the peers
+from _case import error_of  # noqa: E402
 
 OWN = "kinetruss"
 PEERS = ("exudyn", "mujoco", "opensees", "pynite")
@@ -56,8 +57,6 @@ def measured(options) -> dict:
 
 def _rows(workers: dict, bays: int, rounds: int) -> list[dict]:
     """Every setting of every code, in turn, `rounds` times after one that may compile."""
-    from _case import error_of
-
     asked = []
     for code, worker in workers.items():
         for setting in worker.ask(do="settings", case="driven", n=bays)["settings"]:
@@ -67,19 +66,15 @@ def _rows(workers: dict, bays: int, rounds: int) -> list[dict]:
         for _, _, worker, question, answers in asked:
             if "failed" not in answers[0]:
                 answers.append(worker.ask(**question))
-    rows = []
-    for code, name, _, _, answers in asked:
-        if "failed" in answers[0]:
-            rows.append(
-                {"bays": bays, "code": code, "way": name, "us_per_sample": None, "error": None, "failed": answers[0]["failed"]}
-            )
-            continue
-        seconds = statistics.median(answer["seconds"] for answer in answers[1:])
-        error = error_of(bays, answers[-1]["state"])
-        rows.append(
-            {"bays": bays, "code": code, "way": name, "us_per_sample": 1e6 * seconds / answers[-1]["steps"], "error": error}
-        )
-    return rows
+    return [{"bays": bays, "code": code, "way": name} | _row(bays, answers) for code, name, _, _, answers in asked]
+
+
+def _row(bays: int, answers: list[dict]) -> dict:
+    """Time and error of all answers but the first."""
+    if "failed" in answers[0]:
+        return {"us_per_sample": None, "error": None, "failed": answers[0]["failed"]}
+    seconds = statistics.median(answer["seconds"] for answer in answers[1:])
+    return {"us_per_sample": 1e6 * seconds / answers[-1]["steps"], "error": error_of(bays, answers[-1]["state"])}
 
 
 def _table(found: dict) -> None:

@@ -1,6 +1,7 @@
 """Exudyn: mass points, distance constraints; a function before each step sets the driven lengths and reads the multipliers.
 
-Generalised alpha with the spectral radius 0.8: 0.6 to 0.9 gave the same errors after the start, 1.0 does not settle. The time is that of the steps.
+Generalised alpha with the spectral radius 0.8: 0.6 to 0.9 gave the same errors after the start, 1.0 does not settle. The
+time is that of the steps.
 """
 
 from __future__ import annotations

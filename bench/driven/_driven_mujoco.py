@@ -1,4 +1,4 @@
-"""MuJoCo: particles on slides, bars as tendons. Driven equalities step by step; or `mj_inverse` and an own solution for the bars.
+"""MuJoCo: particles on slides, bars as tendons; driven equalities in every step, or `mj_inverse` and an own solution.
 
 The second gets positions, velocities and accelerations from elsewhere; its time leaves them out.
 """
@@ -13,6 +13,7 @@ from _case import DURATION, STEPS, changes, course, driven, right, times, truss
 
 VERSION = mujoco.__version__
 SHARP = "0.9999 0.9999 0.001"
+SLIDES = "".join(f'<joint type="slide" axis="{axis}"/>' for axis in ("1 0 0", "0 1 0", "0 0 1"))
 
 
 def settings(case: str, n: int) -> list[dict]:
@@ -58,6 +59,7 @@ def _inverse(model, bars, n: int):
     position, velocity, acceleration = (each[:, free].reshape(STEPS + 1, -1) for each in right(n)[:3])
     position = position - bars.points[free].reshape(-1)
     count = len(bars.ends)
+    places = model.ten_J_rownnz, model.ten_J_rowadr, model.ten_J_colind.reshape(-1)
 
     def run():
         tension = np.empty((STEPS + 1, count))
@@ -66,9 +68,7 @@ def _inverse(model, bars, n: int):
             data.qpos[:], data.qvel[:], data.qacc[:] = position[step], velocity[step], acceleration[step]
             mujoco.mj_inverse(model, data)
             rows = np.zeros((count, model.nv))
-            mujoco.mju_sparse2dense(
-                rows, data.ten_J.reshape(-1), model.ten_J_rownnz, model.ten_J_rowadr, model.ten_J_colind.reshape(-1)
-            )
+            mujoco.mju_sparse2dense(rows, data.ten_J.reshape(-1), *places)
             tension[step] = np.linalg.solve(rows.T, push - data.qfrc_inverse)
         return time.perf_counter() - began, STEPS, tension
 
