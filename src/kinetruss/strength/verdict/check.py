@@ -96,9 +96,15 @@ def check(
         np.full(shape, "", dtype=object),
         np.zeros(shape[0], np.bool_),
     )
+    lost = np.zeros(shape[0], np.bool_)
     for name, one in cases:
-        poses = one.arrays["pose"].values if "pose" in one.arrays else None
-        _take_worst(utilised(model, one, options).columns, name, worst, (case_of, pose_of, johnson), poses)
+        poses, found = one.arrays["pose"].values if "pose" in one.arrays else None, utilised(model, one, options).columns
+        lost |= np.isnan(found["value"].values[:, :, 0]).any(axis=0)
+        _take_worst(found, name, worst, (case_of, pose_of, johnson), poses)
+    # a stress that is not known in one case has no largest value
+    for values in worst.values():
+        values[lost, 0] = np.nan
+    case_of[lost, 0] = pose_of[lost, 0] = ""
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     pushed = worst["value"][:, list(RULES).index("buckling")]
