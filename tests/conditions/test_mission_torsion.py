@@ -40,7 +40,8 @@ def flap(section: Any = ROD, **changes: Any) -> kt.Model:
         "runs": {
             "all": kt.Run(analysis="mission", motions=("slow", "fast"), conditions=("plain", "laden"), samples=21),
             **{
-                f"{motion}_{condition}": kt.Run(trajectory=motion, condition=condition, samples=21) for motion, condition in PAIRS
+                f"{motion}_{condition}": kt.Run(trajectory=motion, condition=condition, samples=21)
+                for motion, condition in PAIRS
             },
         },
     }

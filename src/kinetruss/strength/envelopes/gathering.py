@@ -67,7 +67,7 @@ class Gathering:
     def _twist(self, model: Model, forces: Forces, twisted: NDArray[np.int64], pair: float) -> None:
         """Take the torsion of parts into account, which the kernel does not know, by the rules of `utilisation` themselves."""
         found, parts, times = utilised(model, forces).columns, parts_of(model), forces.arrays["time"].values
-        names, members, rod, whole = subjects(parts)
+        names, members, rod, _ = subjects(parts)
         value, limit, used, place = (found[name].values for name in ("value", "limit", "utilisation", "position"))
         for r in twisted:
             i, row = int(np.flatnonzero(rod == r)[0]), self.rods[3, self._parts[parts.names[r]]]
