@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -92,3 +93,38 @@ def test_an_arm_whose_section_does_not_know_its_shear_stress_is_not_checked() ->
     assert others["link", "yield"] > 0 and ("O.link", "yield") not in others
     for pair in range(mission.good):
         assert mission.pairs["utilisation"].values[pair] <= max(others.values()) * (1 + 1e-12)
+
+
+WALLS = tuple(range(16, 36, 2))
+
+
+def sized(folder: Path, largest: int) -> kt.design.Sizing:
+    """The arm from tubes with a wall of 1 mm up to an outer diameter, mm."""
+    tubes = "".join(f'  "{d}x1": {{outer: {d} mm, wall: 1 mm}}\n' for d in WALLS if d <= largest)
+    (folder / "tubes.yaml").write_text(f"source: own\nmaterial: steel_s235\ntubes:\n{tubes}", "utf-8")
+    mission = folder / "mission.yaml"
+    mission.write_text('kinetruss_mission: 1\ngroups:\n  arm: ["O.link"]\ncatalogues: {tubes: tubes.yaml}\n', "utf-8")
+    return kt.design.size(swung(), mission)
+
+
+def swung() -> kt.Model:
+    """The flap with two runs, and an arm whose section the model decides."""
+    model = flap()
+    runs = {name: kt.Run(trajectory=name, samples=21) for name in ("slow", "fast")}
+    return model.with_(hubs={"O": model.hubs["O"].with_(section=None, material=None)}, runs=runs)
+
+
+def test_a_sizing_counts_torsion_and_proves_it(tmp_path: Path) -> None:
+    """The tube is the lightest that passes runs of models with each tube; with smaller ones only the message is left."""
+    model, worst = swung(), {}
+    for d in WALLS:
+        arm = model.bars["O.link"].with_(section=kt.Tube(outer=1e-3 * d, inner=1e-3 * (d - 2)), material="steel_s235")
+        with_tube = model.with_(bars={**model.bars, "O.link": arm})
+        rows = [row for name in model.runs for row in kt.run(with_tube, name).verdict.table()]
+        worst[d] = max(row.utilisation for row in rows if row.part == "O.link" and row.checked)
+    lightest = next(d for d in WALLS if worst[d] <= 1)
+    (group,) = sized(tmp_path, WALLS[-1]).groups
+    assert (group.tube, group.smaller) == (f"{lightest}x1", f"{lightest - 2}x1")
+    assert (group.utilisation, group.smaller_utilisation) == pytest.approx((worst[lightest], worst[lightest - 2]), rel=1e-9)
+    with pytest.raises(kt.AnalysisError, match=f"reaches {worst[lightest - 2]:.4g} times what is allowed by yield"):
+        sized(tmp_path, lightest - 2)

@@ -14,7 +14,7 @@ from kinetruss.results import Arrays, Status, Verdict, provenance, variable
 from kinetruss.strength.envelopes.gathering import Gathering
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
-from kinetruss.strength.verdict.not_held import add_to_notes, not_held, sentences
+from kinetruss.strength.verdict.not_held import add_to_notes, not_held, screws_not_held, sentences
 from kinetruss.strength.verdict.notes import notes
 from kinetruss.strength.verdict.utilisation import RULES, axes_of_verdict, subjects
 
@@ -65,11 +65,12 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str], cases: Seq
         "load_case": variable(over, _labelled(pair, labels), "", "governing pair: motion, condition, load case"),
         "note": variable(over, said.astype(str), "", "formula used, or why it was not checked"),
     }
-    attrs = {"kind": "verdict", "not_held": sentences(left)}
+    missing = [*sentences(left), *screws_not_held(model, dict.fromkeys(cases))]
+    attrs = {"kind": "verdict", "not_held": missing}
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, attrs).later,
         status=Status.COMPLETED,
-        message=" ".join(sentences(left)),
+        message=" ".join(missing),
         provenance=provenance(model, pairs=len(labels)),
     )
 
