@@ -150,6 +150,40 @@ def test_poses_are_motions_of_a_mission():
     assert_worst_of(kt.run(model, "all"), one_by_one(model))
 
 
+def test_a_let_go_actuator_stands_in_equilibrium_and_swings_in_a_simulation():
+    """Motions may be equilibria and simulations: a released drive is free in them, and the envelope has their forces."""
+    start = {"lift": math.hypot(0.2, 1.3), "swing": math.hypot(1.4, 1.4)}
+    prop = kt.Bar(ends=("A", "D"), kind="elastic", section=kt.Rod(diameter=0.004), natural_length=2.7)
+    model = crane(
+        bars={**crane().bars, "prop": prop},
+        conditions={
+            "plain": kt.Condition(),
+            "loose": kt.Condition(released=("swing",)),
+            "stuck": kt.Condition(locked=("lift",)),
+        },
+        runs={
+            "stand": kt.Run(analysis="statics.equilibrium"),
+            "fall": kt.Run(analysis="dynamics.simulate", t_end=0.2, samples=21, tasks={name: kt.Hold() for name in start}),
+            "all": kt.Run(analysis="mission", motions=("stand", "fall"), conditions=("plain", "loose", "stuck")),
+        },
+    )
+    mission, runs = kt.run(model, "all"), one_by_one(model)
+    assert_worst_of(mission, runs)
+    # let go, the prop holds the boom: moments about C of its free body
+    loose = runs[2]
+    assert str(mission.pairs["label"].values[2]) == "stand, loose, case0"
+    x = loose.motion.data.position.isel(time=0)
+    force = loose.forces["case0"].data.member_force.isel(time=0)
+    A, C, D = (x.sel(node=name).values for name in "ACD")
+    tube, rod = np.pi / 4 * (0.03**2 - 0.026**2), np.pi / 4 * 0.004**2
+    weight = 9.81 * 7850 * (tube * (math.dist(C, D) + math.hypot(1.4, 1.4)) + rod * math.hypot(2.4, 1.4))
+    load, arm, pull = np.array([20.0, -200.0 - weight / 2]), D - C, (A - D) / math.dist(A, D)
+    about = arm[0] * load[1] - arm[1] * load[0]
+    needed = -about / (arm[0] * pull[1] - arm[1] * pull[0])
+    assert float(force.sel(member="prop")) == pytest.approx(needed, rel=2e-3)
+    assert abs(float(force.sel(member="swing"))) < 1e-6 * abs(needed)
+
+
 def test_what_a_condition_makes_impossible_is_a_finding_and_the_rest_goes_on():
     model = crane()
     model = model.with_(runs={"all": model.runs["all"].with_(conditions=("plain", "broken"))})
@@ -241,7 +275,7 @@ def test_every_command_shows_a_mission(tmp_path):
         ({"motions": ("move0",), "condition": "hot"}, "belongs to one run"),
         ({"motions": ("mov0",)}, "no run or trajectory called 'mov0'"),
         ({"motions": ("move0",), "conditions": ("hott",)}, "no condition called 'hott'"),
-        ({"motions": ("still",)}, "has no prescribed motion"),
+        ({"motions": ("still",)}, "has no motion and no poses of its own"),
         ({"motions": ("move0",), "load_cases": ("windy",)}, "no load case called 'windy'"),
     ],
 )

@@ -91,6 +91,14 @@ def test_hubs_carry_it() -> None:
         cut = kt.dynamics.free_body(loaded, motion, found, member=member, time=1.0)
         assert cut.residual < 1e-10 * float(np.abs(found.data.joint_force).max())
     assert "Not held" not in kt.strength.check(loaded, found).message
+    said = "Not held: the torque of the screw of L0 about the axis"
+    assert said in kt.strength.check(model, forces).message
+    start = dict(zip(model.all_drives, motion.data.drive_position.values[0].tolist(), strict=True))
+    mission = model.with_(
+        trajectories={"up": kt.Quintic(moves={name: (one, one + 0.02) for name, one in start.items()}, duration=1.0)},
+        runs={"all": kt.Run(analysis="mission", motions=("up",), samples=5)},
+    )
+    assert said in kt.run(mission).verdict.message
     assert np.abs(found.data.energy_balance).max() < 1e-8 * np.abs(found.data.power).max()
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.kernels.structure.plan import NONE
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange, row_directions
@@ -19,7 +20,7 @@ from kinetruss.mechanics.assembly import continua_stiffness, nodal_loads, struct
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["applied", "free_forces", "out_of_balance", "take_sum_forces"]
+__all__ = ["applied", "free_forces", "loose", "out_of_balance", "take_sum_forces"]
 
 BALANCED = 1e-4
 """Residual, as a fraction of the largest nodal load, up to which elastic parts are in balance."""
@@ -57,6 +58,20 @@ def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDA
     stiff = float(np.abs(continua_stiffness(system.continua, x[0].reshape(-1, 3), none).diagonal()).max())
     off = float(np.abs(rest[:, system.free]).max(initial=0.0))
     return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
+
+
+def loose(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
+    """Largest residual (times, 3 n) at free coordinates, N, where elastic bars are not in balance; else 0.
+
+    joint (times, members, 2, 3) : forces at the ends of members, N. Without elastic bars there is none: what a mechanism needs
+    in its free directions is no fault of its positions.
+    """
+    if not len(rest) or not (system.law != NONE).any():
+        return 0.0
+    off = float(np.abs(rest[:, system.free]).max(initial=0.0))
+    size = float(np.abs(joint).max(initial=0.0))
+    stiff = float((system.spring * system.natural).max()) if (system.law != NONE).any() else 0.0
+    return off if off > BALANCED * size + ROUND_OFF * stiff else 0.0
 
 
 def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.prescribed.bearings import with_friction
-from kinetruss.dynamics.prescribed.free import free_forces, out_of_balance
+from kinetruss.dynamics.prescribed.free import free_forces, loose, out_of_balance
 from kinetruss.dynamics.prescribed.rotating import solved_in_space
 from kinetruss.dynamics.prescribed.tables import Read, force_arrays
 from kinetruss.kernels.compiled.workspace import allocate
@@ -131,6 +131,7 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
         solved["off"] = out_of_balance(system, loads, x, rest)
+        solved["loose"] = 0.0 if solved["off"] else loose(system, rest, joint)
         return solved
     loads = with_continua_forces(system, loads, x, states.v)
     for part, used in _pieces(system, arrangement, x, values):
@@ -225,6 +226,8 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
     if off := solved.get("off", 0.0):
         data.attrs["not_balanced"] = off
         message = f"{message} {unbalanced(off, at_rest)}".strip()
+    if off := solved.get("loose", 0.0):
+        message = f"{message} {unbalanced(off, at_rest, 'elastic bars')}".strip()
     if undecided := solved.get("undecided", ()):
         data.attrs["undecided"] = list(undecided)
         message = (
@@ -244,12 +247,12 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
     )
 
 
-def unbalanced(off: float, at_rest: bool) -> str:
+def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or solids") -> str:
     """The message on positions that the elastic parts do not have under these loads."""
     why = "at rest they have another shape (statics.equilibrium)"
     if not at_rest:
         why = "the motion is not one that these loads make"
     return (
-        f"Not in balance: beams, membranes or solids in these positions leave up to {off:.2g} N at free nodes; {why}. "
+        f"Not in balance: {parts} in these positions leave up to {off:.2g} N at free nodes; {why}. "
         "Reactions and member forces are without these."
     )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, ModelError
+from kinetruss.kinematics.conditions.arms import without_arms
 from kinetruss.kinematics.path.assemble import assemble
 from kinetruss.mechanics import System, compile, kept
 from kinetruss.model import (
@@ -166,12 +167,21 @@ def _without(model: Model, condition: Condition) -> Model:
     }
     active = {name: member for name, member in model.active.items() if name not in failed}
     changes: dict[str, Any] = {"drives": drives, "bars": bars, "active": active}
+    changes |= without_arms(model, changes, failed)
+    if any(getattr(load, "member", None) in failed for load in model.loads.values()):
+        changes["loads"] = {name: load for name, load in model.loads.items() if getattr(load, "member", None) not in failed}
+        changes["load_cases"] = {name: _held_case(case, changes["loads"]) for name, case in model.load_cases.items()}
     changes["gauges"] = {name: gauge for name, gauge in model.gauges.items() if gauge.member not in failed}
     kept = {*drives, *active, *(name for name, bar in bars.items() if bar.kind == "driven")}
     if set(model.all_drives) - kept:
         changes |= {"trajectories": {}, "gauge_zero": None}
         changes["poses"] = {name: pose for name, pose in model.poses.items() if set(pose.drives) <= kept}
     return model.with_(**changes)
+
+
+def _held_case(case: LoadCase, loads: Mapping[str, Any]) -> LoadCase:
+    """A load case without the loads that are gone."""
+    return case if case.loads is None else case.with_(loads={name: one for name, one in case.loads.items() if name in loads})
 
 
 def _fields(record: Any) -> dict[str, Any]:
@@ -182,9 +192,10 @@ def _warmed(model: Model, condition: Condition) -> Model:
     """New lengths without force, and the place in which they close."""
     if not (condition.temperature or any(condition.temperatures.values())):
         return model
-    if model.membranes or model.solids:
-        what = next(iter({**model.membranes, **model.solids}))
-        raise InputError(f"{what!r} is a membrane or a solid, which has no thermal strain here. Leave out the temperature.")
+    beams = {name: one for name, one in model.beams.items() if one.kind == "elastic"}
+    if without := next(iter({**model.membranes, **model.solids, **beams}), None):
+        what, mend = ("a beam", ", or model it by elastic bars") if without in beams else ("a membrane or a solid", "")
+        raise InputError(f"{without!r} is {what}, which has no thermal strain here. Leave out the temperature{mend}.")
     system = compile(model)
     length = dict(zip(system.members, system.length0.tolist(), strict=True))
     bars, stretched, unknown = {}, {}, []

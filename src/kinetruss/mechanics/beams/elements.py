@@ -97,6 +97,11 @@ def hermite(xi: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     return (1 + 2 * xi) * (1 - xi) ** 2, xi * (1 - xi) ** 2, xi**2 * (3 - 2 * xi), xi**2 * (xi - 1)
 
 
+def hermite_slopes(xi: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """The derivatives of `hermite` by xi."""
+    return 6 * xi * (xi - 1), (1 - xi) * (1 - 3 * xi), 6 * xi * (1 - xi), xi * (3 * xi - 2)
+
+
 def beam_elements(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> BeamElements | None:
     """The elastic beams of a model at positions x0 (n, 3), or None if it has none."""
     elastic = {name: beam for name, beam in model.beams.items() if beam.kind == "elastic"}

@@ -1,14 +1,15 @@
 """Forces and moments at the ends and along beams, in closed form from the deformation modes and the load along the beam.
 
-With the stresses s = rigidity x mode of each mode, in the axes of the deformed beam (1 along the chord):
-
-    N = s_e/l;   M_3 = s_D - s_S at the first end, s_D + s_S at the second;   M_2 the same;   M_1 = s_t
+With the stresses S = rigidity x mode of each mode, the nodes of an end exert on the beam the force sum S B of their gradients B
+and its moment about the end: the same forces that balance the nodes, so that every beam is in balance with its neighbours, its
+supports and its loads however far it turns. For small deformations these are N = S_e/l; M_3 = S_D - S_S at the first end,
+S_D + S_S at the second; M_2 the same; M_1 = S_t, in the axes of the deformed beam (1 along the chord).
 
 The load along the beam, q = line (g - r''), is carried to the nodes by Hermite's polynomials, as its mass is; what the nodes
-exert on the beam is the force of the modes less that, and sections between follow from equilibrium: they are those of the
-deformed beam plus those of a beam clamped at both ends under q. Rotary inertia is a couple along the beam, linear in s. All
-are exerted by the part behind the section on the part before it, as those of bars: N > 0 is tension, dM_3/ds = -V_2, dM_2/ds
-= V_3.
+exert on the beam is the force of the modes less that, and sections between follow from equilibrium of the part before them,
+on the deflected axis w = l (H2 f_p + H4 f_q) from the chord and in the axes of the section, which turn with its slope. Rotary
+inertia is a couple along the beam, linear in s. All are exerted by the part behind the section on the part before it, as those
+of bars: N > 0 is tension, dM_3/ds = -V_2, dM_2/ds = V_3.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.mechanics.beams.elements import MODES, BeamElements, hermite
+from kinetruss.mechanics.beams.elements import MODES, BeamElements, hermite, hermite_slopes
 from kinetruss.mechanics.beams.modes import mode_rates
 
 if TYPE_CHECKING:
@@ -88,21 +89,13 @@ def section_forces(
     q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
     # carried to the nodes: int q H1 ds, int q l H2 ds
     nodal, couple, other = (_weighted(q, h) * l ** (1 if h == 0 else 2) for h in (0, 1, 3))
-    D3, S3, D2, S2 = (stress.get(name, none) for name in ("D3", "S3", "D2", "S2"))
-    # moments at both ends by the modes: of bending, and of the axial force on the slopes, which are f from the chord
-    first, second = {}, {}
-    for axis, D, S in ((1, D2, S2), (2, D3, S3)):
-        f_p, f_q = slope[axis + 1]
-        slopes = 0.0 if linear else bent * stress["axial"] / 30
-        first[axis], second[axis] = S - D + slopes * (4 * f_p - f_q), S + D + slopes * (4 * f_q - f_p)
+    push, first, second = _by_nodes(found, np.stack(list(stress.values()), axis=-1), x0[None] if linear else x, frame)
     turn_p, turn_q = _turning(found, load, frame)
-    force_p = (
-        np.stack([-stress["axial"] / l[:, 0], (first[2] + second[2]) / l[:, 0], -(first[1] + second[1]) / l[:, 0]], axis=-1)
-        - nodal
-    )
-    moment_p = np.stack([-stress.get("torsion", none), first[1] + couple[..., 2], first[2] - couple[..., 1]], axis=-1)
-    moment_p += l * (turn_p / 3 + turn_q / 6)
-    s = l[:, :, None] * xi[None, :, None]
+    force_p, moment_p = push - nodal, first + _across(couple) + l * (turn_p / 3 + turn_q / 6)
+    # the chord of a bent beam is shorter than the beam
+    at = x[:, found.nodes]
+    chord = l[None] if linear else np.linalg.norm(at[:, :, at.shape[2] // 2] - at[:, :, 0], axis=-1)[:, :, None]
+    s = chord[..., None] * xi[:, None]
     once, twice = _integrals(q, xi)
     once, twice = once * l[:, :, None], twice * l[:, :, None] ** 2
     force = -force_p[:, :, None] - once
@@ -113,11 +106,63 @@ def section_forces(
     # equilibrium of the part before the section
     moment[..., 2] += arm[..., 1] + spread[..., 1]
     moment[..., 1] -= arm[..., 2] + spread[..., 2]
+    if not linear:
+        force, moment = _on_the_curve(
+            l, xi, {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}, force_p, force, moment
+        )
     force_q = -force_p - _integrals(q, np.ones(1))[0][:, :, 0] * l
-    moment_q = np.stack([stress.get("torsion", none), second[1] + other[..., 2], second[2] - other[..., 1]], axis=-1)
-    moment_q += l * (turn_p / 6 + turn_q / 3)
+    moment_q = second + _across(other) + l * (turn_p / 6 + turn_q / 3)
     ends = {"force_ends": np.stack([-force_p, force_q], axis=2), "moment_ends": np.stack([-moment_p, moment_q], axis=2)}
     return {"force": force, "moment": moment, "frame": np.array(frame), **ends}
+
+
+def _by_nodes(found: BeamElements, stress: Floats, x: Floats, frame: Floats) -> tuple[Floats, Floats, Floats]:
+    """Force of the first end, and moments of both ends, on beams, (times, k, 3), in their axes `frame`, by the
+    forces sum S B of the stresses (times, k, modes) at positions x.
+    """
+    v = found.nodes.shape[1]
+    i, j = np.triu_indices(v, 1)
+    at = x[:, found.nodes]
+    pull = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
+    nodal = np.zeros((*pull.shape[:2], v, 3))
+    np.add.at(nodal, (slice(None), slice(None), i), -pull)
+    np.add.at(nodal, (slice(None), slice(None), j), pull)
+    summed = [nodal[:, :, : v // 2].sum(axis=2)]
+    for first in (0, v // 2):
+        own = slice(first, first + v // 2)
+        summed.append(np.cross(at[:, :, own] - at[:, :, first : first + 1], nodal[:, :, own]).sum(axis=2))
+    push, one, two = (np.einsum("tkac,tkc->tka", frame, value) for value in summed)
+    return push, one, two
+
+
+def _on_the_curve(l: Floats, xi: Floats, slope: Floats, push: Floats, force: Floats, moment: Floats) -> tuple[Floats, Floats]:
+    """Section forces of the chord, of the deflected axis in the axes of its sections; slope : rotations of the ends from the
+    chord about 2 and 3, (times, k) each; push (times, k, 3) : force on the first end.
+    """
+    _, h2, _, h4 = hermite(xi)
+    _, g2, _, g4 = hermite_slopes(xi)
+    (p2, q2), (p3, q3) = ([f[..., None] for f in slope[axis]] for axis in (2, 3))
+    # w_2 rises with a rotation about 3, w_3 falls with one about 2
+    w2, w3 = l * (h2 * p3 + h4 * q3), -l * (h2 * p2 + h4 * q2)
+    at = np.stack([np.zeros_like(w2), w2, w3], axis=-1)
+    turned = _turned(g2 * p3 + g4 * q3, -(g2 * p2 + g4 * q2))
+    moment = moment + np.cross(at, np.broadcast_to(push[:, :, None], at.shape))
+    along, about = (np.einsum("tksac,tksc->tksa", turned, one) for one in (force, moment))
+    return along, about
+
+
+def _across(couple: Floats) -> Floats:
+    """The moment of a load across axis 1 whose first moment is `couple`."""
+    return np.stack([np.zeros_like(couple[..., 0]), couple[..., 2], -couple[..., 1]], axis=-1)
+
+
+def _turned(slope2: Floats, slope3: Floats) -> Floats:
+    """Axes (.., 3, 3) as rows, of an axis with slopes along 2 and 3 to the chord: 1 along it, 2 nearest to that of the beam."""
+    one = np.stack([np.ones_like(slope2), slope2, slope3], axis=-1)
+    one = one / np.linalg.norm(one, axis=-1, keepdims=True)
+    two = np.array([0.0, 1.0, 0.0]) - one * one[..., 1:2]
+    two = two / np.linalg.norm(two, axis=-1, keepdims=True)
+    return np.stack([one, two, np.cross(one, two)], axis=-2)
 
 
 def _turning(found: BeamElements, load: Floats, frame: Floats) -> tuple[Floats, Floats]:

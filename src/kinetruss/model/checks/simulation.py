@@ -20,7 +20,14 @@ if TYPE_CHECKING:
     from kinetruss.model.motion.conditions import BaseRotation, Condition
     from kinetruss.model.motion.runs import Elastic, Run
 
-MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
+MOVING = (
+    "dynamics.inverse",
+    "dynamics.simulate",
+    "kinematics.follow",
+    "statics.at_poses",
+    "statics.deflection",
+    "statics.equilibrium",
+)
 """Analyses whose motion, or poses, a mission can take."""
 
 __all__ = [
@@ -200,14 +207,15 @@ def _elastic_faults(model: ModelData, elastic: Elastic, path: tuple[Any, ...]) -
 
 
 def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
-    """What a mission names: runs with a prescribed motion or trajectories, and conditions."""
+    """What a mission names: runs with motions or poses, or trajectories, and conditions."""
     for index, motion in enumerate(run.motions):
         place = ("runs", name, "motions", index)
         if motion not in model.runs and motion not in model.trajectories:
             yield unknown("run or trajectory", motion, {**model.runs, **model.trajectories}, place)
         elif motion in model.runs and model.runs[motion].analysis not in MOVING:
             what = model.runs[motion].analysis
-            yield Fault(place, f"{motion!r} is {what}, which has no prescribed motion.", "Name runs of dynamics.inverse.")
+            mend = "Name runs of dynamics.inverse, dynamics.simulate, statics.at_poses or statics.equilibrium."
+            yield Fault(place, f"{motion!r} is {what}, which has no motion and no poses of its own.", mend)
         elif motion in model.runs and model.runs[motion].condition is not None:
             mend = "Remove it there, and name it in the conditions of the mission."
             yield Fault(place, f"{motion!r} has a condition of its own.", mend)

@@ -158,7 +158,7 @@ def mission_of(found: Envelope, **others: Any) -> MissionRun:
         model=model,
         name=found.name,
         motion=NOTHING,
-        verdict=verdict_of(model, found.members, labels),
+        verdict=verdict_of(model, found.members, labels, [one.load_case or "all" for one in found.pairs]),
         pairs=found.table(),
         extremes=extremes_of(model, found.members, labels),
         drives=tables["drives"],

@@ -29,6 +29,8 @@ from kinetruss.runs.missions.record import Envelope, MissionRun, mission_of
 __all__ = ["resume_mission", "run_mission"]
 
 Progress = Callable[[int, int], None]
+OWN = ("statics.at_poses", "statics.equilibrium", "dynamics.simulate")
+"""Analyses that find their places or motion themselves; of all others the forces along the motion are taken."""
 HELD = 4e6
 """Numbers of a motion that are kept for its other load cases and conditions; longer motions are followed again."""
 
@@ -166,7 +168,7 @@ class _Known:
         runs = {}
         for pair in found.pairs:
             run = pair.run_of(model, mission)
-            analysis = run.analysis if run.analysis == "statics.at_poses" else "dynamics.inverse"
+            analysis = run.analysis if run.analysis in OWN else "dynamics.inverse"
             runs[_key(pair)] = run.with_(analysis=analysis, load_cases=None)
         self._model = model.with_(runs=runs)  # one model, which is compiled once for all motions
         self._plan: tuple[str, Plan] | None = None

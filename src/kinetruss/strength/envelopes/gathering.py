@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.kernels.sections.envelope import COLUMNS, YIELD, Kept, Rules, envelope
+from kinetruss.kernels.sections.envelope import BEAM_COLUMN, BUCKLING, COLUMNS, YIELD, Kept, Rules, envelope
 from kinetruss.mechanics import System, compile, kept
 from kinetruss.model import Model
 from kinetruss.results import Forces
@@ -15,6 +15,7 @@ from kinetruss.strength.members.inputs import histories
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.beams import BEAM_QUANTITIES, beam_histories, beam_limits, beam_parts
 from kinetruss.strength.verdict.buckling import end_condition
+from kinetruss.strength.verdict.utilisation import subjects, twisting, utilised
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -51,14 +52,40 @@ class Gathering:
         given, times = histories(model, forces), forces.arrays["time"].values
         if not len(times):
             return
+        twist, before = twisting(model, forces), self.top.copy()
         ends = np.ascontiguousarray(forces.arrays["end_force"].values)
         tension, compression, bending, stress = self.rods
         buckling, combined = self.members
         found = Kept(tension, compression, bending, stress, buckling, combined, self.top)
         envelope(self._rules(model), given.members, given.histories, ends, times, given.allocate(1), found, float(pair))
-
+        if twist is not None:
+            self.top[:] = before
+            self._twist(model, forces, np.flatnonzero(twist.any(axis=0)), float(pair))
         if self._beams:
             self._bend(model, forces, times, float(pair))
+
+    def _twist(self, model: Model, forces: Forces, twisted: NDArray[np.int64], pair: float) -> None:
+        """Take the torsion of parts into account, which the kernel does not know, by the rules of `utilisation` themselves."""
+        found, parts, times = utilised(model, forces).columns, parts_of(model), forces.arrays["time"].values
+        names, members, rod, _ = subjects(parts)
+        value, limit, used, place = (found[name].values for name in ("value", "limit", "utilisation", "position"))
+        for r in twisted:
+            i, row = int(np.flatnonzero(rod == r)[0]), self.rods[3, self._parts[parts.names[r]]]
+            if np.isnan(value[:, i, 0]).any():  # a section that does not know this stress: no number of any pair will do
+                row[:] = math.inf, *[math.nan] * (COLUMNS - 1)
+                continue
+            score = value[:, i, 0] if math.isnan(limit[0, i, 0]) else used[:, i, 0]
+            at = int(np.argmax(score))
+            if score[at] > row[0]:
+                row[:] = score[at], value[at, i, 0], limit[at, i, 0], times[at], place[at, i, 0], pair, 0.0
+        for i, (name, member) in enumerate(zip(names, members, strict=True)):
+            for column, rule in enumerate((YIELD, BUCKLING, BEAM_COLUMN)):
+                if np.isnan(used[:, i, column]).all():
+                    continue
+                at = int(np.nanargmax(used[:, i, column]))
+                if used[at, i, column] > self.top[0]:
+                    own = self._parts[name] if rule == YIELD else self._members[member]
+                    self.top[:] = used[at, i, column], own, rule, times[at]
 
     def _bend(self, model: Model, forces: Forces, times: NDArray[np.float64], pair: float) -> None:
         """Take beams into account."""

@@ -13,8 +13,8 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Status, Verdict, provenance, variable
 from kinetruss.strength.envelopes.gathering import Gathering
 from kinetruss.strength.members.parts import parts_of
-from kinetruss.strength.members.torsion import twisted_parts
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
+from kinetruss.strength.verdict.not_held import add_to_notes, not_held, screws_not_held, sentences
 from kinetruss.strength.verdict.notes import notes
 from kinetruss.strength.verdict.utilisation import RULES, axes_of_verdict, subjects
 
@@ -27,8 +27,11 @@ EXTREMES = {"tension": "N", "compression": "N", "bending": "N m"}
 """Extremes along a part: the largest axial force and its opposite, and the largest bending moment."""
 
 
-def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict:
-    """The verdict of `strength.check` over all pairs; ``load_case`` is the label of the governing pair, ``pair`` its number."""
+def verdict_of(model: Model, found: Gathering, labels: Sequence[str], cases: Sequence[str] = ("all",)) -> Verdict:
+    """The verdict of `strength.check` over all pairs; ``load_case`` is the label of the governing pair, ``pair`` its number.
+
+    cases : their load cases. An infinite score of a stress without value is that of torsion which its section does not know.
+    """
     parts = parts_of(model)
     names, members, rod, whole = subjects(parts)
     table = np.full((len(names), len(RULES), found.rods.shape[2]), np.nan)
@@ -45,7 +48,9 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
     with np.errstate(divide="ignore"):
         margin = 1 / utilisation - 1
     bars = len(names)
-    said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker", np.zeros(len(parts.names), np.bool_))
+    said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker", np.isposinf(found.rods[3, :, 0]))
+    left = not_held(model, dict.fromkeys(cases))
+    add_to_notes(left, members[:bars], utilisation[:bars], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""
     said = np.concatenate([said, beam_notes(model, value[bars:, 0], value[bars:, 1])])
     over = ("part", "rule")
@@ -60,13 +65,12 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str]) -> Verdict
         "load_case": variable(over, _labelled(pair, labels), "", "governing pair: motion, condition, load case"),
         "note": variable(over, said.astype(str), "", "formula used, or why it was not checked"),
     }
-    twisted = twisted_parts(model)
-    names_of = ", ".join(np.array(parts.names)[twisted])
-    left = f"Not held: torsion of {names_of} by hinges, and by couples that enter hubs through members."
-    attrs = {"kind": "verdict", "not_held": [left] if twisted.any() else []}
+    missing = [*sentences(left), *screws_not_held(model, dict.fromkeys(cases))]
+    attrs = {"kind": "verdict", "not_held": missing}
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, attrs).later,
         status=Status.COMPLETED,
+        message=" ".join(missing),
         provenance=provenance(model, pairs=len(labels)),
     )
 

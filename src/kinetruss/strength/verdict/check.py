@@ -14,7 +14,7 @@ from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, row_t
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.members.torsion import twisted_parts
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
-from kinetruss.strength.verdict.not_held import add_to_notes, not_held, sentences
+from kinetruss.strength.verdict.not_held import add_to_notes, not_held, screws_not_held, sentences
 from kinetruss.strength.verdict.notes import notes
 from kinetruss.strength.verdict.utilisation import RULES, Options, axes_of_verdict, subjects, utilised
 
@@ -96,19 +96,27 @@ def check(
         np.full(shape, "", dtype=object),
         np.zeros(shape[0], np.bool_),
     )
+    lost = np.zeros(shape[0], np.bool_)
     for name, one in cases:
-        poses = one.arrays["pose"].values if "pose" in one.arrays else None
-        _take_worst(utilised(model, one, options).columns, name, worst, (case_of, pose_of, johnson), poses)
+        poses, found = one.arrays["pose"].values if "pose" in one.arrays else None, utilised(model, one, options).columns
+        lost |= np.isnan(found["value"].values[:, :, 0]).any(axis=0)
+        _take_worst(found, name, worst, (case_of, pose_of, johnson), poses)
+    # a stress that is not known in one case has no largest value
+    for values in worst.values():
+        values[lost, 0] = np.nan
+    case_of[lost, 0] = pose_of[lost, 0] = ""
     with np.errstate(divide="ignore"):
         worst["margin"] = 1 / worst["utilisation"] - 1
     pushed = worst["value"][:, list(RULES).index("buckling")]
     untold = twisted_parts(model)
     untold[rod[rod >= 0]] &= np.isnan(worst["value"][:bars, 0][rod >= 0])
     said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section, untold)
-    left = not_held(model, [one.load_case for _, one in cases])
+    under = [one.load_case for _, one in cases]
+    left = not_held(model, under)
     add_to_notes(left, members, worst["utilisation"], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
     said = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:])])
+    missing = [*sentences(left), *screws_not_held(model, under)]
     data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
     data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
     if pose_of.any():
@@ -116,9 +124,9 @@ def check(
     data["note"] = variable(("part", "rule"), said.astype(str), "", "formula used, or why it was not checked")
     bad = next((one for _, one in cases if not one.status.ok), None)
     return Verdict(
-        data=Arrays(axes_of_verdict(compile(model)), None, data, {"kind": "verdict", "not_held": sentences(left)}).later,
+        data=Arrays(axes_of_verdict(compile(model)), None, data, {"kind": "verdict", "not_held": missing}).later,
         status=Status.COMPLETED if bad is None else bad.status,
-        message=" ".join(["" if bad is None else bad.message, *sentences(left)]).strip(),
+        message=" ".join(["" if bad is None else bad.message, *missing]).strip(),
         provenance=provenance(
             model, load_cases=[name for name, _ in cases], moment_factor=moment_factor, active_section=active_section
         ),

@@ -6,14 +6,15 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from kinetruss.dynamics import NotOnBars, not_on_bars
-from kinetruss.model import Model
+from kinetruss.model import BodyCouple, Model
+from kinetruss.model.hubs import hub_of
 from kinetruss.strength.members.parts import parts_of
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["add_to_notes", "not_held", "sentences"]
+__all__ = ["add_to_notes", "not_held", "screws_not_held", "sentences"]
 
 MOST = 6
 
@@ -29,6 +30,30 @@ def not_held(model: Model, cases: Iterable[str]) -> tuple[NotOnBars, ...]:
                     source=one.source, kind=one.kind, nodes=one.nodes, members=members
                 )
     return tuple(found.values())
+
+
+def screws_not_held(model: Model, cases: Iterable[str]) -> list[str]:
+    """A sentence on screws whose torque hubs hold, but which no load of one of the cases brings there."""
+    if model.dim == 2 or not model.hubs:
+        return []
+    every = {name: load.member for name, load in model.loads.items() if isinstance(load, BodyCouple) and load.member}
+    told = [{every[name] for name in _loads_of(model, case) if name in every} for case in cases]
+    names = [
+        name
+        for name, one in model.active.items()
+        if one.screw is not None and any(hub_of(model, end, name) for end in one.ends) and not all(name in own for own in told)
+    ]
+    screws = "screw" if len(names) == 1 else "screws"
+    sentence = (
+        f"Not held: the torque of the {screws} of {_listed(names)} about the axis, which twists base, tube and arms of "
+        "hubs; actuators.screw_couples gives it as loads."
+    )
+    return [sentence] if names else []
+
+
+def _loads_of(model: Model, case: str) -> Iterable[str]:
+    chosen = model.load_cases[case].loads if case in model.load_cases else None
+    return model.loads if chosen is None else chosen
 
 
 def sentences(found: tuple[NotOnBars, ...]) -> list[str]:

@@ -97,7 +97,7 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
 def utilised(model: Model, forces: Forces, options: Options | None = None) -> Arrays:
     """`utilisation` as plain arrays."""
     chosen = options or Options()
-    given, parts, twist = histories(model, forces), parts_of(model), _twisting(model, forces)
+    given, parts, twist = histories(model, forces), parts_of(model), twisting(model, forces)
     length = forces.motion.arrays["length"].values
     found = _Found(len(length), parts, model.safety.yielding)
     for start in range(0, len(length), BATCH):
@@ -110,7 +110,7 @@ def utilised(model: Model, forces: Forces, options: Options | None = None) -> Ar
     return _arrays(model, forces, length, found, beam_histories(model, forces, chosen.stations))
 
 
-def _twisting(model: Model, forces: Forces) -> NDArray[np.float64] | None:
+def twisting(model: Model, forces: Forces) -> NDArray[np.float64] | None:
     """Shear stress of torsion (times, parts), Pa; None without any."""
     torque = torsion_of(model, forces)
     return None if torque is None else shear_of_torsion(model, torque)
