@@ -12,11 +12,11 @@ from kinetruss.kernels.tasks import track as warm
 from kinetruss.kinematics.limited.keep import INSTANTS, kept_within
 from kinetruss.kinematics.limited.report import reported
 from kinetruss.kinematics.limited.uses import Limits, limits_of
+from kinetruss.kinematics.objectives.knots import KNOTTED, reference_along
 from kinetruss.kinematics.path.follow import Swept, course_at
 from kinetruss.kinematics.path.in_between import REFINED, divided_into, halved
 from kinetruss.kinematics.path.motion import Course
 from kinetruss.kinematics.targets.courses import parameters_of
-from kinetruss.kinematics.targets.objectives import KNOTTED, reference_along
 from kinetruss.kinematics.targets.solve import MET, Problem, State, followed, problem
 from kinetruss.mechanics import System
 from kinetruss.mechanics.configuration import shortest
