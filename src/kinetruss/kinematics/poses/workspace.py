@@ -14,12 +14,12 @@ import xarray as xr
 from kinetruss.arrays import array_of
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.tasks.sweeps import Drives
+from kinetruss.kinematics.objectives.knots import KNOTTED
 from kinetruss.kinematics.path.redundant import LEAST
 from kinetruss.kinematics.poses.prescribed import Slice, places
 from kinetruss.kinematics.targets.along import Choice, cannot, choice_of, divided
 from kinetruss.kinematics.targets.courses import at_values
 from kinetruss.kinematics.targets.inverse import task_of
-from kinetruss.kinematics.targets.objectives import KNOTTED
 from kinetruss.kinematics.targets.solve import MET, Problem, State, problem
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics import jacobian as rows_of

@@ -10,10 +10,10 @@ import xarray as xr
 
 from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
+from kinetruss.kinematics.objectives.knots import KNOTTED, best_state
 from kinetruss.kinematics.targets.along import asked_for, cannot, choice_of, divided, nearest_text
 from kinetruss.kinematics.targets.courses import at_values, parameters_of
 from kinetruss.kinematics.targets.inverse import task_of
-from kinetruss.kinematics.targets.objectives import KNOTTED, best_state
 from kinetruss.kinematics.targets.solve import MET, Problem, State, problem
 from kinetruss.kinematics.targets.starts import STARTS
 from kinetruss.limits import whole

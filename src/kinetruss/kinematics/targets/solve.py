@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Problem", "State", "problem", "strokes"]
 
+CLOSE = 1e-2
+"""Change of drives, in units of the shortest bar, or rad, up to which positions follow without continuation."""
 MET = 1e-8
 """Largest miss of a task that counts as met, as a fraction of the shortest bar."""
 SAME = 1e-5
@@ -69,17 +73,17 @@ class Problem:
     reference: NDArray[np.float64]
     begin: State
 
-    @property
+    @cached_property
     def scale(self) -> float:
         """Shortest bar, m."""
         return shortest(self.system)
 
-    @property
+    @cached_property
     def turning(self) -> NDArray[np.bool_]:
         """Which drives (d,) are angles."""
         return np.array([_turning(self.system, d) for d in range(len(self.reference))])
 
-    @property
+    @cached_property
     def units(self) -> NDArray[np.float64]:
         """Changes (d,) of drives that count as much as each other: the shortest bar, m, or 1 rad."""
         return np.where(self.turning, 1.0, self.scale)
@@ -120,12 +124,27 @@ class Problem:
         found = State(x=room.x[0].copy(), q=room.q[0].copy(), s=room.s[0].copy(), miss=start.miss)
         return replace(found, miss=self.linear(found, parameters)[0])
 
-    def closed(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> State | None:
-        """The state of drives q (d,) near those of a state, by Newton's method from there; None if it does not converge."""
-        room = self.room(replace(near, q=q), parameters)
-        return (
-            replace(near, x=room.x[0].copy(), q=q) if cold.linear(self.plan, self.drives, self.tape, room, self.scale) else None
-        )
+    def linears(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Derivatives (k, m, d) of the tasks by the drives at drives q (k, d) near those of a state."""
+        return np.stack([room.A.copy() for room, _ in self._beside(near, q, parameters)])
+
+    def positions(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Positions (k, 3 n) that drives q (k, d) near those of a state give."""
+        return np.stack([room.x[0].copy() for room, _ in self._beside(near, q, parameters)])
+
+    def near(self, start: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> State | None:
+        """The state of drives q (d,), from a state, by Newton's method where they are near by; None if there is none."""
+        if np.abs((q - start.q) / self.units).max() <= CLOSE:
+            room, good = next(self._beside(start, q[None], parameters))
+            return replace(start, x=room.x[0].copy(), q=q) if good else None
+        return self.moved(start, q)
+
+    def _beside(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> Iterator[tuple[Room, bool]]:
+        """Room of the states of drives q (k, d) near those of a state, and whether Newton's method converged there."""
+        room = self.room(near, parameters)
+        for one in q:
+            room.x[0], room.q[0] = near.x, one
+            yield room, cold.linear(self.plan, self.drives, self.tape, room, self.scale)
 
     def polished(self, parameters: NDArray[np.float64], state: State) -> State:
         """A state that meets the tasks after one more step of Newton's method, if that comes nearer."""
@@ -204,6 +223,13 @@ def drives_of(system: System, plan: Plan, choice: Any, q: NDArray[np.float64]) -
     for at, d in system.coordinate_drive:
         flat[d] = at
     if twice := [name for d, name in enumerate(system.drives) if row[d] == -2]:
+        drive = system.model.all_drives[twice[0]]
+        ends = [system.node_index(one) for one in system.model.members[drive.bar].ends] if hasattr(drive, "bar") else []
+        if ends and system.prescribed.reshape(-1, 3)[ends, : system.dim].all():
+            raise InputError(
+                f"{twice[0]!r} joins two fixed nodes, so its length cannot change. Make it a bar (in a cell: leave it out of "
+                "`active`), or free one of its ends."
+            )
         raise InputError(
             f"{twice[0]!r} is held by other bars or drives too, so it cannot move alone. Release it, or hold less."
         )
