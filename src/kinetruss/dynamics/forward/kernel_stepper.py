@@ -32,9 +32,11 @@ class KernelStepper(Stepper):
         start = problem.x0, problem.v0, problem.z0
         self.memory = start_memory(problem.eq, 0.0, *start, len(problem.events), problem.method)
         self._start = self.memory.y[0].copy()
+        problem.ws.pivot.fill(0.0)
 
     def rewind(self) -> None:
         """Return to the start."""
+        self.problem.ws.pivot.fill(0.0)
         restart_memory(self.memory, 0.0, self._start)
         self._clear()
 

@@ -2,8 +2,8 @@
 
 There the rows of the Jacobian all but depend on each other, most of all where light and heavy bodies meet: the Schur complement
 of the equations of motion loses the square of what the equations themselves lose. A residual of the equations gives it back
-(iterative refinement: Higham 2002, Accuracy and Stability of Numerical Algorithms, ch. 12). What round-off of the positions
-does to the forces no solver can mend: it is measured, by positions that differ in their last digit.
+(`solve_refined` of the kernels). What round-off of the positions does to the forces no solver can mend: it is measured, by
+positions that differ in their last digit.
 """
 
 from __future__ import annotations
@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.integrate.samples import NEAR
-from kinetruss.kernels.solve.kkt import add_constraint_forces, evaluate, row_along, solve
-from kinetruss.kernels.structure.mass import mass_times
+from kinetruss.kernels.solve.kkt import evaluate
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,8 +27,6 @@ __all__ = ["TOO_FEW", "refine"]
 
 LOW = 1e-2
 """Scaled pivot below which the accelerations and forces of a sample are refined."""
-TURNS = 8
-ROUND_OFF = 4 * 2.2e-16
 TOO_FEW = 1e-7
 """Share of the largest force beyond which the message names what is lost: fewer than seven digits are left."""
 
@@ -58,25 +55,8 @@ def refine(problem: Problem, samples: Samples, done: int, pivot_most: float, los
 
 
 def _refined(problem: Problem, t: float, x: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Accelerations (3 n,) and row forces (r,) at t (s), x, v (3 n,)."""
-    eq, ws, free = problem.eq, problem.ws, problem.eq.free
-    a, N = np.zeros(x.size), np.zeros(len(eq.A))
-    evaluate(eq, ws, problem.user.call, t, x, v, a, N)
-    # M a + J^T N = f, J a = gamma, without what prescribed coordinates take
-    f, gamma, own = ws.f.copy(), ws.gamma.copy(), np.zeros(x.size)
-    own[free] = a[free]
-    step, tension, rows, before = np.zeros(x.size), np.zeros(len(N)), np.zeros(len(N)), np.abs(N).max()
-    for _ in range(TURNS):
-        inertia = np.zeros(x.size)
-        mass_times(eq, x, own, inertia)
-        force = f - inertia
-        add_constraint_forces(eq, ws, N, force)
-        row_along(eq, ws, own, rows)
-        solve(eq, ws, force, gamma - rows, step, tension)
-        size = float(np.abs(tension).max())
-        if not ROUND_OFF * np.abs(N).max() < size < 0.5 * before:
-            break
-        own[free] += step[free]
-        N, before = N + tension, size
-    a[free] = own[free]
+    """Accelerations (3 n,) and row forces (r,), N, at t (s), x, v (3 n,)."""
+    a, N = np.zeros(x.size), np.zeros(len(problem.eq.A))
+    problem.ws.pivot[1] = 0.0  # wherever the motion comes from
+    evaluate(problem.eq, problem.ws, problem.user.call, t, x, v, a, N)
     return a, N

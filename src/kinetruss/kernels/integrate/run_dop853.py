@@ -73,6 +73,7 @@ def integrate_explicit(
     # reverse communication: the step control asks, the equations of motion answer
     while True:
         ask, pivot = proceed(control, memory, samples, work), -1.0
+        ws.pivot[1] = memory.pivot_most
         if ask == m.FINISH:
             return work.code, work.next_sample
         if ask & m.STEP:

@@ -15,7 +15,7 @@ from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
 from kinetruss.kernels.series.motions import motion_series, row_series
 from kinetruss.kernels.series.workspace import SeriesWork
-from kinetruss.kernels.solve.kkt import row_along, solve
+from kinetruss.kernels.solve.kkt import row_along, solve_refined
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_times
 from kinetruss.kernels.structure.plan import LENGTH
@@ -181,7 +181,7 @@ def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
         _row_terms(eq, ws, work, j, rate, gamma)
         if moved:
             _take_prescribed(eq, ws, work, j, rate, f, gamma, a)
-        solve(eq, ws, f, gamma, a, N)
+        solve_refined(eq, ws, x, f, gamma, a, N)
         for k in range(kind.size):
             Q[j, k] = N[k] * target[2, k]
         back = 1.0 / rate

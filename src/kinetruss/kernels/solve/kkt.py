@@ -5,8 +5,11 @@ What holds redundant rows together is the same everywhere: sum w N^2 is least.
 
 from __future__ import annotations
 
+import numpy as np
+
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.motions import motions
 from kinetruss.kernels.constraints.rows import (
@@ -37,10 +40,19 @@ from kinetruss.kernels.structure.mass import between, direction, mass_times, mom
 __all__ = [
     "accelerate", "accelerate_under", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
     "project_near", "row_along", "row_gammas", "row_gaps", "row_gradients", "add_constraint_forces", "row_rate_gaps", "solve",
+    "solve_refined",
 ]  # fmt: skip
 
 FRESH = 1e-6
 """Error of a length, as a share of it, that factors of positions near by may take away."""
+LOW = 1e-2
+"""Scaled pivot p below which solutions are refined: those of a Schur complement lose 1/p^2 of the digits."""
+PASSING = 0.1
+"""The same in parts of the largest pivot along the motion: below it the motion passes a singular position. A series then goes
+through the pole that round-off of the positions makes there (steps.taylor_step) the better the less it heeds it."""
+TURNS, SHRINK = 60, 0.9
+"""Most rounds, and the largest ratio of a correction to the one before it with which they go on."""
+ROUND_OFF = 4 * 2.2e-16
 
 
 @kernel_inline
@@ -115,7 +127,9 @@ def factor(eq: Equations, ws: Workspace, x: F1) -> float:
     that are independent at the start become dependent. Redundant rows do not count.
     """
     _gradients(eq, ws, x)
-    return call_factor(eq, ws, x)
+    pivot = call_factor(eq, ws, x)
+    ws.pivot[0] = pivot
+    return pivot
 
 
 @kernel_bare
@@ -126,6 +140,48 @@ def solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     ones that move contribute to M a and J a is taken off f and gamma before.
     """
     call_solve(eq, ws, f, gamma, a, N)
+
+
+@kernel_late(allocates=True)
+def _refine(eq: Equations, ws: Workspace, x: F1, f: F1, gamma: F1, a: F1, N: F1) -> None:
+    """Solve for what a solution leaves of its equations, until that is round-off (Higham 2002, ch. 12)."""
+    free = eq.free
+    own, step, force = np.zeros(x.size), np.zeros(x.size), np.empty(x.size)
+    rows, more, before = np.empty(N.size), np.empty(N.size), 0.0
+    # largest row force
+    for k in range(N.size):
+        before = larger(before, abs(N[k]))
+    least = ROUND_OFF * before
+    # a += d, N += n with M d + J^T n = f - M a - J^T N, J d = gamma - J a
+    for _ in range(TURNS):
+        for i in range(free.size):
+            own[free[i]] = a[free[i]]
+        mass_times(eq, x, own, force)
+        for c in range(x.size):
+            force[c] = f[c] - force[c]
+        add_constraint_forces(eq, ws, N, force)
+        row_along(eq, ws, own, rows)
+        for k in range(N.size):
+            rows[k] = gamma[k] - rows[k]
+        call_solve(eq, ws, force, rows, step, more)
+        size = 0.0
+        for k in range(N.size):
+            size = larger(size, abs(more[k]))
+        if not least < size < SHRINK * before:
+            break
+        for i in range(free.size):
+            a[free[i]] += step[free[i]]
+        for k in range(N.size):
+            N[k] += more[k]
+        before = size
+
+
+@kernel_inline
+def solve_refined(eq: Equations, ws: Workspace, x: F1, f: F1, gamma: F1, a: F1, N: F1) -> None:
+    """`solve` to the last digits also where all positions are nearly singular; x (3 n,) : where the matrix was factored."""
+    call_solve(eq, ws, f, gamma, a, N)
+    if ws.pivot[0] < LOW and ws.pivot[0] >= PASSING * ws.pivot[1]:
+        _refine(eq, ws, x, f, gamma, a, N)
 
 
 @kernel_inline
@@ -179,7 +235,7 @@ def accelerate_under(eq: Equations, ws: Workspace, x: F1, v: F1, a: F1, N: F1) -
     f, gamma = ws.f, ws.gamma
     row_gammas(eq, ws, x, v, gamma)
     _take_prescribed(eq, ws, x, a, f, gamma)
-    call_solve(eq, ws, f, gamma, a, N)
+    solve_refined(eq, ws, x, f, gamma, a, N)
 
 
 @kernel_bare

@@ -148,7 +148,8 @@ class Workspace(Record):
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; target (3, r) length or angle, its
     rate and its reciprocal length; gamma, rhs, multiplier (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r,
     r), diagonal (r,), b, c (nf,), dependent, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
-    R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums.
+    R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums. pivot (2,) : the scaled one of the
+    last factors, and the largest one along the motion (0: not known).
     """
 
     dependent: I1
@@ -187,3 +188,4 @@ class Workspace(Record):
     values_share: F1
     terms: F2
     term_work: F1
+    pivot: F1

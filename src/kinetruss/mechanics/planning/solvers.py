@@ -183,7 +183,7 @@ def workspace_for(eq: Equations) -> Workspace:
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "target": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "multiplier"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
-    shapes |= {"terms": (len(eq.term_kind), 10), "term_work": (10,)}
+    shapes |= {"terms": (len(eq.term_kind), 10), "term_work": (10,), "pivot": (2,)}
     if eq.solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
         shapes |= dict.fromkeys(("diagonal", "dependent", "order", "z"), (r,))
