@@ -30,15 +30,15 @@ LEAST = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Loaded:
-    """One instant. position (n, dim), m; loads : node index, force (dim,) N; governing : member and what its label says.
-
-    driven : member or hinge axis midpoint by the name of its drive; faces of meshes are not drawn.
+    """One instant. position (n, dim), m; loads : node index, force (dim,) N; governing : member and what its label says; over :
+    whether it is over its capacity.
     """
 
     model: Model
     position: Array
     loads: tuple[tuple[int, Array], ...]
     governing: tuple[str, str] | None
+    over: bool
     caption: str
 
 
@@ -59,7 +59,7 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
         for node, one in zip(found.node, force, strict=True)
         if largest and np.linalg.norm(one) > LEAST * largest
     )
-    governing = None
+    governing, over = None, False
     if worst is not None:
         member = worst["part"].rpartition(".")[0] if worst["part"] not in _names(model) else worst["part"]
         used = share_of(worst["utilisation"])
@@ -69,7 +69,8 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
         position=run.motion.data["position"].values[k],
         loads=loads,
         governing=governing,
-        caption=_caption(run, case, k, governing, len(loads)),
+        over=over,
+        caption=_caption(run, case, k, governing, over, len(loads)),
     )
 
 
@@ -84,14 +85,15 @@ def _sample(run: RunResult, entry: Mapping[str, Any]) -> int:
     return 0 if np.isnan(when) else int(np.abs(run.motion.data["time"].values - when).argmin())
 
 
-def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str] | None, count: int) -> str:
+def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str] | None, over: bool, count: int) -> str:
     model, time = run.model, run.motion.data["time"].values
     when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
     if "pose" in run.motion.data.coords:
         when = f"in pose {run.motion.data['pose'].values[k]}"
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if governing:
-        words.append(f"the governing part in red ({governing[1]})")
+        mark = "red, over its capacity" if over else "with a broad band"
+        words.append(f"the governing part {mark} ({governing[1]})")
     if model.all_drives:
         words.append("driven members green")
     partly = any(len(axes) < model.dim for axes in model.fixed.values())
