@@ -24,6 +24,7 @@ from kinetruss.report.document.parts.recompute import recompute
 from kinetruss.report.document.result.assumptions import assumptions
 from kinetruss.report.document.result.lines import result_lines
 from kinetruss.report.document.result.tiles import not_whole, span_of, tiles, warned
+from kinetruss.report.document.result.warnings import UNCHECKED
 from kinetruss.report.document.worked import shown, worked, worked_record
 from kinetruss.report.missions import mission_record
 from kinetruss.report.pictures.figures import specifications
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
     from kinetruss.report.document.worked import Sheet
     from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
+
+SHOWN = "The structure with its supports and loads"
 
 __all__ = ["document_page", "run_parts", "run_record", "short_parts"]
 
@@ -118,14 +121,17 @@ def _html(run: RunResult, front: Front) -> str:
 
 def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> list[Part]:
     """The sections of a summary: result, figure, the governing calculation, assumptions."""
-    result = [tiles(record), *warned(record)]
-    return summary_parts(result, loaded_figure(run, record), sheets, assumptions(run, record))
+    # what was not checked is in the result and in the assumptions
+    graver = [one for one in record["warnings"] if not one.startswith(UNCHECKED)]
+    result = [tiles(record), *warned(record | {"warnings": graver})]
+    return summary_parts(result, loaded_figure(run, record, small=True), sheets, assumptions(run, record))
 
 
 def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
     """The sections of the report of a run, in their order."""
     drawn = _Drawn(run)
     changes = drawn.of("lengths") if _changes(run) else ()
+    stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
         Part("result", "Result", "", [tiles(record), *warned(record)]),
@@ -133,13 +139,18 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         Part(
             "structure",
             "Structure and loads",
-            "Supports, drives, loads and the governing part",
+            "The structure with its supports and loads, and its shape along the run" if run.good > 1 else SHOWN,
             _shown(run, record, view, drawn),
         ),
         Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Part("worked", "Worked calculations", calculations, shown(sheets)),
         Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
-        Part("strength", "Strength", "Every part by its governing rule", [*demands.strength(record), *drawn.of("stresses")]),
+        Part(
+            "strength",
+            "Strength",
+            "Every part by its governing rule" if record["strength"] else "Stresses",
+            [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)],
+        ),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
         Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
         Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),

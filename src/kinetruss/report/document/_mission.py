@@ -109,7 +109,7 @@ def _governing(pairs: Pairs, entries: dict[str, Any]) -> RunResult | None:
 
 def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Part]:
     """The sections of a summary: the figure is that of the governing pair."""
-    figure = [] if pair is None else loaded_figure(pair, document_record(pair, []))
+    figure = [] if pair is None else loaded_figure(pair, document_record(pair, []), small=True)
     assumed = [] if pair is None else assumptions(pair, entries, condition=False)
     words = f"The governing pair of a motion, a condition and a load case: {_label(run, entries)}"
     return summary_parts(list(_state(run)), figure, sheets, assumed, words)

@@ -136,8 +136,9 @@ def _html(run: RunResult, sizing: Record, front: Front) -> str:
     tubes, drives = list(_groups(sizing["groups"])), list(_drives(sizing))
     if front.summary:  # what was chosen, without why nothing smaller is sufficient
         tubes, drives = tubes[:1], drives[:1]
+    state = [] if front.summary else first.content
     parts = [
-        Part(first.key, first.name, first.words, [_masses(sizing), *first.content]),
+        Part(first.key, first.name, first.words, [_masses(sizing), *state]),
         Part("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", tubes),
         Part("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", drives),
         *rest,

@@ -133,7 +133,7 @@ def _proofs(text: str, scratch: Path, most: int) -> Iterator[bytes | str]:
     for fit in TIGHT if most else FITS[1:]:
         if measured.pages <= most if most else measured.left <= EMPTY:
             break
-        resized = text.replace("<main>", f'<main style="--fit: {fit}">', 1)
+        resized = text.replace("<main", f'<main style="--fit: {fit}"', 1)
         again = _print(resized, scratch)
         if isinstance(again, str):
             break

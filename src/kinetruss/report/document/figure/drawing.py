@@ -44,13 +44,12 @@ ARROW = 0.13
 """Length of the largest arrow, of the size of the structure."""
 
 
-def drawn(figure: Loaded) -> Canvas:
-    """A matplotlib figure."""
+def drawn(figure: Loaded, tallest: float = TALLEST) -> Canvas:
+    """A matplotlib figure, at most so high, inches."""
     points = projected(figure.position)
     arrows, axes = _arrows(figure), _lines(figure, points)
-    shown = np.concatenate(
-        [points, *axes.values(), *([np.array([place for start, end, _ in arrows for place in (start, end)])] if arrows else [])]
-    )
+    ends = [np.array([start, end]) for start, end, _ in arrows]
+    shown = np.concatenate([points[_seen(figure)], *axes.values(), *ends])
     low, high = shown.min(axis=0), shown.max(axis=0)
     reach = float(np.max(high - low)) or 1.0
     low, high = low - 0.07 * reach, high + 0.07 * reach
@@ -58,7 +57,7 @@ def drawn(figure: Loaded) -> Canvas:
     # room at the left for axes, gravity and scale
     aside = 1.0
     width = WIDTH - aside
-    height = min(TALLEST, width * float(size[1] / size[0]))
+    height = min(tallest, width * float(size[1] / size[0]))
     with mpl.rc_context(RC | PRINT):
         canvas = Canvas(figsize=(WIDTH, height))
         FigureCanvasAgg(canvas)
@@ -70,9 +69,8 @@ def drawn(figure: Loaded) -> Canvas:
         ax.set_axis_off()
         _members(ax, figure, points, axes)
         _supports(ax, figure, points)
-        held = [k for k, node in enumerate(figure.model.nodes) if node in figure.model.fixed]
-        lines = [*axes.values(), *(np.array([start, end]) for start, end, _ in arrows)]
-        labels = Labels(ax, scale, lines, points[held])
+        held = [k for k in _seen(figure) if list(figure.model.nodes)[k] in figure.model.fixed]
+        labels = Labels(ax, scale, [*axes.values(), *ends], points[held])
         _governing(ax, figure, axes, labels)
         for start, end, words in arrows:
             pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
@@ -101,6 +99,11 @@ def _lines(figure: Loaded, points: Array) -> dict[str, Array]:
     }
 
 
+def _seen(figure: Loaded) -> list[int]:
+    """Indices of all nodes but those of the frames of beams."""
+    return [k for k, node in enumerate(figure.model.nodes.values()) if not node.director]
+
+
 def _middle(line: Array) -> Array:
     """The point halfway along a line (g, 2)."""
     run = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
@@ -127,11 +130,12 @@ def _members(ax: Any, figure: Loaded, points: Array, lines: Mapping[str, Array])
 
 
 def _supports(ax: Any, figure: Loaded, points: Array) -> None:
-    for k, node in enumerate(figure.model.nodes):
-        axes = figure.model.fixed.get(node, "")
-        if axes or node in figure.model.clamped:
-            held = len(axes) == figure.model.dim or node in figure.model.clamped
-            marker = "^" if held else "o"
+    names = list(figure.model.nodes)
+    for k in _seen(figure):
+        axes = figure.model.fixed.get(names[k], "")
+        clamped = figure.model.clamped.get(names[k]) == "ground"
+        if axes or clamped:
+            marker = "s" if clamped else "^" if len(axes) == figure.model.dim else "o"
             ax.plot(*points[k], marker, color=INK, markersize=8, markerfacecolor="white", markeredgewidth=1.0)
 
 

@@ -73,7 +73,8 @@ def framed(
     style = f"{STYLE.read_text('utf-8')}{_sheet(foot, front.paper)}"
     top = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
     name = "summary" if front.summary else "report"
-    return html_page(f"{title}{mark}: {name}", top, typeset(f"<main>\n{joined([*body, end])}\n</main>\n{kept}"))
+    main = element("main", "\n", body, end, "\n", class_="short" if front.summary else None)
+    return html_page(f"{title}{mark}: {name}", top, typeset(f"{main}\n{kept}"))
 
 
 def _sections(parts: Sequence[Part], lines: Sequence[str]) -> Iterator[Markup]:

@@ -19,7 +19,7 @@ def summary_parts(
     result: Sequence[Markup], figure: Sequence[Markup], sheets: Sequence[Sheet], assumed: Sequence[Markup], more: str = ""
 ) -> list[Part]:
     """Result, figure, the calculation of the highest utilisation, and assumptions. more : what the figure shows besides."""
-    words = "Supports, drives, loads and the governing part"
+    words = "The structure with its supports and loads"
     return [
         Part("result", "Result", "", result),
         Part("structure", "Structure and loads", more or words, figure),
