@@ -8,6 +8,7 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.report._page import Page
+    from kinetruss.report.along.diagrams import diagrams, diagrams_page
     from kinetruss.report.document._document import document_page
     from kinetruss.report.document._lines import lines
     from kinetruss.report.document._sizing import read_sizing, sizing_page
@@ -27,8 +28,8 @@ if TYPE_CHECKING:
     from kinetruss.report.text.variants import variants
 
 __all__ = [
-    "Page", "beside", "compare", "curves", "document_page", "explain", "figures", "gauges", "gauges_picture", "histories_svg",
-    "joints", "lines",
+    "Page", "beside", "compare", "curves", "diagrams", "diagrams_page", "document_page", "explain", "figures", "gauges",
+    "gauges_picture", "histories_svg", "joints", "lines",
     "map_picture", "picture", "plot", "read_sizing", "sizing_page", "summary", "variants", "write_document", "write_page",
 ]  # fmt: skip
 
@@ -36,6 +37,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "_page": "Page",
+        "along.diagrams": "diagrams diagrams_page",
         "document._document": "document_page",
         "document._lines": "lines",
         "document._sizing": "read_sizing sizing_page",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -39,6 +40,8 @@ Examples:
   kinetruss plot runs/slow runs/fast --quantity drive_force -o both.png
   kinetruss plot runs/compare --quantity von_mises --member follower -o compare.png
   kinetruss plot runs/compare/* --quantity motion --member actuator -o motion.png
+  kinetruss plot runs/frame --along                                                 # diagrams of the governing members
+  kinetruss plot runs/slew --along --member M7 --at "6.5 s" -o m7.pdf
 """
 
 
@@ -51,6 +54,8 @@ Examples:
 @click.option(
     "--width", callback=width, metavar="MM|column|page", help="For print: 90 mm (column), 190 mm (page), or millimetres."
 )
+@click.option("--along", is_flag=True, help="Diagrams of section forces along members, at one instant.")
+@click.option("--at", metavar="TIME|POSE", help="Instant of the diagrams (default: the start, or that which governs).")
 @json_option
 def plot(
     out: tuple[Path, ...],
@@ -60,17 +65,23 @@ def plot(
     station: float | None,
     file: Path | None,
     width: str | float | None,
+    along: bool,
+    at: str | None,
     as_json: bool,
 ) -> None:
     """Draw quantities of one or more runs over time, with the same poses at rest as dashed lines; or all pictures of a run.
 
-    OUT is a run folder, or a folder that holds runs. Labels show the differences between runs.
+    OUT is a run folder, or a folder that holds runs. Labels show the differences between runs. With --along: axial force,
+    shear forces, moments and torque along the members of --member, by default along those that govern and along beams.
     """
     from kinetruss import report
     from kinetruss.results.store import PICTURES
 
     paths = found_runs(out)
     results = [opened_run(path) for path in paths]
+    if along or at is not None:
+        _diagrams(paths, results, along, (quantity, station), member, at, case, file, width, as_json)
+        return
     if not quantity and (file is not None or member or width is not None or len(paths) > 1):
         quantity = ("member_force",)
     if not quantity:
@@ -84,3 +95,32 @@ def plot(
         print_json("plot", {"files": [str(path) for path in written]})
     else:
         click.echo("\n".join(map(str, written)))
+
+
+def _diagrams(
+    paths: list[Path],
+    results: list[Any],
+    along: bool,
+    other: tuple[tuple[str, ...], float | None],
+    member: tuple[str, ...],
+    at: str | None,
+    case: str | None,
+    file: Path | None,
+    width: str | float | None,
+    as_json: bool,
+) -> None:
+    """Diagrams along members of one run."""
+    from kinetruss import report
+    from kinetruss.results.store import PICTURES
+
+    if not along:
+        raise InputError("--at is the instant of diagrams. Add --along; curves over time have no instant.")
+    if len(results) > 1 or any(other[0]) or other[1] is not None:
+        raise InputError("--along takes one run, and neither --quantity nor --station: all section forces are shown.")
+    path = file or paths[0] / PICTURES / "diagrams.png"
+    found = report.diagrams_page(results[0], member, at, case).record
+    report.diagrams(results[0], path, members=member, at=at, case=case, width=width or "page")
+    if as_json:
+        print_json("plot", {"files": [str(path)], "diagrams": found})
+    else:
+        click.echo(path)

@@ -13,7 +13,6 @@ from kinetruss.cli.pages.browser import browsed
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from kinetruss.model import TitleBlock
     from kinetruss.report import Page
 
 __all__ = ["report"]
@@ -23,6 +22,7 @@ Examples:
   kinetruss report runs/slew
   kinetruss report runs/slew -o slew --no-open --paper letter
   kinetruss report runs/slew --project Footbridge --author "B. Lee" --revision B
+  kinetruss report runs/slew --summary --logo logo.svg
   kinetruss size truss.yaml task.yaml --json > sizing.json && kinetruss report sizing.json
 """
 BLOCK = {
@@ -58,6 +58,8 @@ def _title_block(command: Callable[..., None]) -> Callable[..., None]:
 @click.option("--no-pdf", is_flag=True, help="Do not write report.pdf.")
 @click.option("--no-view", is_flag=True, help="Show a still picture instead of the three-dimensional view.")
 @click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples in the view at most.")
+@click.option("--summary", is_flag=True, help="Only result, figure, governing calculation, assumptions: one or two sheets.")
+@click.option("--logo", metavar="FILE", type=click.Path(path_type=Path), help="Logo above the title block: PNG or SVG.")
 @_title_block
 @json_option
 def report(
@@ -68,6 +70,8 @@ def report(
     no_pdf: bool,
     no_view: bool,
     frames: int,
+    summary: bool,
+    logo: Path | None,
     as_json: bool,
     **entries: str,
 ) -> None:
@@ -75,7 +79,8 @@ def report(
 
     The result with the governing member or drive comes first, also on stdout. Then assumptions and what was not checked, the
     structure with its loads, worked calculations, tables, plots, checks, sources, and the model itself. Empty entries of the
-    title block are those of `report` in the model, or lines to fill in. The page works without a network.
+    title block are those of `report` in the model, or lines to fill in. The page works without a network. A summary is
+    summary.html and summary.pdf, beside those of the whole report.
     """
     from datetime import date
 
@@ -83,11 +88,11 @@ def report(
     from kinetruss.model import TitleBlock
     from kinetruss.results.store import REPORT
 
-    block = TitleBlock(**entries)
+    asked = {"date": date.today().isoformat(), "block": TitleBlock(**entries), "paper": paper, "logo": logo}
     make = _of_sizing if run.is_file() else _of_run
-    page, view, found = make(run, block, date.today().isoformat(), paper, 0 if no_view else frames)
+    page, view, found = make(run, 0 if no_view or summary else frames, asked | {"summary": summary})
     place = folder or (run.with_suffix("") if run.is_file() else run) / REPORT
-    written = reports.write_page(page, place, view=view, pdf=not no_pdf)
+    written = reports.write_page(page, place, view=view, pdf=not no_pdf, summary=summary)
     shown = not no_open and browsed(written.page)
     lines = reports.lines(found)
     if as_json:
@@ -104,24 +109,26 @@ def report(
         click.echo("No browser could be started. Open the file yourself.", err=True)
 
 
-def _of_run(path: Path, block: TitleBlock, date: str, paper: str, frames: int) -> tuple[Page, str, Any]:
+def _of_run(path: Path, frames: int, asked: dict[str, Any]) -> tuple[Page, str, Any]:
     """The page of a run folder, its view, and the run."""
     from kinetruss import report, runs
 
     found = runs.load(path)
     seen = runs.governing(found) if isinstance(found, runs.MissionRun) and frames else found
     view = _view(seen, frames)
-    return report.document_page(found, view, date, block, paper), view, found
+    return report.document_page(found, view, **asked), view, found
 
 
-def _of_sizing(path: Path, block: TitleBlock, date: str, paper: str, frames: int) -> tuple[Page, str, Any]:
+def _of_sizing(path: Path, frames: int, asked: dict[str, Any]) -> tuple[Page, str, Any]:
     """The page of a sizing, the view of its governing run, and that run."""
     from kinetruss import report
 
     found = report.read_sizing(path)
-    page = report.sizing_page(found, date=date, block=block, paper=paper)
+    page = report.sizing_page(found, **asked)
+    if not frames:
+        return page, "", page.found
     view = _view(page.found, frames)
-    return report.sizing_page(found, view, date, block, paper), view, page.found
+    return report.sizing_page(found, view, **asked), view, page.found
 
 
 def _view(run: Any, frames: int) -> str:

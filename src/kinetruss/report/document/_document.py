@@ -8,20 +8,23 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.display import Markup, element
 from kinetruss.model import TitleBlock
 from kinetruss.report._page import Page
+from kinetruss.report.along import diagrams_record, governing_diagrams
 from kinetruss.report.document._mission import mission_html
-from kinetruss.report.document._record import document_record
+from kinetruss.report.document._record import document_record, plain
 from kinetruss.report.document.figure import loaded_figure
-from kinetruss.report.document.frame import Part, framed, known_paper
-from kinetruss.report.document.frame.title_block import filled
+from kinetruss.report.document.frame import Part, framed, front_of
+from kinetruss.report.document.frame.short import summary_parts
 from kinetruss.report.document.parts import demands as demands
 from kinetruss.report.document.parts import sections as parts
 from kinetruss.report.document.parts.constants import section_constants
+from kinetruss.report.document.parts.diagrams import diagrams_of
 from kinetruss.report.document.parts.inputs import inputs
 from kinetruss.report.document.parts.pictures import picture
 from kinetruss.report.document.parts.recompute import recompute
 from kinetruss.report.document.result.assumptions import assumptions
 from kinetruss.report.document.result.lines import result_lines
 from kinetruss.report.document.result.tiles import not_whole, span_of, tiles, warned
+from kinetruss.report.document.result.warnings import UNCHECKED
 from kinetruss.report.document.worked import shown, worked, worked_record
 from kinetruss.report.missions import mission_record
 from kinetruss.report.pictures.figures import specifications
@@ -29,14 +32,28 @@ from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
+    from kinetruss.report.document.frame import Front
     from kinetruss.report.document.worked import Sheet
     from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
 
-__all__ = ["document_page", "run_parts"]
+SHOWN = "The structure with its supports and loads"
+
+__all__ = ["document_page", "run_parts", "run_record", "short_parts"]
 
 
-def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4") -> Page:
+def document_page(
+    run: RunResult,
+    view: str = "",
+    date: str = "",
+    block: TitleBlock | None = None,
+    paper: str = "a4",
+    *,
+    logo: str | Path | None = None,
+    summary: bool = False,
+) -> Page:
     """The report of a run as HTML, and the numbers of all its tables as plain data.
 
     Parameters
@@ -45,10 +62,12 @@ def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBl
     replaces it.
     date : date of the report, as text; none by default, so that the same run gives the same text.
     block : the title block; its empty entries are those of the model's `report`. paper : ``a4`` or ``letter``.
+    logo : a PNG or SVG file, which the page carries. summary : only title block, result, figure, governing calculation and
+    assumptions, one or two sheets.
 
     Raises
     ------
-    InputError : unknown paper.
+    InputError : unknown paper; a logo that is damaged, or that refers to other files.
 
     Examples
     --------
@@ -58,18 +77,21 @@ def document_page(run: RunResult, view: str = "", date: str = "", block: TitleBl
     >>> "Four-bar linkage" in page.html, page.record["title"]
     (True, 'Four-bar linkage')
     """
-    known_paper(paper)
-    given = filled(block, run.model.report, date)
+    front = front_of(block, run.model.report, date, view=view, paper=paper, logo=logo, summary=summary)
     if isinstance(run, MissionRun):
-        return Page(found=run, as_record=mission_record, as_html=partial(mission_html, view=view, block=given, paper=paper))
-    return Page(found=run, as_record=_record, as_html=partial(_html, view=view, block=given, paper=paper))
+        return Page(found=run, as_record=mission_record, as_html=partial(mission_html, front=front))
+    return Page(found=run, as_record=run_record, as_html=partial(_html, front=front))
 
 
-def _record(run: RunResult) -> dict[str, Any]:
-    return document_record(run, worked_record(worked(run)))
+def run_record(run: RunResult, sheets: list[Sheet] | None = None) -> dict[str, Any]:
+    """All numbers of the report of a run. sheets : its worked calculations."""
+    record = document_record(run, worked_record(worked(run) if sheets is None else sheets))
+    members, beams = governing_diagrams(run, record)
+    extremes: dict[str, Any] = plain({"diagrams": diagrams_record([*members, *beams])})
+    return record | extremes
 
 
-def _html(run: RunResult, view: str, block: TitleBlock, paper: str) -> str:
+def _html(run: RunResult, front: Front) -> str:
     """The report of a run as HTML text, with all data that a reviewer needs to repeat the computation.
 
     Notes
@@ -77,29 +99,39 @@ def _html(run: RunResult, view: str, block: TitleBlock, paper: str) -> str:
     The page also has the numbers of all tables as JSON, at full precision: element ``kinetruss-report``.
     """
     sheets = worked(run)
-    record = document_record(run, worked_record(sheets))
+    record = run_record(run, sheets)
     title = run.model.title or f"Run {run.name}"
     mark = "" if run.whole else " (not complete)"
-    words = (f"Run {run.name}", span_of(record), f"kinetruss {run.provenance.get('kinetruss', '')}".strip(), block.date)
+    version = f"kinetruss {run.provenance.get('kinetruss', '')}".strip()
+    words = (f"Run {run.name}", span_of(record), version, front.block.date)
+    parts = short_parts(run, record, sheets) if front.summary else run_parts(run, record, sheets, front.view)
     return framed(
         title,
-        block,
+        front,
         result_lines(record),
-        run_parts(run, record, sheets, view),
+        parts,
         kicker="Report of a structural analysis",
         quiet=" · ".join(word for word in words if word),
         above=not_whole(run),
         record=record,
         foot=f"{title}, run {run.name}{mark.upper()}",
-        paper=paper,
         mark=mark,
     )
+
+
+def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> list[Part]:
+    """The sections of a summary: result, figure, the governing calculation, assumptions."""
+    # what was not checked is in the result and in the assumptions
+    graver = [one for one in record["warnings"] if not one.startswith(UNCHECKED)]
+    result = [tiles(record), *warned(record | {"warnings": graver})]
+    return summary_parts(result, loaded_figure(run, record, small=True), sheets, assumptions(run, record))
 
 
 def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
     """The sections of the report of a run, in their order."""
     drawn = _Drawn(run)
     changes = drawn.of("lengths") if _changes(run) else ()
+    stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
         Part("result", "Result", "", [tiles(record), *warned(record)]),
@@ -107,12 +139,18 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         Part(
             "structure",
             "Structure and loads",
-            "Supports, drives, loads and the governing part",
+            "The structure with its supports and loads, and its shape along the run" if run.good > 1 else SHOWN,
             _shown(run, record, view, drawn),
         ),
         Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Part("worked", "Worked calculations", calculations, shown(sheets)),
-        Part("strength", "Strength", "Every part by its governing rule", [*demands.strength(record), *drawn.of("stresses")]),
+        Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
+        Part(
+            "strength",
+            "Strength",
+            "Every part by its governing rule" if record["strength"] else "Stresses",
+            [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)],
+        ),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
         Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
         Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),

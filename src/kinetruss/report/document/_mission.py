@@ -11,8 +11,9 @@ from kinetruss.report.document._envelopes import envelopes
 from kinetruss.report.document._record import document_record, model_text
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
-from kinetruss.report.document.frame.title_block import filled
+from kinetruss.report.document.frame.short import summary_parts
 from kinetruss.report.document.parts.constants import section_constants
+from kinetruss.report.document.parts.diagrams import diagrams_of
 from kinetruss.report.document.parts.inputs import inputs, worded
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.recompute import recompute
@@ -25,15 +26,15 @@ from kinetruss.report.missions import TRAIN_UNITS, mission_record
 if TYPE_CHECKING:
     import xarray as xr
 
-    from kinetruss.model import TitleBlock
+    from kinetruss.report.document.frame import Front
     from kinetruss.report.document.worked import Sheet
     from kinetruss.runs import MissionRun, RunResult
 
 __all__ = ["mission_html", "mission_lines"]
 
 
-def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = None, paper: str = "a4") -> str:
-    """The report as HTML with its record; view : a page in three dimensions of the governing pair."""
+def mission_html(run: MissionRun, front: Front) -> str:
+    """The report as HTML with its record; the view of the front is that of the governing pair."""
     record = mission_record(run)
     entries = lined(run, record)
     title = run.model.title or f"Mission {run.name}"
@@ -46,18 +47,18 @@ def mission_html(run: MissionRun, view: str = "", block: TitleBlock | None = Non
         "result": list(result_lines(entries)),
     }
     mark = "" if run.whole else " (not complete)"
-    given = filled(block, run.model.report)
     version = f"kinetruss {run.provenance.get('kinetruss', '')}".strip()
     return framed(
         title,
-        given,
+        front,
         result_lines(entries),
-        list(_parts(run, pair, sheets, entries, view)),
+        _short(run, pair, sheets, entries) if front.summary else list(_parts(run, pair, sheets, entries, front.view)),
         kicker="Report of a mission",
-        quiet=" · ".join(word for word in (f"Mission {run.name}", counted(run.good, "pair"), version, given.date) if word),
+        quiet=" · ".join(
+            word for word in (f"Mission {run.name}", counted(run.good, "pair"), version, front.block.date) if word
+        ),
         record=record,
         foot=f"{title}, mission {run.name}{mark.upper()}",
-        paper=paper,
         mark=mark,
     )
 
@@ -106,6 +107,14 @@ def _governing(pairs: Pairs, entries: dict[str, Any]) -> RunResult | None:
     return pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
 
 
+def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Part]:
+    """The sections of a summary: the figure is that of the governing pair."""
+    figure = [] if pair is None else loaded_figure(pair, document_record(pair, []), small=True)
+    assumed = [] if pair is None else assumptions(pair, entries, condition=False)
+    words = f"The governing pair of a motion, a condition and a load case: {_label(run, entries)}"
+    return summary_parts(list(_state(run)), figure, sheets, assumed, words)
+
+
 def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any], view: str) -> Iterator[Part]:
     yield Part("result", "Result", "", list(_state(run)))
     if pair is not None:
@@ -114,7 +123,8 @@ def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries
         frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
         seen = [element("div", frame, class_="screen")] if view else []
         words = f"Motion, condition and load case: {_label(run, entries)}"
-        yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, document_record(pair, []))])
+        own = document_record(pair, [])
+        yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, own), *diagrams_of(pair, own)])
     calculations = "The governing entry of each check over all pairs, with the numbers of its pair at its instant"
     yield Part("worked", "Worked calculations", calculations, shown(sheets))
     noted = findings(run)

@@ -6,6 +6,8 @@ import hashlib
 import math
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from kinetruss.report.document.parts.checks import closure, mobility_record
 from kinetruss.report.document.parts.envelope import drive_spans, envelopes, reactions
 from kinetruss.report.document.result.lines import result_lines
@@ -13,6 +15,7 @@ from kinetruss.report.document.result.warnings import warnings
 from kinetruss.report.run_text.drives import drive_loads
 from kinetruss.report.run_text.summary import checks, largest_forces, motors, summary_record, worst_rows
 from kinetruss.report.run_text.trains import exceeded, trains
+from kinetruss.strength import elements
 
 if TYPE_CHECKING:
     from kinetruss.results import Row
@@ -46,6 +49,7 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
         "inner": [name for name, bar in run.model.bars.items() if bar.brace],
         "reactions": reactions(run),
         "strength": strength(run),
+        "skins": skins(run),
         "limits": limits(run),
         "closure": closure(run),
         "warnings": warnings(run),
@@ -75,6 +79,37 @@ def model_text(run: RunResult) -> str:
 def strength(run: RunResult) -> list[dict[str, Any]]:
     """All entries of the verdict, worst first; entries not checked are last, with the missing data."""
     return [] if run.verdict is None else [_row(row) for row in run.verdict.table()]
+
+
+def skins(run: RunResult) -> list[dict[str, Any]]:
+    """Highest von Mises stress (Pa) of each membrane and solid and load case, its element (from 0) and nodes, its time (s), and
+    the yield strength of the material, highest first. They are not part of the verdict. Only of positions that loads deform.
+    """
+    found = []
+    for name, record in (run.model.membranes | run.model.solids).items() if run.good else ():
+        material = run.model.material_of(record)
+        for case, result in _deformed(run).items():
+            data = elements(run.model, result, name)["von_mises"]
+            stress = data.max([one for one in data.dims if one not in ("time", "element")]).transpose("element", ...)
+            at = np.unravel_index(int(np.nanargmax(stress.values)), stress.shape)
+            entry = {
+                "part": name,
+                "load_case": case,
+                "von_mises": float(stress.values[at]),
+                "element": int(at[0]),
+                "nodes": [str(record.nodes[k]) for k in np.asarray(record.elements)[at[0]]],
+                "time": float(run.motion.data["time"].values[at[1]]) if stress.ndim > 1 else 0.0,
+                "yield_strength": None if material is None else getattr(material, "yield_strength", None),
+            }
+            found.append(entry)
+    return sorted(found, key=lambda one: -one["von_mises"])
+
+
+def _deformed(run: RunResult) -> dict[str, Any]:
+    """Results by load case whose positions or displacements are those under load."""
+    if run.simulation is not None:
+        return {next(iter(run.forces), ""): run.simulation}
+    return {case: one for case, one in run.statics.items() if {"displacement", "position"} & set(one.data)}
 
 
 def limits(run: RunResult) -> list[dict[str, Any]]:

@@ -15,15 +15,16 @@ from kinetruss.display import Markup, element, instant, quantity
 from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
 from kinetruss.report._page import Page
-from kinetruss.report.document._document import run_parts
+from kinetruss.report.document._document import run_parts, run_record, short_parts
 from kinetruss.report.document._record import document_record
-from kinetruss.report.document.frame import Columns, Part, framed, known_paper
-from kinetruss.report.document.frame.title_block import filled
+from kinetruss.report.document.frame import Columns, Part, framed, front_of
 from kinetruss.report.document.parts.words import cased, value_of
 from kinetruss.report.document.result.lines import governing_entry, result_lines
-from kinetruss.report.document.worked import worked, worked_record
+from kinetruss.report.document.worked import worked
 
 if TYPE_CHECKING:
+    from kinetruss.report.document.frame import Front
+    from kinetruss.report.document.worked import Sheet
     from kinetruss.runs import RunResult
 
 __all__ = ["read_sizing", "sizing_page"]
@@ -66,16 +67,25 @@ def read_sizing(file: str | Path) -> dict[str, Any]:
 _MEND = "Write one: kinetruss size MODEL MISSION --json > sizing.json"
 
 
-def sizing_page(record: Record, view: str = "", date: str = "", block: TitleBlock | None = None, paper: str = "a4") -> Page:
+def sizing_page(
+    record: Record,
+    view: str = "",
+    date: str = "",
+    block: TitleBlock | None = None,
+    paper: str = "a4",
+    *,
+    logo: str | Path | None = None,
+    summary: bool = False,
+) -> Page:
     """The report of a sizing. Its governing run is computed again from the sized model.
 
     Parameters
     ----------
-    record : from `design.record` or `read_sizing`. view, date, block, paper : as of `document_page`.
+    record : from `design.record` or `read_sizing`. The others : as of `document_page`.
 
     Raises
     ------
-    InputError : unknown paper; the model of the record cannot be read, or it has no runs.
+    InputError : unknown paper; a logo that cannot be used; the model of the record cannot be read, or it has no runs.
 
     Examples
     --------
@@ -86,26 +96,26 @@ def sizing_page(record: Record, view: str = "", date: str = "", block: TitleBloc
     >>> [row["name"] for row in page.record["sizing"]["groups"]]
     ['lower_longerons', 'upper_longerons', 'battens', 'actuators']
     """
-    known_paper(paper)
+    own = _model(record).report
+    front = front_of(block, own, date, view=view, paper=paper, logo=logo, summary=summary)
     run = governing_run(record)
-    given = filled(block, run.model.report, date)
-    return Page(
-        found=run,
-        as_record=partial(_record, sizing=record),
-        as_html=partial(_html, sizing=record, view=view, block=given, paper=paper),
-    )
+    return Page(found=run, as_record=partial(_record, sizing=record), as_html=partial(_html, sizing=record, front=front))
 
 
 def governing_run(record: Record) -> RunResult:
     """The run of a sized model in which a member or a drive is used most; computed again."""
-    try:
-        model = Model.model_validate_json(record["model"])
-    except ValidationError as error:
-        raise InputError(f"The model of the sizing cannot be read ({error.error_count()} faults). {_MEND}") from None
+    model = _model(record)
     found = [runs.run(model, name) for name in record["runs"] or model.runs]
     if not found:
         raise InputError("The sized model has no runs. Give it one, and size it again.")
     return max(found, key=lambda run: _most(document_record(run, [])))
+
+
+def _model(record: Record) -> Model:
+    try:
+        return Model.model_validate_json(record["model"])
+    except ValidationError as error:
+        raise InputError(f"The model of the sizing cannot be read ({error.error_count()} faults). {_MEND}") from None
 
 
 def _most(record: Record) -> float:
@@ -113,33 +123,35 @@ def _most(record: Record) -> float:
     return -1.0 if worst is None else value_of(worst["utilisation"])
 
 
-def _record(run: RunResult, sizing: Record) -> dict[str, Any]:
-    return document_record(run, worked_record(worked(run))) | {
-        "sizing": {key: one for key, one in sizing.items() if key != "model"}
-    }
+def _record(run: RunResult, sizing: Record, sheets: list[Sheet] | None = None) -> dict[str, Any]:
+    return run_record(run, sheets) | {"sizing": {key: one for key, one in sizing.items() if key != "model"}}
 
 
-def _html(run: RunResult, sizing: Record, view: str, block: TitleBlock, paper: str) -> str:
+def _html(run: RunResult, sizing: Record, front: Front) -> str:
     sheets = worked(run)
-    record = _record(run, sizing)
+    record = _record(run, sizing, sheets)
     title = run.model.title or sizing["title"] or "Sized structure"
-    first, *rest = run_parts(run, record, sheets, view)
+    found = short_parts(run, record, sheets) if front.summary else run_parts(run, record, sheets, front.view)
+    first, rest = found[0], found[1:]
+    tubes, drives = list(_groups(sizing["groups"])), list(_drives(sizing))
+    if front.summary:  # what was chosen, without why nothing smaller is sufficient
+        tubes, drives = tubes[:1], drives[:1]
+    state = [] if front.summary else first.content
     parts = [
-        Part(first.key, first.name, first.words, [_masses(sizing), *first.content]),
-        Part("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", list(_groups(sizing["groups"]))),
-        Part("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", list(_drives(sizing))),
+        Part(first.key, first.name, first.words, [_masses(sizing), *state]),
+        Part("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", tubes),
+        Part("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", drives),
         *rest,
     ]
     return framed(
         title,
-        block,
+        front,
         result_lines(record),
         parts,
         kicker="Report of a sizing",
-        quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", block.date) if word),
+        quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", front.block.date) if word),
         record=record,
         foot=f"{title}, sizing",
-        paper=paper,
     )
 
 

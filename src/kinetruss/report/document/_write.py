@@ -22,11 +22,16 @@ if TYPE_CHECKING:
 
 __all__ = ["Written", "write_document", "write_page"]
 
-PAGE, PAPER = "report.html", "report.pdf"
+REPORT, SUMMARY = "report", "summary"
+PAGE, PAPER = "page.html", "page.pdf"
+SHORT = 2
+"""Sheets of a summary."""
 EMPTY = 0.6
 """Share of the last page that may stay below its text; above it the text is set a little smaller or larger."""
 FITS = (1.0, 0.975, 1.025, 0.95, 1.05)
 """Factors of the size of letters that are tried, in this order."""
+TIGHT = (0.96, 0.92, 0.88, 0.84)
+"""The same for a summary of more than its sheets."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,18 +52,20 @@ def write_document(
     pdf: bool = True,
     block: TitleBlock | None = None,
     paper: str = "a4",
+    logo: str | Path | None = None,
+    summary: bool = False,
 ) -> Written:
-    """Write ``folder/report.html``, and if Chromium is installed ``folder/report.pdf``.
+    """Write ``folder/report.html``, and if Chromium is installed ``folder/report.pdf``; ``summary.html``, ``summary.pdf``.
 
-    Each file appears completely or not at all. An old report.pdf is removed if no new one replaces it.
+    Each file appears completely or not at all. An old PDF is removed if no new one replaces it.
 
     Parameters
     ----------
-    view, date, block, paper : as of `document_page`. pdf : False writes no PDF.
+    view, date, block, paper, logo, summary : as of `document_page`. pdf : False writes no PDF.
 
     Raises
     ------
-    StoreError : the folder cannot be written. InputError : unknown paper.
+    StoreError : the folder cannot be written. InputError : unknown paper; a logo that cannot be used.
 
     Examples
     --------
@@ -69,11 +76,12 @@ def write_document(
     ...     kt.report.write_document(kt.run(model), folder, pdf=False).page.name
     'report.html'
     """
-    return write_page(document_page(run, view, date, block, paper), folder, view=view, pdf=pdf)
+    page = document_page(run, view, date, block, paper, logo=logo, summary=summary)
+    return write_page(page, folder, view=view, pdf=pdf, summary=summary)
 
 
-def write_page(found: Page, folder: str | Path, *, view: str = "", pdf: bool = True) -> Written:
-    """Write a report that is a page already; view : that which it includes.
+def write_page(found: Page, folder: str | Path, *, view: str = "", pdf: bool = True, summary: bool = False) -> Written:
+    """Write a report that is a page already; view : that which it includes. summary : it is one.
 
     >>> import kinetruss as kt
     >>> import tempfile
@@ -84,7 +92,8 @@ def write_page(found: Page, folder: str | Path, *, view: str = "", pdf: bool = T
     'report.html'
     """
     place = Path(folder)
-    page, paper = place / PAGE, place / PAPER
+    name = SUMMARY if summary else REPORT
+    page, paper = place / f"{name}.html", place / f"{name}.pdf"
     text = found.html
     with whole_file(page) as draft:
         paper.unlink(missing_ok=True)
@@ -92,15 +101,19 @@ def write_page(found: Page, folder: str | Path, *, view: str = "", pdf: bool = T
     if not pdf:
         return Written(page)
     # without the view, which paper does not show
-    note = _printed(text.replace(f' srcdoc="{html.escape(view)}"', "", 1), paper)
+    bare = text.replace(f' srcdoc="{html.escape(view)}"', "", 1) if view else text
+    note = _printed(bare, paper, SHORT if summary else 0)
     return Written(page, None if note else paper, note)
 
 
-def _printed(text: str, paper: Path) -> str:
-    """Print a page to PDF. Returns the reason of a failure, or an empty text."""
+def _printed(text: str, paper: Path, most: int = 0) -> str:
+    """Print a page to PDF. Returns the reason of a failure, or an empty text.
+
+    most : number of sheets that are kept if letters of a readable size permit it; 0: any.
+    """
     with TemporaryDirectory(prefix="kinetruss-") as scratch:
         last: bytes | str = ""
-        for last in _proofs(text, Path(scratch)):
+        for last in _proofs(text, Path(scratch), most):
             if isinstance(last, str):
                 return last
         with whole_file(paper) as draft:
@@ -108,7 +121,7 @@ def _printed(text: str, paper: Path) -> str:
     return ""
 
 
-def _proofs(text: str, scratch: Path) -> Iterator[bytes | str]:
+def _proofs(text: str, scratch: Path, most: int) -> Iterator[bytes | str]:
     """Printed files, better and better, or the reason why there is none: the first without numbers in its contents, then with
     letters of a size that leaves no last page of a few lines, then with the numbers.
     """
@@ -117,16 +130,16 @@ def _proofs(text: str, scratch: Path) -> Iterator[bytes | str]:
     if isinstance(first, str):
         return
     fitted, measured = text, read_paper(first)
-    for fit in FITS[1:]:
-        if measured.left <= EMPTY:
+    for fit in TIGHT if most else FITS[1:]:
+        if measured.pages <= most if most else measured.left <= EMPTY:
             break
-        resized = text.replace("<main>", f'<main style="--fit: {fit}">', 1)
+        resized = text.replace("<main", f'<main style="--fit: {fit}"', 1)
         again = _print(resized, scratch)
         if isinstance(again, str):
             break
-        if read_paper(again).left < measured.left:
+        if most or read_paper(again).left < measured.left:
             fitted, measured = resized, read_paper(again)
-    if measured.starts:
+    if measured.starts and (not most or fitted != text):
         yield _print(with_pages(fitted, measured.starts), scratch)
 
 

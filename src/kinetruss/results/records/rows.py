@@ -69,7 +69,8 @@ class Row:
 
 
 def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
-    """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last.
+    """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last; of several infinite ones that
+    of the part with the highest finite utilisation.
 
     Entries that do not apply (NaN without a note) are omitted.
 
@@ -110,7 +111,12 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
                 **found,
             )
         )
-    return sorted(rows, key=_worst_first)
+    # beyond a buckling load the interaction is infinite: the part of the highest other utilisation comes first
+    most: dict[str, float] = {}
+    for row in rows:
+        if math.isfinite(row.utilisation):
+            most[row.part] = max(most.get(row.part, 0.0), row.utilisation)
+    return sorted(rows, key=lambda row: (_worst_first(row), -most.get(row.part, 0.0) if math.isinf(row.utilisation) else 0.0))
 
 
 def _column(data: xr.Dataset | Columns, key: str, count: int, rules: int, missing: Any) -> Any:

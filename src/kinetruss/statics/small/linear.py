@@ -252,7 +252,8 @@ def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]
     lacking = [
         held.members[i] for i, f, kind in zip(held.row_member, flexible, held.row_kind, strict=True) if not f and not kind
     ]
-    lacking = [name for name in lacking if name not in rigid]
+    # bars that hold bodies and frames of beams together are rigid by their purpose
+    lacking = [name for name in lacking if name not in rigid and not getattr(held.model.bars.get(name), "brace", False)]
     if not lacking:
         return ""
     shown = ", ".join(lacking[:8]) + (f" and {len(lacking) - 8} more" if len(lacking) > 8 else "")

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.display import instant, number
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
-from kinetruss.report.document.parts.words import cased, share_of, value_of
+from kinetruss.report.document.parts.words import cased, is_over, share_of, value_of
 from kinetruss.report.document.result.lines import few, governing_entry
 
 if TYPE_CHECKING:
@@ -30,15 +30,15 @@ LEAST = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Loaded:
-    """One instant. position (n, dim), m; loads : node index, force (dim,) N; governing : member and what its label says.
-
-    driven : member or hinge axis midpoint by the name of its drive; faces of meshes are not drawn.
+    """One instant. position (n, dim), m; loads : node index, force (dim,) N; governing : member and what its label says; over :
+    whether it is over its capacity.
     """
 
     model: Model
     position: Array
     loads: tuple[tuple[int, Array], ...]
     governing: tuple[str, str] | None
+    over: bool
     caption: str
 
 
@@ -59,17 +59,19 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
         for node, one in zip(found.node, force, strict=True)
         if largest and np.linalg.norm(one) > LEAST * largest
     )
-    governing = None
+    governing, over = None, False
     if worst is not None:
         member = worst["part"].rpartition(".")[0] if worst["part"] not in _names(model) else worst["part"]
         used = share_of(worst["utilisation"])
+        over = is_over(worst)
         governing = (member, f"{worst['part']}: {worst['rule']} {'beyond buckling' if '∞' in used else used}")
     return Loaded(
         model=model,
         position=run.motion.data["position"].values[k],
         loads=loads,
         governing=governing,
-        caption=_caption(run, case, k, governing, len(loads)),
+        over=over,
+        caption=_caption(run, case, k, governing, over, len(loads)),
     )
 
 
@@ -84,19 +86,28 @@ def _sample(run: RunResult, entry: Mapping[str, Any]) -> int:
     return 0 if np.isnan(when) else int(np.abs(run.motion.data["time"].values - when).argmin())
 
 
-def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str] | None, count: int) -> str:
+def _supports(model: Model) -> list[str]:
+    """The marks of supports that the figure has."""
+    ground = {name for name, one in model.clamped.items() if one == "ground"}
+    axes = [axes for name, axes in model.fixed.items() if name not in ground and not model.nodes[name].director]
+    kinds = (("squares clamped", ground), ("triangles held", [one for one in axes if len(one) == model.dim]))
+    found = [words for words, some in kinds if some]
+    return [*found, *["circles guided"] * any(len(one) < model.dim for one in axes)]
+
+
+def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str] | None, over: bool, count: int) -> str:
     model, time = run.model, run.motion.data["time"].values
     when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
     if "pose" in run.motion.data.coords:
         when = f"in pose {run.motion.data['pose'].values[k]}"
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if governing:
-        words.append(f"the governing part in red ({governing[1]})")
+        mark = "red, over its capacity" if over else "with a broad band"
+        words.append(f"the governing part {mark} ({governing[1]})")
     if model.all_drives:
         words.append("driven members green")
-    partly = any(len(axes) < model.dim for axes in model.fixed.values())
-    if model.fixed:
-        words.append(f"supports as triangles{' (held) and circles (guided)' if partly else ''}")
+    if held := _supports(model):
+        words.append(f"supports: {', '.join(held)}")
     if count:
         words.append("arrows: forces on nodes")
     others = [name for name, load in model.loads.items() if type(load).__name__ != "NodalForce"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -13,8 +14,9 @@ from matplotlib.figure import Figure as Canvas
 from kinetruss.display import DRIVEN, LOAD, quantity
 from kinetruss.mechanics.structure import skin_of
 from kinetruss.model import HingeDrive
-from kinetruss.model.beams import FRAME, shown_kinds
+from kinetruss.model.beams import FRAME, shown_kinds, shown_names
 from kinetruss.report.document.figure.labels import CROWDED, Labels
+from kinetruss.report.pictures.pictured import curves_of
 from kinetruss.report.pictures.style import ALARM, INK, PRINT, QUIET, RC
 from kinetruss.report.pictures.view import projected
 
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
 __all__ = ["drawn"]
 
 FACE = "#dde3ea"
+HALO = "#f3d9a4"
+"""Band about the governing member: the colour of what is picked in the viewer, on paper."""
 WIDTH, TALLEST = 6.9, 4.9
 """Width and largest height of the figure, inches: it takes at most half of a sheet."""
 NAMED = 40
@@ -40,13 +44,12 @@ ARROW = 0.13
 """Length of the largest arrow, of the size of the structure."""
 
 
-def drawn(figure: Loaded) -> Canvas:
-    """A matplotlib figure."""
+def drawn(figure: Loaded, tallest: float = TALLEST) -> Canvas:
+    """A matplotlib figure, at most so high, inches."""
     points = projected(figure.position)
-    arrows = _arrows(figure)
-    shown = np.concatenate(
-        [points, *([np.array([place for start, end, _ in arrows for place in (start, end)])] if arrows else [])]
-    )
+    arrows, axes = _arrows(figure), _lines(figure, points)
+    ends = [np.array([start, end]) for start, end, _ in arrows]
+    shown = np.concatenate([points[_seen(figure)], *axes.values(), *ends])
     low, high = shown.min(axis=0), shown.max(axis=0)
     reach = float(np.max(high - low)) or 1.0
     low, high = low - 0.07 * reach, high + 0.07 * reach
@@ -54,7 +57,7 @@ def drawn(figure: Loaded) -> Canvas:
     # room at the left for axes, gravity and scale
     aside = 1.0
     width = WIDTH - aside
-    height = min(TALLEST, width * float(size[1] / size[0]))
+    height = min(tallest, width * float(size[1] / size[0]))
     with mpl.rc_context(RC | PRINT):
         canvas = Canvas(figsize=(WIDTH, height))
         FigureCanvasAgg(canvas)
@@ -64,43 +67,60 @@ def drawn(figure: Loaded) -> Canvas:
         ax.set_xlim(middle[0] - scale * width / 2, middle[0] + scale * width / 2)
         ax.set_ylim(middle[1] - scale * height / 2, middle[1] + scale * height / 2)
         ax.set_axis_off()
-        _members(ax, figure, points)
+        _members(ax, figure, points, axes)
         _supports(ax, figure, points)
-        held = [k for k, node in enumerate(figure.model.nodes) if node in figure.model.fixed]
-        lines = [points[list(pair)] for pair in _lines(figure).values()] + [np.array([start, end]) for start, end, _ in arrows]
-        labels = Labels(ax, scale, lines, points[held])
-        _governing(ax, figure, points, labels)
+        held = [k for k in _seen(figure) if list(figure.model.nodes)[k] in figure.model.fixed]
+        labels = Labels(ax, scale, [*axes.values(), *ends], points[held])
+        _governing(ax, figure, axes, labels)
         for start, end, words in arrows:
             pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
             ax.annotate("", tuple(end), tuple(start), arrowprops=pen)
             labels.put(words, (start + end) / 2, LOAD)
-        _drives(figure, points, labels)
+        _drives(figure, axes, labels)
         _names(figure, points, labels)
         _aside(canvas, figure, scale, height)
     return canvas
 
 
-def _lines(figure: Loaded) -> dict[str, tuple[int, int]]:
+def _ends(figure: Loaded) -> dict[str, tuple[int, int]]:
     """Members and beams with the indices of their ends; the frames of beams are left out."""
-    model = figure.model
+    model, names = figure.model, shown_names(figure.model)
     index = {name: k for k, name in enumerate(model.nodes)}
-    shown = {name: model.members[name].ends for name, kind in shown_kinds(model).items() if kind != FRAME}
-    shown |= {name: beam.ends for name, beam in model.beams.items()}
+    shown = {names[name]: model.members[name].ends for name, kind in shown_kinds(model).items() if kind != FRAME}
     return {name: (index[a], index[b]) for name, (a, b) in shown.items()}
 
 
-def _members(ax: Any, figure: Loaded, points: Array) -> None:
+def _lines(figure: Loaded, points: Array) -> dict[str, Array]:
+    """Members and beams with their points (g, 2) on paper: elastic beams along their bent axes."""
+    curves = curves_of(figure.model, figure.position)
+    return {
+        name: projected(curves[k]) if k in curves else points[list(pair)]
+        for k, (name, pair) in enumerate(_ends(figure).items())
+    }
+
+
+def _seen(figure: Loaded) -> list[int]:
+    """Indices of all nodes but those of the frames of beams."""
+    return [k for k, node in enumerate(figure.model.nodes.values()) if not node.director]
+
+
+def _middle(line: Array) -> Array:
+    """The point halfway along a line (g, 2)."""
+    run = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    return np.array([np.interp(run[-1] / 2, run, line[:, k]) for k in range(2)])
+
+
+def _members(ax: Any, figure: Loaded, points: Array, lines: Mapping[str, Array]) -> None:
     model = figure.model
     skin = skin_of(model)
     if len(skin.nodes):
         faces = points[skin.nodes]
         ax.add_collection(PolyCollection(list(faces), facecolors=FACE, edgecolors="#8a8a8a60", linewidths=0.3))
     turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    lines = {name: points[list(pair)] for name, pair in _lines(figure).items()}
     driven = [line for name, line in lines.items() if name in model.active or name in turned]
     ax.add_collection(LineCollection(list(lines.values()), colors=INK, linewidths=1.0, capstyle="round"))
     ax.add_collection(LineCollection(driven, colors=DRIVEN, linewidths=2.4, capstyle="round"))
-    used = sorted({k for pair in _lines(figure).values() for k in pair})
+    used = sorted({k for pair in _ends(figure).values() for k in pair})
     ax.plot(*points[used].T, "o", color=INK, markersize=2.4)
     index = {name: k for k, name in enumerate(model.nodes)}
     hinged = [drive.axis for drive in model.all_drives.values() if isinstance(drive, HingeDrive)]
@@ -110,25 +130,31 @@ def _members(ax: Any, figure: Loaded, points: Array) -> None:
 
 
 def _supports(ax: Any, figure: Loaded, points: Array) -> None:
-    for k, node in enumerate(figure.model.nodes):
-        axes = figure.model.fixed.get(node, "")
-        if axes or node in figure.model.clamped:
-            held = len(axes) == figure.model.dim or node in figure.model.clamped
-            marker = "^" if held else "o"
+    names = list(figure.model.nodes)
+    for k in _seen(figure):
+        axes = figure.model.fixed.get(names[k], "")
+        clamped = figure.model.clamped.get(names[k]) == "ground"
+        if axes or clamped:
+            marker = "s" if clamped else "^" if len(axes) == figure.model.dim else "o"
             ax.plot(*points[k], marker, color=INK, markersize=8, markerfacecolor="white", markeredgewidth=1.0)
 
 
-def _governing(ax: Any, figure: Loaded, points: Array, labels: Labels) -> None:
+def _governing(ax: Any, figure: Loaded, lines: Mapping[str, Array], labels: Labels) -> None:
+    """The governing member: red only if it is over its capacity, else in its own colour on a broad band."""
     if figure.governing is None:
         return
     model, (name, words) = figure.model, figure.governing
     bar = getattr(model.all_drives.get(name), "bar", name)
-    lines = _lines(figure)
     if bar not in lines:
         return
-    line = points[list(lines[bar])]
-    ax.add_collection(LineCollection([line], colors=ALARM, linewidths=3.2, capstyle="round"))
-    labels.put(words, line.mean(axis=0), ALARM, bold=True)
+    line = lines[bar]
+    if figure.over:
+        ax.add_collection(LineCollection([line], colors=ALARM, linewidths=3.2, capstyle="round"))
+    else:
+        ax.add_collection(LineCollection([line], colors=HALO, linewidths=9.0, capstyle="round", zorder=0.5))
+        if name not in model.all_drives:
+            ax.add_collection(LineCollection([line], colors=INK, linewidths=2.4, capstyle="round"))
+    labels.put(words, _middle(line), ALARM if figure.over else INK, bold=True)
 
 
 def _arrows(figure: Loaded) -> list[tuple[Array, Array, str]]:
@@ -152,30 +178,29 @@ def _arrows(figure: Loaded) -> list[tuple[Array, Array, str]]:
 def _along_member(figure: Loaded, node: int, way: Array) -> bool:
     """True if a member leaves a node in a direction on paper, and none in the opposite one."""
     points = projected(np.vstack([figure.position, figure.position[node] + way]))
-    sides = [points[b if a == node else a] - points[node] for a, b in _lines(figure).values() if node in (a, b)]
+    sides = [points[b if a == node else a] - points[node] for a, b in _ends(figure).values() if node in (a, b)]
     pointed = points[-1] - points[node]
     size = np.linalg.norm(pointed) or 1.0
     cosines = [float(one @ pointed) / (float(np.linalg.norm(one)) or 1.0) / size for one in sides]
     return any(one > BESIDE for one in cosines) and not any(one < -BESIDE for one in cosines)
 
 
-def _drives(figure: Loaded, points: Array, labels: Labels) -> None:
+def _drives(figure: Loaded, lines: Mapping[str, Array], labels: Labels) -> None:
     """Names of driven members at their middle."""
     model = figure.model
-    lines = _lines(figure)
     chief = figure.governing[0] if figure.governing else ""
     shown = 0
     for name, drive in model.all_drives.items():
         bar = getattr(drive, "bar", "")
         if bar in lines and chief not in (name, bar) and shown < NAMED // 2:
             shown += 1
-            labels.put(name, points[list(lines[bar])].mean(axis=0), DRIVEN, most=CROWDED)
+            labels.put(name, _middle(lines[bar]), DRIVEN, most=CROWDED)
 
 
 def _names(figure: Loaded, points: Array, labels: Labels) -> None:
     model = figure.model
     loaded = {node for node, _ in figure.loads}
-    used, held = {k for pair in _lines(figure).values() for k in pair}, model.fixed
+    used, held = {k for pair in _ends(figure).values() for k in pair}, model.fixed
     for k, node in enumerate(model.nodes):
         important = node in model.fixed and len(model.fixed) <= NAMED
         if k not in loaded and k in used and (len(used) <= NAMED or important):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,10 +37,12 @@ CROWDED = 3.0
 
 
 def _along(line: Array, spacing: float) -> Array:
-    """Points on a line, about a spacing apart."""
-    way = line[1] - line[0]
-    share = np.linspace(0, 1, 2 + int(np.linalg.norm(way) / spacing))[:, None]
-    return np.asarray(line[0] + share * way)
+    """Points on a line (g, 2), about a spacing apart."""
+    pieces = []
+    for start, end in pairwise(line):
+        share = np.linspace(0, 1, 2 + int(np.linalg.norm(end - start) / spacing))[:, None]
+        pieces.append(start + share * (end - start))
+    return np.concatenate(pieces)
 
 
 def _width(words: str, bold: bool) -> float:
@@ -49,7 +52,7 @@ def _width(words: str, bold: bool) -> float:
 
 
 class Labels:
-    """Labels of one drawing. scale : m an inch; lines : pairs of points (2, 2), m, and marks : points (k, 2), m,
+    """Labels of one drawing. scale : m an inch; lines : points (g, 2), m, and marks : points (k, 2), m,
     that labels avoid.
     """
 

@@ -16,9 +16,14 @@ if TYPE_CHECKING:
 __all__ = ["loaded_figure"]
 
 
-def loaded_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
-    """The figure as part of a page; nothing for a run without a good sample."""
+SMALL = 2.45
+"""Height of the figure of a summary, inches."""
+
+
+def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Markup]:
+    """The figure as part of a page; nothing for a run without a good sample. small : for a summary."""
     if not run.good:
         return []
     found = loaded(run, record)
-    return [embedded([lines_of(drawn(found), "loaded", found.caption)], found.caption)]
+    canvas = drawn(found, SMALL) if small else drawn(found)
+    return [embedded([lines_of(canvas, "loaded", found.caption)], found.caption)]

@@ -10,19 +10,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, element, html_page, joined
-from kinetruss.errors import InputError
+from kinetruss.report.document.frame.front import PAPERS
 from kinetruss.report.document.frame.numbering import Numbers, referred
 from kinetruss.report.document.frame.title_block import title_block
 from kinetruss.report.document.frame.typeset import typeset
 
 if TYPE_CHECKING:
-    from kinetruss.model import TitleBlock
+    from kinetruss.report.document.frame.front import Front
 
-__all__ = ["PAPERS", "Part", "framed", "known_paper", "with_pages"]
+__all__ = ["Part", "framed", "with_pages"]
 
 STYLE = Path(__file__).parents[1] / "style.css"
-PAPERS = {"a4": "A4", "letter": "letter"}
-"""Sizes of paper by name, as CSS names them."""
+END = "End of the report."
 LONGEST = 90
 """Characters of the footer."""
 
@@ -37,21 +36,9 @@ class Part:
     content: Sequence[Markup] = field(default_factory=tuple)
 
 
-def known_paper(paper: str) -> str:
-    """The name of a paper, if it is known.
-
-    Raises
-    ------
-    InputError : it is not.
-    """
-    if paper not in PAPERS:
-        raise InputError(f"No paper called {paper!r}. Give one of {', '.join(PAPERS)}.")
-    return paper
-
-
 def framed(
     title: str,
-    block: TitleBlock,
+    front: Front,
     lines: Sequence[str],
     parts: Sequence[Part],
     *,
@@ -60,27 +47,34 @@ def framed(
     above: Sequence[Markup] = (),
     record: Mapping[str, Any],
     foot: str,
-    paper: str = "a4",
     mark: str = "",
 ) -> str:
-    """A whole page.
+    """A whole page; of a summary without contents.
 
     Parameters
     ----------
     lines : the result in its first lines; the first part follows them. parts : sections in their order. kicker, quiet : above
     and below the title. above : before the result. record : data of the page, JSON can hold it. foot : of printed pages.
-    paper : one of `PAPERS`. mark : after the title in the window's name.
+    mark : after the title in the window's name.
     """
     shown = [part for part in parts if part.content]
-    head = element("header", element("p", kicker, class_="kicker"), element("h1", title), element("p", quiet, class_="quiet"))
+    logo = element("img", alt="Logo", src=front.logo, class_="logo") if front.logo else None
+    kind = f"{kicker}: summary" if front.summary else kicker
+    head = element(
+        "header", logo, element("p", kind, class_="kicker"), element("h1", title), element("p", quiet, class_="quiet")
+    )
     sections = list(_sections(shown, lines))
-    body = [head, title_block(block), *above, sections[0], _contents(shown), *sections[1:]]
-    end = element("p", "End of the report.", class_="note end", id="end")
+    contents = [] if front.summary else [_contents(shown)]
+    body = [head, title_block(front.block), *above, sections[0], *contents, *sections[1:]]
+    words = "End of the summary. The full report has all checks, data, methods and the model." if front.summary else END
+    end = element("p", words, class_="note end", id="end")
     data = json.dumps(record, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
     kept = element("script", Markup(data), type="application/json", id="kinetruss-report")
-    style = f"{STYLE.read_text('utf-8')}{_sheet(foot, paper)}"
+    style = f"{STYLE.read_text('utf-8')}{_sheet(foot, front.paper)}"
     top = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
-    return html_page(f"{title}{mark}: report", top, typeset(f"<main>\n{joined([*body, end])}\n</main>\n{kept}"))
+    name = "summary" if front.summary else "report"
+    main = element("main", "\n", body, end, "\n", class_="short" if front.summary else None)
+    return html_page(f"{title}{mark}: {name}", top, typeset(f"{main}\n{kept}"))
 
 
 def _sections(parts: Sequence[Part], lines: Sequence[str]) -> Iterator[Markup]:

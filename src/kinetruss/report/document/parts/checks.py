@@ -24,7 +24,7 @@ LARGEST = 300
 def mobility_record(model: Model) -> dict[str, Any] | None:
     """Degrees of freedom, mechanisms and states of self-stress of the model in its own pose; None for larger models.
 
-    ``elastic``: True if elastic bars or beams hold it besides; ``elastic_as_rigid``: the same with elastic bars as rigid ones.
+    ``elastic``: True if elastic bars, beams, membranes or solids hold it besides; ``elastic_as_rigid``: the same with elastic bars as rigid ones.
     """
     if len(model.nodes) > LARGEST:
         return None
@@ -36,7 +36,10 @@ def mobility_record(model: Model) -> dict[str, Any] | None:
             stiff = _mobility(model.with_(bars=bars))
         except (KinetrussError, ValueError):  # another record needs the bar to be elastic
             stiff = None
-    return _mobility(model) | {"elastic": bool(elastic or model.beams), "elastic_as_rigid": stiff}
+    return _mobility(model) | {
+        "elastic": bool(elastic or model.beams or model.membranes or model.solids),
+        "elastic_as_rigid": stiff,
+    }
 
 
 def _mobility(model: Model) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from kinetruss.report.document.parts.words import MOST, bars_of, is_single, left
 if TYPE_CHECKING:
     Record = dict[str, Any]
 
-__all__ = ["drives", "strength"]
+__all__ = ["drives", "skins", "strength"]
 
 SCALE = "Utilisation is demand over capacity, safety factors included; at 100 %, the mark, the limit is reached."
 MOTOR = {
@@ -48,6 +48,23 @@ def strength(record: Record) -> list[Markup]:
     table.words("load case", [named(row["load_case"]) for row in shown])
     note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
     return [table.html("Governing rule of each part, worst first", note)]
+
+
+def skins(record: Record) -> list[Markup]:
+    """The highest stresses of membranes and solids, beside the yield strength of their materials."""
+    rows = record["skins"]
+    if not rows:
+        return []
+    shown = rows[:MOST]
+    table = Columns().words("part", [row["part"] for row in shown])
+    table.together(
+        ["highest stress", "yield strength"], [[row[key] for row in shown] for key in ("von_mises", "yield_strength")], "Pa"
+    )
+    _times(table, shown, record)
+    table.words("load case", [named(row["load_case"]) for row in shown])
+    table.words("element (from 0), and its nodes", [f"{row['element']}: {', '.join(row['nodes'])}" for row in shown])
+    note = f"{left_out(rows)}Not part of the checks: no safety factor is applied, and corners and supports concentrate stress."
+    return [table.html("Highest von Mises stress in membranes and solids", note)]
 
 
 def drives(record: Record) -> list[Markup]:

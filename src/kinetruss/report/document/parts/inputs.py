@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from kinetruss.display import Markup, Table, quantity
 from kinetruss.model import Active, Model, Of, Record, Run
+from kinetruss.model.beams import CHORD, FRAME, shown_kinds
 from kinetruss.units import EITHER, unit_of
 
 if TYPE_CHECKING:
@@ -108,16 +109,25 @@ def _method(run: RunResult, definition: Run) -> str:
 
 
 def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
-    kinds = [member.kind for member in model.bars.values()]
+    chords = {f"{name}{CHORD}" for name in model.beams}
+    kinds = [kind for name, kind in shown_kinds(model).items() if name in model.bars and kind != FRAME and name not in chords]
     counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
-    yield "nodes", f"{len(model.nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
-    yield "bars", f"{len(model.bars)}" + (f" ({counts})" if kinds else "")
+    nodes = [name for name, node in model.nodes.items() if not node.director]
+    yield "nodes", f"{len(nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
+    if kinds or not model.beams:
+        yield "bars", f"{len(kinds)}" + (f" ({counts})" if kinds else "")
+    if model.beams:
+        yield "beams", f"{len(model.beams)}: {listed(_ended(model))}"
+    for what, records in (("membranes", model.membranes), ("solids", model.solids)):
+        if records:
+            yield what, f"{len(records)}: {listed(records)}"
     if model.active:
         yield "active members", f"{len(model.active)}: {listed(model.active)}"
     if model.bodies:
         yield "bodies", f"{len(model.bodies)}: {listed(model.bodies)}"
     yield "drives", listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
-    yield "supports", listed(f"{name} ({axes})" for name, axes in model.fixed.items()) or "none"
+    held = [f"{name} ({axes})" for name, axes in model.fixed.items() if name in nodes and name not in model.clamped]
+    yield "supports", listed([*held, *(f"{name} (clamped{_to(one)})" for name, one in model.clamped.items())]) or "none"
     masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
     if masses:
         yield "lumped masses", listed(masses)
@@ -129,15 +139,34 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
     yield "safety factors", f"{model.safety.yielding:g} on yielding, {model.safety.buckling:g} on buckling"
 
 
+def _ended(model: Model) -> Iterator[str]:
+    """Beams with what is not plain of them: their kind, ends that turn."""
+    for name, beam in model.beams.items():
+        words = [*(["rigid"] if beam.kind == "rigid" else []), *(f"pinned at {end}" for end in beam.release)]
+        words += [f"hinged at {end}" for end in beam.hinges]
+        yield f"{name} ({', '.join(words)})" if words else name
+
+
+def _to(clamp: str) -> str:
+    """What a node is clamped to, unless that is the ground."""
+    return "" if clamp == "ground" else f" to {clamp}"
+
+
 def _parts(model: Model) -> Iterator[tuple[str, str]]:
     """Materials and sections with the parts that use them."""
     users: dict[str, list[str]] = {}
-    for name, member in model.members.items():
+    kinds = shown_kinds(model)
+    given = {name: one for name, one in model.members.items() if kinds[name] != FRAME and not name.endswith(CHORD)}
+    for name, member in (given | dict(model.beams)).items():
         parts = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, part in parts.items():
             for record in (model.material_of(part), model.section_of(part)):
                 if record is not None:
                     users.setdefault(worded(record), []).append(label)
+    for name, skin in (model.membranes | model.solids).items():
+        material = model.material_of(skin)
+        if material is not None:
+            users.setdefault(worded(material), []).append(name)
     for text, names in users.items():
         yield listed(names), text
 

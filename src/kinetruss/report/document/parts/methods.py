@@ -90,7 +90,7 @@ def methods(run: RunResult) -> Iterator[tuple[str, str, str]]:
         yield GIVEN if definition.motion is None else MEASURED
     if run.forces and definition.analysis not in SOLVED:
         yield INVERSE
-    if run.verdict is not None:
+    if run.verdict is not None and run.verdict.table():
         yield STRENGTH
     if run.demand:
         yield DRIVES

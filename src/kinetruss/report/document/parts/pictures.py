@@ -52,10 +52,11 @@ def picture(figure: Figure, number: int, caption: str) -> Markup:
     return embedded([_pixels(drawn, caption) if heavy else lines_of(drawn, f"{number}", caption)], caption)
 
 
-def embedded(panels: list[Markup], caption: str) -> Markup:
-    """Drawings above each other as one figure with its caption."""
+def embedded(panels: list[Markup], caption: str, *, rows: bool = False) -> Markup:
+    """Drawings above each other as one figure with its caption. rows : they have the same width."""
     shown = [element("div", one, class_="scroll", tabindex="0") for one in panels]
     kind = "picture panels" if len(panels) > 1 else "picture"
+    kind += " rows" if rows else ""
     return element("figure", shown, element("figcaption", caption), class_=kind)
 
 
@@ -100,7 +101,7 @@ def _kept(curves: list[NDArray[np.float64]], count: int) -> NDArray[np.int64]:
 
 
 def lines_of(drawn: Any, number: str, words: str) -> Markup:
-    """SVG text for a page: unique names, no global style, the page's colours."""
+    """SVG text for a page: unique names, no global style, the page's colours. words : for readers who do not see it."""
     import matplotlib as mpl
 
     from kinetruss.report.pictures.style import RC

@@ -43,7 +43,10 @@ def mobility(record: Record) -> list[Markup]:
         rows += [(f"elastic bars as rigid: {name}", words) for name, words in list(_counts(held, "bars"))[1:]]
     if found["elastic"]:
         rows.append(
-            ("meaning", "elastic members and beams fix no length: they hold the mechanisms of the rigid bars by stiffness")
+            (
+                "meaning",
+                "elastic members, beams, membranes and solids fix no length: they hold the mechanisms of the rigid bars by stiffness",
+            )
         )
     else:
         rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
@@ -147,10 +150,12 @@ def forces(record: Record) -> list[Markup]:
     single = is_single(record)
     inner = set(record["inner"])
     cases = {case: [one for one in found if one["member"] not in inner] for case, found in record["envelopes"].items()}
+    cases = {case: found for case, found in cases.items() if found}
     every = [one[key] for entries in cases.values() for one in entries for key in ("least", "largest")]
     parts = list(_singles(cases)) if single else [_envelope(case, entries, every) for case, entries in cases.items()]
-    if inner:
-        words = f"Forces in the {len(inner)} bars that hold bodies and beams together are in the data of this page."
+    inside = {one["member"] for found in record["envelopes"].values() for one in found} & inner
+    if inside:
+        words = f"Forces in the {len(inside)} bars that hold bodies together are in the data of this page."
         parts.append(element("p", words, class_="note"))
     return [*parts, *_reactions(record["reactions"], single), *_driven(record["drive_loads"])]
 
@@ -189,9 +194,14 @@ def _reactions(found: Sequence[Record], single: bool) -> list[Markup]:
     table.words("load case", [named(one["load_case"]) for one in shown])
     components = [[one["force"][axis] for one in shown] for axis in axes]
     table.together(["largest", *axes], [[one["magnitude"] for one in shown], *components], "N")
+    about = next((list(one["moment"]) for one in shown if "moment" in one), [])
+    if about:
+        turned = [[one["moment"][axis] if "moment" in one else None for one in shown] for axis in about]
+        table.together([f"moment about {axis}" for axis in about], turned, "N m")
     if not single:
         table.measured("at (s)", [one["time"] for one in shown], "")
-    return [table.html("Largest force of each support on the structure, with its components", left_out(found))]
+    words = f", and the moment of a clamp{'' if single else ' at that instant'}" if about else ""
+    return [table.html(f"Largest force of each support on the structure, with its components{words}", left_out(found))]
 
 
 def _driven(found: Sequence[Record]) -> list[Markup]:
@@ -252,7 +262,7 @@ def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
     if gauge is not None:
         words = f"smallest at {at(gauge['time'])}; 0 is singular, 1 is as far from it as can be"
         yield "singularity margin", number(gauge["smallest"], 3), words
-    if run.forces:
+    if record["envelopes"] and any(record["envelopes"].values()):
         names = found["not_unique"]
         words = "in a redundant structure forces depend on stiffness or convention"
         yield "unique forces", "all" if not names else f"all but {', '.join(names)}", words

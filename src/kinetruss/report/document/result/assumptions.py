@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, element
+from kinetruss.model.beams import CHORD, FRAME, shown_kinds
 from kinetruss.report.document.result.lines import few, unverified
 from kinetruss.report.document.result.warnings import checked_words, not_held
 
@@ -29,7 +30,7 @@ def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = Tru
 
     condition : with that of the run; a mission has several.
     """
-    found = [element("ul", [element("li", words) for words in _assumed(run, condition=condition)])]
+    found = [element("ul", [element("li", words) for words in _assumed(run, record, condition=condition)])]
     left, count = unverified(record)
     if left:
         head = f"Strength not verified: {len(left)} of {count} parts."
@@ -48,13 +49,16 @@ def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = Tru
     return found
 
 
-def _assumed(run: RunResult, *, condition: bool) -> Iterator[str]:
+def _assumed(run: RunResult, record: dict[str, Any], *, condition: bool) -> Iterator[str]:
     model = run.model
-    if run.forces:
+    chords = {f"{name}{CHORD}" for name in model.beams}
+    if run.forces and any(kind != FRAME and name not in chords for name, kind in shown_kinds(model).items()):
         yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
-    if model.beams:
-        yield "Beams are elastic and share the rotation of the nodes where they meet."
-    if run.verdict is not None:
+    if any(beam.kind == "elastic" for beam in model.beams.values()):
+        yield "Beams are elastic, without shear deformation. They share the rotation of a node, but for released ends."
+    if model.membranes or model.solids:
+        yield "Membranes and solids are elastic (St Venant-Kirchhoff); membranes have no bending stiffness."
+    if record["strength"]:
         yield "Parts are straight and prismatic; strains are small; materials are linear up to their yield strength."
         yielding, buckling = model.safety.yielding, model.safety.buckling
         yield f"Safety factors: {yielding:g} on yielding, {buckling:g} on buckling; the moment factor of beam-columns is 1."

@@ -59,6 +59,8 @@ def _largest(record: Mapping[str, Any]) -> str:
     if loads:
         most = max(loads, key=lambda one: abs(one["load"]))
         return f"Largest load of a drive: {quantity(abs(most['load']), most['unit'])} ({most['drive']})."
+    for one in record.get("skins", [])[:1]:
+        return f"Highest stress: {quantity(one['von_mises'], 'Pa')} (von Mises, {one['part']})."
     return ""
 
 

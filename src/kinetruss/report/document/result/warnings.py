@@ -15,13 +15,14 @@ from kinetruss.report.run_text.trains import exceeded
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-__all__ = ["checked_words", "not_held", "warnings"]
+__all__ = ["UNCHECKED", "checked_words", "not_held", "warnings"]
 
 POOR_BALANCE = 1e-6
 """Largest relative error of the energy balance without a warning; for computed motions it is near round-off."""
 NEAR_SINGULAR = 0.01
 MOST = 12
-UNCHECKED = re.compile(r"\s*Not checked without forces: [^.]* of the motors(?: \([a-z_.]+\))?\.")
+UNCHECKED = "Not everything could be checked"
+MOTORS = re.compile(r"\s*Not checked without forces: [^.]* of the motors(?: \([a-z_.]+\))?\.")
 INNER = re.compile(r" \((?:[a-z_]+\.)+[a-z_]+\)")
 """What a motion says of motors before its forces are known; the name of a function in brackets."""
 
@@ -42,7 +43,7 @@ def checked_words(message: str, demands: bool) -> str:
     >>> checked_words("Not checked without forces: voltage of the motors (dynamics.limits_kept).", demands=False)
     'Not checked without forces: voltage of the motors.'
     """
-    text = UNCHECKED.sub("", message) if demands else message
+    text = MOTORS.sub("", message) if demands else message
     return INNER.sub("", text).strip()
 
 
@@ -101,4 +102,4 @@ def _incomplete(run: RunResult) -> Iterator[str]:
         parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)
         if parts:
             names = ", ".join(list(parts)[:MOST]) + (f" and {len(parts) - MOST} more" if len(parts) > MOST else "")
-            yield f"Not everything could be checked: see the table of what was not, for {names}."
+            yield f"{UNCHECKED}: see the table of what was not, for {names}."

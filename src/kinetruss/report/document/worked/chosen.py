@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from kinetruss.report.along import only
 from kinetruss.report.document.worked.columns import beam_column_sheet, buckling_sheet
 from kinetruss.report.document.worked.drives import drive_sheet
-from kinetruss.report.document.worked.place import only, sample_of
+from kinetruss.report.document.worked.place import sample_of
 from kinetruss.report.document.worked.sheet import Sheet
 from kinetruss.report.document.worked.stress import beam_yield_sheet, yield_sheet
 

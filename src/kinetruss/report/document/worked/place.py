@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from kinetruss.report.document.worked.sheet import Sheet
     from kinetruss.results import Forces, Row
 
-__all__ = ["Cut", "constants", "cuts", "largest_shear", "made_of", "only", "sample_of", "without_round_off"]
+__all__ = ["Cut", "constants", "cuts", "largest_shear", "made_of", "sample_of", "without_round_off"]
 
 BESIDE = 1e-12
 """Fraction of a part's length to either side of a section, for section forces that jump there."""
@@ -50,13 +50,6 @@ def sample_of(forces: Forces, row: Row) -> int | None:
     else:
         found = np.flatnonzero(forces.data["time"].values == row.time)
     return int(found[0]) if len(found) else None
-
-
-def only(forces: Forces, sample: int) -> Forces:
-    """Forces of one sample, with their motion."""
-    here = {"time": [sample]}
-    motion = forces.motion.with_(data=forces.motion.data.isel(here))
-    return forces.with_(data=forces.data.isel(here), motion=motion, static=None)
 
 
 def cuts(model: Model, forces: Forces, part: str, position: float) -> list[Cut]:
