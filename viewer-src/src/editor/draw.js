@@ -126,10 +126,12 @@ export class Draw {
 
   take(answer) {
     const first = !this.state, dim = this.state?.dim;
+    let running = null;
     if (answer.choices) {
       this.choices = answer.choices;
       this.files.setOffer(answer.offer);
       this.picture.take(answer.picture);
+      running = answer.running;
     }
     this.state = answer;
     this.camera.setDim(answer.dim);
@@ -139,6 +141,7 @@ export class Draw {
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
     for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.text, this.files]) part.rebuild();
+    if (running) this.entries.take(running);
     window.kinetruss.ready = true;
     this.root.dataset.state = "ready";
   }

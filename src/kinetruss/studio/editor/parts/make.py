@@ -26,6 +26,9 @@ MATERIAL = "aluminium_6082_t6"
 OUTER, INNER = (0.04, 0.032), (0.03, 0.024)
 """Outer and inner diameter of base and tube of a new active member, as fractions of its length."""
 
+MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
+"""Analyses whose motion a mission can take."""
+
 SHARED = ("ends", "section", "material", "mass")
 """Fields that bars and beams both have."""
 
@@ -57,11 +60,17 @@ def made(
 
 
 def with_analysis(data: Data, name: str, analysis: str) -> Data:
-    """The data with another analysis of a run, and without those fields of the run that it does not use."""
+    """The data with another analysis of a run: without the fields that it does not use, and with those that it needs.
+
+    Raises
+    ------
+    InputError : a mission without other runs or trajectories.
+    """
     entry = (data.get("runs") or {}).get(name) or {}
+    needed = _needed(data, name, analysis)
     found = data
-    for kept in (tuple(entry), ("samples", "load_cases", "condition"), ()):
-        run = {**{key: entry[key] for key in entry if key in kept}, "analysis": analysis}
+    for kept in (tuple(entry), ("trajectory", "samples"), ("samples", "load_cases", "condition"), ()):
+        run = {**needed, **{key: entry[key] for key in entry if key in kept}, "analysis": analysis}
         found = {**data, "runs": {**(data.get("runs") or {}), name: run}}
         try:
             Model(**found)
@@ -70,6 +79,29 @@ def with_analysis(data: Data, name: str, analysis: str) -> Data:
                 continue
         break
     return found
+
+
+def _needed(data: Data, name: str, analysis: str) -> dict[str, Any]:
+    """Fields without which a run of this analysis is refused."""
+    runs = data.get("runs") or {}
+    if analysis == "dynamics.simulate":
+        given = (runs.get(name) or {}).get("trajectory")
+        return {"t_end": (given.get("duration") if isinstance(given, Mapping) else None) or "2 s"}
+    if analysis == "flexible.corrected":
+        fixed = data.get("fixed") or {}
+        moving = [node for node in data["nodes"] if node not in fixed] or list(data["nodes"])
+        return {"elastic": {"at": [f"{moving[-1]}.x"]}}
+    if analysis == "mission":
+        moving = [other for other, one in runs.items() if other != name and _prescribed(one)] or list(data.get("trajectories") or {})
+        if not moving:
+            raise InputError("A mission does the motions of other runs. Make a run that moves the drives first: New run.")
+        return {"motions": moving}
+    return {}
+
+
+def _prescribed(run: Mapping[str, Any]) -> bool:
+    """Whether a mission can take the motion of a run."""
+    return run.get("analysis", MOVING[0]) in MOVING and "condition" not in run
 
 
 def _found(data: Data, name: str) -> tuple[str, Any]:
