@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss import runs
+from kinetruss import kinematics, runs
 from kinetruss.io import schema
 from kinetruss.studio.editor import Desk
 from kinetruss.studio.editor.parts import forms
@@ -101,6 +101,24 @@ def test_bodies_springs_and_runs_are_made_from_what_is_picked(desk):
     assert "trajectory" not in found["data"]["runs"]["run1"]
     done(desk, do="set", path=["runs", "run1"], value={"motion": "/etc/hosts"})
     assert "reads a file" in ask(desk, do="run", name="run1")["message"]
+
+
+@pytest.mark.parametrize("lift", [0.0, 0.4, 1e-4])
+def test_a_platform_in_space_becomes_a_body(lift):
+    """Six nodes in a plane, or nearly; only the last one may be above it."""
+    desk = Desk(dim=3)
+    names = []
+    for k in range(6):
+        at = [np.cos(k * np.pi / 3), np.sin(k * np.pi / 3), 1.0 + lift * (k == 5)]
+        names.append(done(desk, do="add", at=at)["made"]["node"])
+    found = done(desk, do="make", what="body", nodes=names)
+    model = kt.Model(**found["data"])
+    assert len(model.bodies["body1"].carriers or ()) == (4 if lift > 0.1 else 3)
+    middle = np.mean([model.nodes[name].at for name in model.bodies["body1"].carriers], axis=0)
+    assert np.hypot(*middle[:2]) < 0.26  # the mass is near the middle, in it where the platform is regular
+    assert lift or np.hypot(*middle[:2]) < 1e-12
+    assert len(model.bodies["body1"].nodes) == (6 if lift > 0.1 else 7)
+    assert kinematics.mobility(model).degrees_of_freedom == 6  # of the whole body: nothing moves within it
 
 
 def ended(desk: Desk, answer: dict) -> dict:

@@ -170,6 +170,7 @@ export class Canvas {
       parts.push(svg("path", { class: "cursor", d: `M${x - 12} ${y}H${x + 12}M${x} ${y - 12}V${y + 12}` }));
     }
     this.layers.rubber.replaceChildren(...parts);
+    this.draw.readout.update();
   }
 
   /** The node or member at a place of the screen; `allowed` chooses among the nodes. */
