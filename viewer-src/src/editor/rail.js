@@ -16,6 +16,7 @@ export class ToolRail {
     this.tools = new Map(TOOLS.map(([name, words, , title]) => [name, el("button", { type: "button", title, onclick: () => draw.setTool(name) }, words)]));
     const made = (words, title, action) => el("button", { type: "button", title, "aria-label": title.replace(/ \(.*/, ""), onclick: action }, words);
     this.several = made("Several", "Pick several: as with Shift held", () => this.toggleSeveral());
+    this.several.className = "several";
     this.undo = made("Undo", "Undo (Ctrl+Z)", () => draw.ask({ do: "undo" }));
     this.redo = made("Redo", "Redo (Ctrl+Y)", () => draw.ask({ do: "redo" }));
     this.delete = made("Delete", "Delete what is picked (Delete)", () => draw.remove());
