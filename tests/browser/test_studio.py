@@ -277,3 +277,32 @@ def test_a_page_that_lost_its_studio_goes_on_with_its_changes(show, tmp_path):
     finally:
         again.process.kill()
         again.process.communicate()
+
+
+@pytest.mark.parametrize("changed", [False, True])
+def test_a_page_that_is_loaded_again_goes_on_with_its_changes(show, tmp_path, changed):
+    """Also over a file that another program has changed meanwhile."""
+    one = serve(dyad(), tmp_path)
+    try:
+        shown = show(one.address)
+        if changed:
+            file = tmp_path / "model.yaml"
+            file.write_text(file.read_text(encoding="utf-8").replace("9.81", "1.62"), encoding="utf-8")
+        ask(shown, do="mass", node="C", mass=50.0)
+        slide(shown, "left", 0.9)
+        forces = ask(shown, do="query")["member_force"]
+        shown.page.wait_for_timeout(1000)  # the slider rests
+        shown.page.reload()
+        shown.page.wait_for_selector("#kinetruss[data-state]")
+        settled(shown)
+        assert ask(shown, do="query")["member_force"] == pytest.approx(forces, rel=1e-9)
+        assert "goes on with its changes" in shown.page.locator(".controls .banner").inner_text()
+        assert ask(shown, do="save", name="model.yaml", pose=False, frames=[], replace=False)["kind"] == (
+            "exists" if changed else "saved"
+        )
+        other = show(one.address)  # another page begins with the file's model
+        assert ask(other, do="query")["member_force"] != pytest.approx(forces, rel=1e-3)
+        clean(other)
+    finally:
+        one.process.kill()
+        one.process.communicate()

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import time
 
 import numpy as np
 import pytest
 
 import kinetruss as kt
+from kinetruss import kinematics, runs
 from kinetruss.io import schema
 from kinetruss.studio.editor import Desk
 from kinetruss.studio.editor.parts import forms
@@ -86,8 +88,9 @@ def test_bodies_springs_and_runs_are_made_from_what_is_picked(desk):
     found = done(desk, do="make", what="run")
     assert found["data"]["runs"]["run1"]["trajectory"]["moves"] == {"b3": [1.0, 1.1]}
     before = desk.drawing.state
-    answer = ask(desk, do="run", name="run1")
+    answer = ended(desk, ask(desk, do="run", name="run1"))
     assert answer["kind"] == "ran"
+    assert answer["revision"] == desk.drawing.revision
     assert answer["words"].startswith("101 of 101 samples.")
     assert "kinetruss-scene" in desk.results.pages[answer["number"]]
     assert desk.drawing.state is before
@@ -98,6 +101,89 @@ def test_bodies_springs_and_runs_are_made_from_what_is_picked(desk):
     assert "trajectory" not in found["data"]["runs"]["run1"]
     done(desk, do="set", path=["runs", "run1"], value={"motion": "/etc/hosts"})
     assert "reads a file" in ask(desk, do="run", name="run1")["message"]
+
+
+@pytest.mark.parametrize("lift", [0.0, 0.4, 1e-4])
+def test_a_platform_in_space_becomes_a_body(lift):
+    """Six nodes in a plane, or nearly; only the last one may be above it."""
+    desk = Desk(dim=3)
+    names = []
+    for k in range(6):
+        at = [np.cos(k * np.pi / 3), np.sin(k * np.pi / 3), 1.0 + lift * (k == 5)]
+        names.append(done(desk, do="add", at=at)["made"]["node"])
+    found = done(desk, do="make", what="body", nodes=names)
+    model = kt.Model(**found["data"])
+    assert len(model.bodies["body1"].carriers or ()) == (4 if lift > 0.1 else 3)
+    middle = np.mean([model.nodes[name].at for name in model.bodies["body1"].carriers], axis=0)
+    assert np.hypot(*middle[:2]) < 0.26  # the mass is near the middle, in it where the platform is regular
+    assert lift or np.hypot(*middle[:2]) < 1e-12
+    assert len(model.bodies["body1"].nodes) == (6 if lift > 0.1 else 7)
+    assert kinematics.mobility(model).degrees_of_freedom == 6  # of the whole body: nothing moves within it
+
+
+def ended(desk: Desk, answer: dict) -> dict:
+    """The end of a run, from the answer to its start."""
+    while answer["kind"] == "running":
+        assert 0 <= answer["done"] <= answer["total"]
+        time.sleep(0.02)
+        answer = ask(desk, do="running")
+    return answer
+
+
+def test_a_run_tells_how_far_it_is_and_can_be_stopped(desk):
+    done(desk, do="make", what="active", members=["b3"])
+    done(desk, do="make", what="run")
+    done(desk, do="set", path=["runs", "run1", "samples"], value="400000", typed=True)
+    assert ask(desk, do="running") == {"kind": "stopped"}
+    assert "No run" in ask(desk, do="stop")["message"]
+    answer = ask(desk, do="run", name="run1")
+    assert (answer["kind"], answer["total"]) == ("running", 400_000)
+    assert "is being computed" in ask(desk, do="run", name="run1")["message"]
+    place = done(desk, do="move", places={"C": [0.3, 0.4]})["places"][2]  # drawing goes on
+    assert place == [0.3, 0.4]
+    end = time.monotonic() + 60
+    while not (answer := ask(desk, do="running"))["done"]:
+        assert time.monotonic() < end
+    assert answer["kind"] == "running"
+    assert json.loads(json.dumps(desk.first()))["running"]["name"] == "run1"  # a page that comes later knows of it
+    (work,) = [desk.results.work]
+    assert ask(desk, do="stop")["done"] < 400_000
+    assert ask(desk, do="running") == {"kind": "stopped"}
+    work.thread.join(60)
+    assert not work.thread.is_alive()
+    assert not desk.results.pages
+    done(desk, do="set", path=["runs", "run1", "samples"], value="11", typed=True)
+    answer = ended(desk, ask(desk, do="run", name="run1"))
+    assert answer["words"].startswith("11 of 11 samples.")
+    done(desk, do="move", places={"C": [0.3, 0.5]})
+    assert ask(desk, do="running")["revision"] < desk.drawing.revision  # the result is of an earlier drawing
+
+
+def test_a_mission_is_made_and_done_from_its_form(desk):
+    done(desk, do="make", what="active", members=["b3"])
+    done(desk, do="make", what="run")
+    refused = ask(desk, do="set", path=["runs", "run1", "analysis"], value="mission")
+    assert "motions of other runs" in refused["message"]
+    done(desk, do="make", what="run")
+    found = done(desk, do="set", path=["runs", "run2", "analysis"], value="mission")
+    assert found["data"]["runs"]["run2"]["motions"] == ["run1"]
+    found = done(desk, do="set", path=["conditions"], value={"light": {}, "laden": {"payloads": {"C": "50 kg"}}})
+    done(desk, do="set", path=["runs", "run2", "conditions"], value=["light", "laden"])
+    answer = ended(desk, ask(desk, do="run", name="run2"))
+    assert answer["words"].startswith("2 of 2 pairs"), answer
+    mission = runs.run(kt.Model(**desk.drawing.state.data), "run2")
+    worst = max(mission.verdict.table(), key=lambda row: row.utilisation)
+    assert f"{100 * worst.utilisation:.3g} %" in answer["words"]
+    assert "laden" in desk.results.pages[answer["number"]]
+
+
+@pytest.mark.parametrize("analysis", ["dynamics.simulate", "flexible.corrected", "kinematics.follow", "statics.at_poses"])
+def test_a_run_gets_what_its_analysis_needs(desk, analysis):
+    done(desk, do="make", what="active", members=["b3"])
+    done(desk, do="make", what="run")
+    found = done(desk, do="set", path=["runs", "run1", "analysis"], value=analysis)
+    assert (found["data"]["runs"]["run1"]["analysis"], found["faults"]) == (analysis, [])
+    assert done(desk, do="set", path=["runs", "run1", "analysis"], value="statics.equilibrium")["faults"] == []
 
 
 def test_a_spring_of_an_angle_in_space_needs_an_axis():

@@ -8,6 +8,7 @@ import { boxes, cylinder, moved, placeAlong, placeBox, placeSphere, spheres } fr
 import { Rims, withHatch } from "./surface.js";
 
 const COLLAR = new Color(KINDS.driven);
+const FINE = 0.3; // CSS pixels, radius of a bar below which it is a line
 const BAND = new Color(ELASTIC);
 
 /** How thick each member is drawn, m: its section, but never too thin to be seen. */
@@ -73,6 +74,13 @@ export class Bars {
     this.paintNodes(node);
     this.rims.setColour(outline);
     for (const { material } of [this.rods, this.boxes]) material.userData.stripe.value.set(back);
+  }
+
+  /** radius : of the usual bar, CSS pixels: of bars that are thinner than a pixel only the coloured lines along them are drawn. */
+  setScale(radius) {
+    this.rims.setScale(radius);
+    const near = radius > FINE;
+    for (const mesh of [this.rods, this.boxes, this.collars, this.balls, ...this.rims.meshes]) mesh.visible = near;
   }
 
   resize(width, height) {

@@ -20,6 +20,9 @@ export function startLive(root) {
 
 function throughSocket(live) {
   const address = `${location.origin.replace(/^http/, "ws")}${location.pathname}live`;
+  live.store = `kinetruss ${location.pathname}`;
+  const [how] = performance.getEntriesByType("navigation");
+  if (how?.type === "reload") live.page = sessionStorage.getItem(live.store) || ""; // a copied tab begins anew
   const connect = () => {
     const socket = new WebSocket(live.page ? `${address}?page=${live.page}` : address);
     socket.binaryType = "arraybuffer";
@@ -190,10 +193,14 @@ export class Live {
 
   /** The first scene of a studio, or of changes that it has kept. */
   begin({ page, frames }) {
-    const again = this.closed, same = page === this.page;
+    const again = this.closed, same = page === this.page && page !== "";
     Object.assign(this, { adopt: false, closed: false, page });
+    if (this.store) sessionStorage.setItem(this.store, page);
     if (frames.length || (again && same)) this.controls.frames.take(frames);
-    if (!again) return;
+    if (!again) {
+      if (same) this.controls.tell("The page was loaded again and goes on with its changes.");
+      return;
+    }
     this.setEnded(false);
     this.controls.frames.show();
     if (!same) this.controls.frames.keep();

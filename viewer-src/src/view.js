@@ -194,7 +194,7 @@ export class View extends Picture {
     // the lamp goes with the eye, a little above and to the left of it
     this.lamp.position.set(-0.35, 0.6, 1).applyQuaternion(camera.quaternion);
     const far = camera.position.distanceTo(this.controls.target), pixel = (2 * far * Math.tan((camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
-    this.bars.rims.setScale(this.bars.ball / 1.55 / pixel);
+    this.bars.setScale(this.bars.ball / 1.55 / pixel);
     renderer.clear();
     renderer.render(this.world, camera);
     this.triad.render(renderer, camera);

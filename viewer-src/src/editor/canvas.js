@@ -4,6 +4,7 @@ import { colourOf, gradient } from "../colour.js";
 import { KINDS } from "../display.js";
 import { el, fill, svg } from "../dom.js";
 import { quantity } from "../format.js";
+import { Labels } from "./labels.js";
 import { bodies, springs } from "./marks.js";
 
 const LINES = 60; // most grid lines to either side
@@ -19,6 +20,7 @@ export class Canvas {
     const layer = (name) => svg("g", { class: name });
     this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
+    this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
     new ResizeObserver(() => this.resize()).observe(this.node);
   }
@@ -66,9 +68,8 @@ export class Canvas {
       circle.setAttribute("cx", x.toFixed(2));
       circle.setAttribute("cy", y.toFixed(2));
       circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
-      this.labels[k].setAttribute("x", (x + 9).toFixed(1));
-      this.labels[k].setAttribute("y", (y - 9).toFixed(1));
     });
+    if (shown.names && few) this.place(state, picked);
     this.marks(state);
     this.draw.picture.place(this.layers.picture);
     this.draw.curves.place(this.layers.curve);
@@ -91,12 +92,20 @@ export class Canvas {
       bar.classList.toggle("picked", picked.members.has(name));
       bar.classList.toggle("apart", name in state.apart);
       bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
-      this.tags[k].setAttribute("display", state.members.length <= FEW || picked.members.has(name) ? "inline" : "none");
-      const part = k % 2 ? 0.6 : 0.4; // two bars that cross in their middles have their names apart
-      this.tags[k].setAttribute("x", (a[0] + part * (b[0] - a[0]) + 5).toFixed(1));
-      this.tags[k].setAttribute("y", (a[1] + part * (b[1] - a[1]) - 5).toFixed(1));
       this.tags[k].textContent = shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
     });
+  }
+
+  /** Names of nodes, of what is picked, and of members where there is room. */
+  place(state, picked) {
+    this.names.begin(this.seen);
+    this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
+    const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
+    for (const k of order) {
+      const { name, ends } = state.members[k], must = picked.members.has(name);
+      if (state.members.length <= FEW || must) this.names.member(this.tags[k], this.at(ends[0]), this.at(ends[1]), must);
+      else this.tags[k].setAttribute("display", "none");
+    }
   }
 
   grid() {
@@ -170,6 +179,7 @@ export class Canvas {
       parts.push(svg("path", { class: "cursor", d: `M${x - 12} ${y}H${x + 12}M${x} ${y - 12}V${y + 12}` }));
     }
     this.layers.rubber.replaceChildren(...parts);
+    this.draw.readout.update();
   }
 
   /** The node or member at a place of the screen; `allowed` chooses among the nodes. */

@@ -31,6 +31,7 @@ export class Curves {
   start() {
     this.on = { ...this.wish };
     this.stale = true;
+    this.rebuild();
     this.draw.pump();
   }
 

@@ -9,6 +9,7 @@ import { Files } from "./files.js";
 import { Groups } from "./groups.js";
 import { Picture } from "./picture.js";
 import { Properties } from "./properties.js";
+import { Readout } from "./readout.js";
 import { Status } from "./status.js";
 import { Text } from "./text.js";
 import { Tools } from "./tools.js";
@@ -20,7 +21,7 @@ const OFTEN = 6; // moves of a drag after which the curve may follow
 
 export class Draw {
   constructor(root) {
-    Object.assign(this, { root, state: null, tool: "bar", snap: true, waiting: null, queue: [], want: null, closed: true, cursor: null, rubber: null, moves: 0 });
+    Object.assign(this, { root, state: null, tool: "bar", snap: true, waiting: null, queue: [], want: null, closed: true, cursor: null, rubber: null, pointed: null, several: false, moves: 0 });
     this.picked = { nodes: new Set(), members: new Set() };
     this.shown = { names: true, force: true };
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -30,6 +31,7 @@ export class Draw {
     this.spoken = el("p", { class: "spoken", role: "status", "aria-live": "polite" });
     this.picture = new Picture(this);
     this.curves = new Curves(this);
+    this.readout = new Readout(this);
     this.canvas = new Canvas(this);
     this.status = new Status(this);
     this.properties = new Properties(this);
@@ -40,9 +42,9 @@ export class Draw {
     this.files = new Files(this);
     this.rail = new ToolRail(this);
     this.tools = new Tools(this);
-    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, this.banner, this.files.offer, this.status.node, this.status.details, this.properties.node,
+    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), this.status.details, this.properties.node,
       this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.spoken), panel));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.readout.node, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -126,10 +128,12 @@ export class Draw {
 
   take(answer) {
     const first = !this.state, dim = this.state?.dim;
+    let running = null;
     if (answer.choices) {
       this.choices = answer.choices;
       this.files.setOffer(answer.offer);
       this.picture.take(answer.picture);
+      running = answer.running;
     }
     this.state = answer;
     this.camera.setDim(answer.dim);
@@ -139,6 +143,7 @@ export class Draw {
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
     for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.text, this.files]) part.rebuild();
+    if (running) this.entries.take(running);
     window.kinetruss.ready = true;
     this.root.dataset.state = "ready";
   }
@@ -230,6 +235,12 @@ export class Draw {
     if (nodes.length || members.length) this.edit({ do: "delete", nodes, members });
   }
 
+  /** Show all if something is out of sight: after edits that are typed, not drawn. */
+  reveal() {
+    const { width, height } = this.camera;
+    if (this.canvas.seen.some(([x, y]) => x < 0 || y < 0 || x > width || y > height)) this.fit();
+  }
+
   fit() {
     this.camera.fit(this.state.places);
     this.canvas.update();
@@ -237,6 +248,7 @@ export class Draw {
 
   setTool(tool) {
     this.tool = tool;
+    if (tool !== "pick") this.several = false;
     this.tools.cancelAct();
     this.canvas.rubber();
     this.rail.rebuild();

@@ -5,6 +5,7 @@ import { button, choice, field, refill } from "./fields.js";
 import { Forms, words } from "./forms.js";
 
 const FIRST = ["active", "beams", "bodies", "springs", "drives", "loads", "load_cases", "trajectories"];
+const AGAIN = 300; // ms between questions how far a run is
 const STEMS = { bodies: "body", trajectories: "trajectory", load_cases: "case", poses: "pose" };
 
 export class Entries {
@@ -74,22 +75,60 @@ export class Entries {
   }
 
   listRuns(all) {
-    const names = Object.keys(all);
+    const names = Object.keys(all), { doing } = this;
     if (!names.includes(this.run)) this.run = names[0] || "";
-    const found = this.ran[this.run];
     const add = () => this.draw.make("run");
     refill(this.runs, el("div", { class: "row" }, names.length ? choice("Run", names, this.run, (name) => { this.run = name; this.rebuild(); }, "run") : el("span", { class: "faint" }, "No run yet: a run moves the drives, or computes the equilibrium."),
-      button("New run", add), this.run ? button("Do it", () => this.start(this.run), { "aria-label": `do run ${this.run}` }) : null),
-      found ? el("div", { role: "status" }, el("pre", { class: "about" }, found.words), found.number ? el("a", { href: `result/${found.number}`, target: "_blank", rel: "noopener" }, "Show the result") : null) : null,
-      this.run ? this.form("runs", this.run) : null);
+      button("New run", add), this.run && !doing ? button("Do it", () => this.start(this.run), { "aria-label": `do run ${this.run}` }) : null),
+      doing ? this.progress(doing) : null, this.result(this.ran[this.run]), this.run ? this.form("runs", this.run) : null);
+  }
+
+  /** The run that is computed; what is drawn meanwhile does not change it. */
+  progress({ name, done, total }) {
+    this.bar = el("progress", { max: total || 1, value: done, "aria-label": `progress of ${name}` });
+    this.share = el("span", {}, total ? `${done} of ${total}` : "");
+    return el("div", { class: "row doing" }, el("span", {}, `${name} is computed`), this.bar, this.share, button("Stop", () => this.stop(), { "aria-label": `stop run ${name}` }));
+  }
+
+  result(found) {
+    if (!found) return null;
+    const changed = found.revision !== this.draw.state.revision;
+    return el("div", { role: "status" }, el("pre", { class: "about" }, found.words), changed ? el("p", { class: "faint" }, "The drawing has changed since.") : null,
+      found.number ? el("a", { href: `result/${found.number}`, target: "_blank", rel: "noopener" }, "Show the result") : null);
   }
 
   async start(name) {
-    this.draw.tell(`The run ${name} is computed ...`);
-    const answer = await this.draw.ask({ do: "run", name });
-    if (answer.kind !== "ran") return;
-    this.ran[name] = answer;
-    this.draw.tell(`The run ${name} is done.`);
-    this.rebuild();
+    this.hear(await this.draw.ask({ do: "run", name }));
+  }
+
+  async stop() {
+    const { name } = this.doing || {}, answer = await this.draw.ask({ do: "stop" });
+    this.hear(answer);
+    if (answer.kind === "stopped") this.draw.tell(`The run ${name} was stopped.`);
+  }
+
+  /** How far the run is, or its end; asked again until it ends. */
+  hear(answer) {
+    clearTimeout(this.timer);
+    const before = this.doing;
+    this.doing = answer.kind === "running" ? answer : null;
+    if (this.doing) this.timer = setTimeout(() => this.follow(), AGAIN);
+    else if (answer.kind === "ran") {
+      this.ran[answer.name] = answer;
+      this.draw.tell(`The run ${answer.name} is done.`);
+    }
+    if (!this.doing || !before) return this.rebuild();
+    Object.assign(this.bar, { max: answer.total || 1, value: answer.done }); // what is typed in the form stays
+    this.share.textContent = answer.total ? `${answer.done} of ${answer.total}` : "";
+  }
+
+  async follow() {
+    if (this.doing) this.hear(await this.draw.ask({ do: "running" }));
+  }
+
+  /** The run of a page before this one. */
+  take(running) {
+    if (running?.kind === "running") this.hear(running);
+    else if (running?.kind === "ran") this.ran[running.name] = running;
   }
 }

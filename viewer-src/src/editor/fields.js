@@ -15,11 +15,18 @@ export function typed(text) {
 export function field(label, value, set, { hint = "", size = 9, name = label } = {}) {
   const input = el("input", { type: "text", size, "aria-label": name, placeholder: hint, inputmode: "text", autocomplete: "off", spellcheck: "false" });
   input.value = value ?? "";
-  input.addEventListener("change", () => set(typed(input.value)));
+  const commit = () => {
+    delete input.dataset.dirty;
+    set(typed(input.value));
+  };
+  input.addEventListener("input", () => (input.dataset.dirty = "yes"));
+  input.addEventListener("change", commit);
+  input.addEventListener("blur", () => input.isConnected && input.dataset.dirty && commit()); // typed before the panel was made anew
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") input.blur();
     if (event.key === "Escape") {
       input.value = value ?? "";
+      delete input.dataset.dirty;
       input.blur();
     }
   });
@@ -50,10 +57,14 @@ export function refill(node, ...content) {
   const { activeElement: active } = node.ownerDocument;
   const label = node.contains(active) ? active.getAttribute("aria-label") || active.textContent : null;
   const words = label && active.tagName === "INPUT" && active.type === "text" && active.dataset.dirty ? active.value : null;
+  const caret = words === null ? null : active.selectionStart;
   node.replaceChildren(...content.flat(4).filter(Boolean));
   if (!label) return;
   const again = [...node.querySelectorAll("input, select, button, textarea")].find((one) => (one.getAttribute("aria-label") || one.textContent) === label);
   if (!again) return;
-  if (words !== null) again.value = words;
   again.focus({ preventScroll: true });
+  if (words === null) return;
+  again.value = words;
+  again.dataset.dirty = "yes";
+  again.setSelectionRange(caret, caret);
 }

@@ -25,6 +25,8 @@ export class Files {
 
   async save(replace = false) {
     this.ask.hidden = true;
+    const name = this.name.value.trim();
+    if (name && !/[./\\]/.test(name)) this.name.value = `${name}.yaml`;
     const answer = await this.draw.ask({ do: "save", name: this.name.value.trim(), replace });
     if (answer.kind !== "exists") return;
     this.ask.hidden = false;

@@ -30,8 +30,8 @@ export class Groups {
     const { draw } = this, { state } = draw;
     if (!state) return;
     const axes = [..."xyz"].slice(0, state.dim), count = this.nodes().length;
-    const copy = () => draw.edit({ do: "copy", nodes: this.nodes(), by: axes.map((axis) => this.value(`d${axis}`, 0)), count: this.value("count", 1) });
-    const mirror = () => draw.edit({ do: "mirror", nodes: this.nodes(), axis: this.value("axis", "x"), at: this.value("at", 0) });
+    const copy = () => draw.edit({ do: "copy", nodes: this.nodes(), by: axes.map((axis) => this.value(`d${axis}`, 0)), count: this.value("count", 1) }).then(() => draw.reveal());
+    const mirror = () => draw.edit({ do: "mirror", nodes: this.nodes(), axis: this.value("axis", "x"), at: this.value("at", 0) }).then(() => draw.reveal());
     const stack = () => draw.edit({ do: "stack", cell: this.value("cell", cells[0]), count: this.value("cells", 1) }).then((answer) => answer.kind === "drawing" && draw.fit());
     const planar = ["triangle", "panel"];
     const cells = draw.choices.cells.filter((name) => planar.includes(name) === (state.dim === 2));

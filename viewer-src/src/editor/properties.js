@@ -8,6 +8,7 @@ import { button, check, choice, field, refill } from "./fields.js";
 const KINDS = [["rigid", "rigid"], ["driven", "driven length"], ["elastic", "elastic (spring)"], ["cable", "cable"], ["free", "free (measures only)"]];
 const OTHER = [["active", "active member (rods, screw, motor)"], ["beam", "beam (bends)"]];
 const MAKES = { angle_spring: "Angle spring", body: "Body" };
+const LISTED = 12; // names of what is picked
 const AXES = [..."xyz"];
 
 export class Properties {
@@ -32,9 +33,9 @@ export class Properties {
     if (!state) return;
     const nodes = [...picked.nodes], members = [...picked.members];
     const lists = this.lists(state, nodes, members);
-    if (nodes.length === 1 && !members.length) refill(this.body, lists, this.ofNode(nodes[0]));
+    if (nodes.length === 1 && !members.length) refill(this.body, lists, this.ofNode(nodes[0]), this.newNode());
     else if (members.length === 1 && !nodes.length) refill(this.body, lists, this.ofMember(members[0]));
-    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? `${nodes.length} nodes, ${members.length} members` : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, this.making([...(members.length === 2 ? ["angle_spring"] : []), ...(nodes.length + members.length > 1 ? ["body"] : [])]), nodes.length ? null : this.newNode());
+    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? [counted(nodes, "node"), counted(members, "member")].filter(Boolean).join("; ") : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, this.making([...(members.length === 2 ? ["angle_spring"] : []), ...(nodes.length + members.length > 1 ? ["body"] : [])]), nodes.length ? null : this.newNode(), state.nodes.length ? null : this.other(state.dim));
   }
 
   /** Lists of all nodes and members: picking by keys. */
@@ -43,14 +44,24 @@ export class Properties {
     return el("div", { class: "row" }, list("node", "Node", state.nodes, nodes), list("member", "Member", state.members.map(({ name }) => name), members));
   }
 
-  /** A node by its coordinates. */
+  /** An empty drawing of the other kind. */
+  other(dim) {
+    const words = dim === 2 ? "Draw in space" : "Draw in the plane";
+    return el("div", { class: "row" }, el("span", { class: "faint" }, `This drawing is ${dim === 2 ? "planar" : "in space"}.`), button(words, () => this.draw.edit({ do: "fresh", dim: 5 - dim })));
+  }
+
+  /** A node by its coordinates; the next one can be typed at once. */
   newNode() {
     const { dim } = this.draw.state;
     const inputs = AXES.slice(0, dim).map((axis) => field(axis, "", () => {}, { hint: "0", size: 6, name: `${axis} of the new node` }));
-    const add = () => {
+    const add = async () => {
       const words = inputs.map((one) => one.querySelector("input").value.trim() || "0");
-      this.draw.edit({ do: "add", at: words.map((word) => (Number.isFinite(Number(word)) ? Number(word) : word)) });
+      const answer = await this.draw.edit({ do: "add", at: words.map((word) => (Number.isFinite(Number(word)) ? Number(word) : word)) });
+      if (answer.kind !== "drawing") return;
+      this.draw.reveal();
+      this.body.querySelector('[aria-label="x of the new node"]').focus();
     };
+    for (const one of inputs) one.addEventListener("keydown", (event) => event.key === "Enter" && add());
     return el("fieldset", {}, el("legend", {}, "New node at (m, or with a unit)"), el("div", { class: "row" }, inputs, button("Add node", add)));
   }
 
@@ -60,7 +71,7 @@ export class Properties {
       if (value === null) return this.rebuild();
       const at = [...entry.at];
       at[k] = value;
-      draw.edit({ do: "move", places: { [name]: at } });
+      draw.edit({ do: "move", places: { [name]: at } }).then(() => draw.reveal());
     }, { size: 8, name: `${axis} of ${name}` }));
     const held = state.fixed[name] || "";
     const hold = AXES.slice(0, state.dim).map((axis, k) => check(axis, held.includes(axis), (on) =>
@@ -196,6 +207,12 @@ export class Properties {
   }
 }
 
+/** How many and which: "2 nodes: A, B". */
+function counted(names, what) {
+  if (!names.length) return "";
+  return `${names.length} ${what}${names.length === 1 ? "" : "s"}: ${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? " ..." : ""}`;
+}
+
 /** A section of the model, of the library, or a tube by its diameters. */
 export function sectionChoice(draw, value, set, name) {
   const names = [...Object.keys(draw.state.data.sections || {}), ...draw.choices.sections];
@@ -204,10 +221,12 @@ export function sectionChoice(draw, value, set, name) {
   const inner = field("Inner", own === "own" ? value.inner : "", () => {}, { hint: "0", size: 6, name: `inner diameter, ${name}` });
   const tube = () => {
     const [d, i] = [outer, inner].map((one) => one.querySelector("input").value.trim());
+    const bare = [d, i].find((one) => Number(one) !== 0 && Number.isFinite(Number(one)));
+    if (bare !== undefined) return draw.tell(`A diameter needs its unit, or it would be metres: ${bare} mm.`, true);
     if (d) set(!i || Number(i) === 0 ? { kind: "rod", diameter: d } : { kind: "tube", outer: d, inner: i });
   };
   const fields = el("span", { class: "row", hidden: own !== "own" }, outer, inner, button("Set", tube, { "aria-label": `set ${name}` }));
-  const list = choice("Section", [["", "of the model"], ...new Set(names), ["own", "tube or rod ..."]], own, (chosen) => {
+  const list = choice("Section", [["", name.endsWith("of the model") ? "none" : "of the model"], ...new Set(names), ["own", "tube or rod ..."]], own, (chosen) => {
     fields.hidden = chosen !== "own";
     if (chosen !== "own") set(chosen || null);
   }, name);
@@ -217,5 +236,5 @@ export function sectionChoice(draw, value, set, name) {
 export function materialChoice(draw, value, set, name) {
   const names = [...Object.keys(draw.state.data.materials || {}), ...draw.choices.materials];
   const own = value && typeof value === "object" ? [["own", "of its own"]] : [];
-  return choice("Material", [["", "of the model"], ...new Set(names), ...own], own.length ? "own" : value || "", (chosen) => chosen !== "own" && set(chosen || null), name);
+  return choice("Material", [["", name.endsWith("of the model") ? "none" : "of the model"], ...new Set(names), ...own], own.length ? "own" : value || "", (chosen) => chosen !== "own" && set(chosen || null), name);
 }

@@ -2,6 +2,7 @@
 
 import { el, press } from "../dom.js";
 import { field } from "./fields.js";
+import { metres } from "./readout.js";
 
 const TOOLS = [
   ["pick", "Pick", "v", "Pick and move: drag nodes, Shift adds to what is picked, Shift-drag draws a box (V)"],
@@ -14,6 +15,8 @@ export class ToolRail {
     this.draw = draw;
     this.tools = new Map(TOOLS.map(([name, words, , title]) => [name, el("button", { type: "button", title, onclick: () => draw.setTool(name) }, words)]));
     const made = (words, title, action) => el("button", { type: "button", title, "aria-label": title.replace(/ \(.*/, ""), onclick: action }, words);
+    this.several = made("Several", "Pick several: as with Shift held", () => this.toggleSeveral());
+    this.several.className = "several";
     this.undo = made("Undo", "Undo (Ctrl+Z)", () => draw.ask({ do: "undo" }));
     this.redo = made("Redo", "Redo (Ctrl+Y)", () => draw.ask({ do: "redo" }));
     this.delete = made("Delete", "Delete what is picked (Delete)", () => draw.remove());
@@ -27,7 +30,7 @@ export class ToolRail {
     this.grid = el("span", { class: "group" });
     this.title = el("h1", {});
     this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
-      el("div", { class: "tools" }, el("span", { class: "group", role: "group", "aria-label": "tools" }, [...this.tools.values()]),
+      el("div", { class: "tools" }, el("span", { class: "group", role: "group", "aria-label": "tools" }, [...this.tools.values()], this.several),
         el("span", { class: "group" }, this.undo, this.redo, this.delete),
         el("span", { class: "group" }, this.fit, this.names, this.force, this.snap, this.theme), this.grid, this.looks, this.plane));
   }
@@ -40,6 +43,13 @@ export class ToolRail {
 
   toggleSnap() {
     this.draw.snap = !this.draw.snap;
+    this.rebuild();
+  }
+
+  /** For fingers, which have no Shift. */
+  toggleSeveral() {
+    this.draw.several = !this.draw.several;
+    if (this.draw.several) this.draw.setTool("pick");
     this.rebuild();
   }
 
@@ -57,6 +67,7 @@ export class ToolRail {
   rebuild() {
     const { draw } = this, { state, camera } = draw;
     for (const [name, one] of this.tools) press(one, draw.tool === name);
+    press(this.several, draw.several);
     press(this.names, draw.shown.names);
     press(this.force, draw.shown.force);
     press(this.snap, draw.snap);
@@ -72,13 +83,25 @@ export class ToolRail {
     const select = el("select", { "aria-label": "work plane", onchange: () => this.setPlane({ axis: Number(select.value), at: 0 }) }, ["y-z", "x-z", "x-y"].map((name, k) => el("option", { value: k }, name)));
     select.value = camera.plane.axis;
     this.plane.replaceChildren(el("label", { class: "entry" }, el("span", {}, "Plane"), select),
-      field(`at ${"xyz"[camera.plane.axis]} =`, camera.plane.at, (value) => this.setPlane({ at: Number.isFinite(value) ? value : camera.plane.at }), { size: 4, name: "height of the work plane in m" }),
+      field(`at ${"xyz"[camera.plane.axis]} =`, camera.plane.at, (value) => this.setHeight(value), { size: 4, name: "height of the work plane in m" }),
       el("button", { type: "button", title: "Look straight at the work plane", onclick: () => { camera.face(); draw.fit(); } }, "Face it"));
   }
 
+  setHeight(value) {
+    const at = metres(value);
+    if (Number.isFinite(at)) this.setPlane({ at });
+    else {
+      this.draw.tell(`The height of the work plane is a length: 0.5, 500 mm. Got ${value ?? "nothing"}.`, true);
+      this.rebuild();
+    }
+  }
+
   setStep(value) {
-    this.draw.camera.step = Number.isFinite(value) && value > 0 ? value : null;
-    this.draw.canvas.update();
+    const { draw } = this, { camera } = draw, step = value === null ? null : metres(value);
+    if (step === null || step > 0) camera.step = step;
+    else draw.tell(`The step of the grid is a length: 0.05, 50 mm, 2 in. Got ${value}.`, true);
+    if (step > 0 && !draw.state.nodes.length && (step * camera.scale < 8 || step * camera.scale > 150)) camera.zoom(44 / step / camera.scale);
+    draw.canvas.update();
     this.rebuild();
   }
 
@@ -103,6 +126,7 @@ export class ToolRail {
     if (tool) draw.setTool(tool[0]);
     else if (turn) { draw.camera.turn(...turn); draw.canvas.update(); }
     else if (key === "Delete" || key === "Backspace") draw.remove();
+    else if (key === "Escape") draw.tools.escape();
     else if (key === "f") draw.fit();
     else if (key === "a") this.toggle("names");
     else if (key === "c") this.toggle("force");

@@ -23,12 +23,13 @@ export class Status {
     for (const { kind, text } of state.warnings) rows.push([HEADS[kind] || kind, text]);
     for (const text of state.alarms) rows.push(["limit", text]);
     for (const { text, line } of state.faults || []) rows.push(["fault", line ? `Line ${line}: ${text}` : text]);
-    const key = JSON.stringify([rows, state.why]);
+    const hints = state.hints || [];
+    const key = JSON.stringify([rows, hints, state.why]);
     if (key !== this.last) {
       this.last = key;
       const good = !rows.length && state.force;
       this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `${state.drives.length ? `It stands, and ${state.drives.length === 1 ? "one drive moves" : `${state.drives.length} drives move`} it.` : "It stands; no drive moves it."} ${state.why}` : state.why),
-        el("ul", {}, rows.slice(0, 14).map(([head, text]) => el("li", { class: `of-${head.split(" ")[0]}` }, el("b", {}, head), " ", text))));
+        el("ul", {}, rows.slice(0, 14).map(([head, text]) => el("li", { class: `of-${head.split(" ")[0]}` }, el("b", {}, head), " ", text)), hints.map((text) => el("li", {}, el("b", {}, "note"), " ", text))));
     }
     this.mobility.textContent = state.mobility ? state.mobility.text || "It follows when the pointer rests." : "";
     this.numbers(state);

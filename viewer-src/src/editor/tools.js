@@ -21,7 +21,11 @@ export class Tools {
     }, { passive: false });
     node.addEventListener("contextmenu", (event) => event.preventDefault());
     node.addEventListener("keydown", (event) => this.key(event));
-    node.addEventListener("blur", () => this.setCursor(null));
+    node.addEventListener("blur", () => {
+      this.cancelAct();
+      this.setCursor(null);
+    });
+    node.addEventListener("pointerleave", () => this.point(null));
   }
 
   place(event) {
@@ -61,12 +65,12 @@ export class Tools {
   }
 
   begin(hit, place, event) {
-    const { draw } = this;
+    const { draw } = this, more = event.shiftKey || draw.several;
     if (!hit) {
-      this.act = event.shiftKey ? { kind: "box", start: place } : { kind: "pan", last: place, start: place, clear: true };
+      this.act = more ? { kind: "box", start: place } : { kind: "pan", last: place, start: place, clear: true };
       return;
     }
-    if (event.shiftKey) draw.toggle(hit);
+    if (more) draw.toggle(hit);
     else if (!draw.isPicked(hit)) draw.pick(hit);
     if (hit.type === "node") this.act = { kind: "drag", start: place, node: hit.name, from: Object.fromEntries([...draw.picked.nodes].map((name) => [name, draw.at(name)])), number: Math.floor(Math.random() * 2 ** 50) };
     else this.act = { kind: "none" };
@@ -97,12 +101,20 @@ export class Tools {
 
   hover(place) {
     const { draw } = this;
-    if (draw.tool === "pick" || draw.closed) return;
+    if (draw.closed) return;
     const hit = draw.canvas.hit(place);
+    if (draw.tool === "pick") return this.point(hit?.type === "node" ? { name: hit.name, at: draw.at(hit.name) } : null);
     const point = hit?.type === "node" ? draw.at(hit.name) : draw.camera.unproject(place);
     const to = point && (hit?.type === "node" ? point : draw.snapped(point));
     draw.rubber = to ? { from: this.pending?.point, to } : null;
     draw.canvas.rubber();
+  }
+
+  /** What the readout tells of the pointer. */
+  point(pointed) {
+    this.draw.pointed = pointed;
+    if (!pointed && !this.act) this.draw.rubber = null;
+    this.draw.canvas.rubber();
   }
 
   /** Drag the picked nodes, in a plane parallel to the work plane. */
@@ -115,6 +127,7 @@ export class Tools {
     const there = draw.snapped(to, new Set(Object.keys(act.from)));
     const places = {};
     for (const [name, from] of Object.entries(act.from)) places[name] = from.map((value, k) => (k === draw.camera.plane.axis || there[k] === own[k] ? value : clean(value + there[k] - own[k]))).slice(0, draw.camera.dim);
+    draw.pointed = { name: act.node, at: places[act.node] };
     draw.drag(places, act.number);
   }
 
@@ -158,7 +171,8 @@ export class Tools {
     const { draw } = this;
     if (!this.pending) {
       let { node } = target;
-      if (!node) node = (await draw.edit({ do: "add", at: draw.cut(target.point) })).made?.node;
+      if (node) draw.pick({ type: "node", name: node }); // its fields are at hand
+      else node = (await draw.edit({ do: "add", at: draw.cut(target.point) })).made?.node;
       this.pending = node ? { node, point: draw.at(node) } : null;
       return;
     }
@@ -171,6 +185,12 @@ export class Tools {
     const { draw } = this;
     const start = from.node || (await draw.edit({ do: "add", at: draw.cut(from.point) })).made?.node;
     if (!start || start === to.node) return;
+    const there = draw.state.members.find(({ ends }) => ends.includes(start) && ends.includes(to.node));
+    if (there) {
+      draw.pick({ type: "member", name: there.name });
+      draw.tell(`${there.name} joins ${start} and ${to.node} already. It is picked now.`, true);
+      return;
+    }
     if (to.node) await draw.edit({ do: "bar", ends: [start, to.node] });
     else await draw.edit({ do: "add", at: draw.cut(to.point), bar_from: start });
   }
@@ -226,10 +246,16 @@ export class Tools {
       event.preventDefault();
       this.enter(event);
     } else if (event.key === "Escape") {
-      this.cancelAct();
-      this.setCursor(null);
-      draw.pick(null);
+      event.preventDefault();
+      this.escape();
     }
+  }
+
+  /** Nothing begun, no cursor, nothing picked. */
+  escape() {
+    this.cancelAct();
+    this.setCursor(null);
+    this.draw.pick(null);
   }
 
   enter(event) {

@@ -10,7 +10,7 @@ from kinetruss.studio._messages import Message, read_message
 
 __all__ = [
     "MOST", "Add", "Bar", "Copy", "Curve", "Delete", "Draft", "Fresh", "Keep", "Make", "Mirror", "Move", "Picture", "Redo",
-    "Rename", "Restore", "Run", "Save", "Set", "Show", "Stack", "Text", "Undo", "Versions", "command_of",
+    "Rename", "Restore", "Run", "Running", "Save", "Set", "Show", "Stack", "Stop", "Text", "Undo", "Versions", "command_of",
 ]  # fmt: skip
 
 MOST = 4_000_000
@@ -74,10 +74,22 @@ class Make(Message):
 
 
 class Run(Message):
-    """Do a run of the model; its page is at ``result/`` and the number in the answer."""
+    """Begin a run of the model; the page of its result is at ``result/`` and the number in the answer."""
 
     do: Literal["run"]
     name: Name
+
+
+class Running(Message):
+    """How far the run is, or its result."""
+
+    do: Literal["running"]
+
+
+class Stop(Message):
+    """Give up the run that is computed."""
+
+    do: Literal["stop"]
 
 
 class Rename(Message):
@@ -205,7 +217,7 @@ class Keep(Message):
 
 Command = Annotated[
     Fresh | Add | Bar | Move | Set | Rename | Delete | Copy | Mirror | Stack | Text | Undo | Redo | Show | Curve | Draft
-    | Versions | Restore | Save | Keep | Make | Run | Picture,
+    | Versions | Restore | Save | Keep | Make | Run | Running | Stop | Picture,
     Field(discriminator="do"),
 ]  # fmt: skip
 _ADAPTER: TypeAdapter[Any] = TypeAdapter(Command)

@@ -99,23 +99,33 @@ class Desk:
         """The record of a page that has just connected."""
         with self.lock:
             picture = self.keep.picture() if self.keep is not None else None
-            return self._state() | {"choices": choices(), "offer": self._offer(), "picture": picture}
+            return self._state() | {"choices": choices(), "offer": self._offer(), "picture": picture, "running": self.results.running()}
 
     def answer(self, text: str | bytes) -> Record:
         """The answer to one message; errors are records too, and change nothing."""
         with self.lock:
             try:
                 command = say.command_of(text)
-                if not isinstance(command, say.Run):
+                if not isinstance(command, say.Run | say.Running | say.Stop):
                     return self.do(command)
             except ModelError as error:
                 return {"kind": "error", "message": " ".join(str(fault) for fault in error.faults[:3])}
             except KinetrussError as error:
                 return {"kind": "error", "message": str(error)}
-        try:  # a run may be long; other pages go on drawing
-            return self.results.run(self.model(), command.name)
+        try:  # a run is computed beside the messages: every page goes on drawing
+            return self.of_run(command)
         except KinetrussError as error:
             return {"kind": "error", "message": str(error)}
+
+    def of_run(self, command: say.Run | say.Running | say.Stop) -> Record:
+        """Begin a run, say how far it is, or stop it."""
+        if isinstance(command, say.Run):
+            with self.lock:
+                revision = self.drawing.revision
+            return self.results.start(self.model(), command.name, revision)
+        if isinstance(command, say.Stop):
+            return self.results.stop()
+        return self.results.running() or {"kind": "stopped"}
 
     def model(self) -> Model:
         """The model of the drawing, for the live page.

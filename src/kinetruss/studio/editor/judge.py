@@ -69,12 +69,12 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
         model = _model(data, last)
     except ModelError as error:
         if not data.get("nodes") and all(fault.path == ("nodes",) for fault in error.faults):
-            return Judged(why="There is no node yet. Click into the drawing.")  # the start of every drawing, not a fault
+            return Judged(why="Nothing is drawn yet.")  # the start of every drawing, not a fault
         return Judged(faults=error.faults, why="The model has faults: see the list.")
     except KinetrussError as error:
         return Judged(faults=[Fault((), str(error), "")], why="The model has faults: see the list.")
     if not model.nodes:
-        return Judged(model=model, why="There is no node yet. Click into the drawing.")
+        return Judged(model=model, why="Nothing is drawn yet.")
     system = compile(model)
     x, apart = _closed(system)
     position = x[:, : system.dim].copy()
@@ -143,6 +143,8 @@ def _forces(
     try:
         if not mobility.undriven and arrange(system).plan is not None:
             return _at_rest(model, position), ""
+        if not soft and not (model.fixed or model.clamped):
+            return None, "No forces yet: nothing holds the drawing."
         if not soft:
             count = f"{mobility.undriven} mechanism{'s are' if mobility.undriven > 1 else ' is'} left"
             return None, f"No forces yet: {count}. Add a bar, a support or a drive for each."
@@ -177,10 +179,12 @@ def _warnings(system: System, mobility: Mobility) -> list[tuple[str, str]]:
         states = mobility.self_stress_states
         names = [system.drives[d] for d in sorted({int(d) for d in system.row_drive if d >= 0})
                  if np.abs(states[:, system.row_drive == d]).max() > 1e-9]  # fmt: skip
-        found += [
-            ("drive", f"{_drive_text(system, name)} acts against the bars: they prescribe it already. Remove it, or a bar.")
-            for name in names
-        ]
+        if len(names) == 1:
+            text = f"{_drive_text(system, names[0])} acts against the bars: they prescribe it already. Remove it, or a bar."
+            found.append(("drive", text))
+        elif names:
+            them = f"{', '.join(names[:LISTED])}{' and more' if len(names) > LISTED else ''}"
+            found.append(("drive", f"The drives {them} act against the bars or each other. Remove one of them, or a bar."))
         texts = mobility.self_stress_texts(LISTED)
         found += [("redundant", f"Self-stress {k + 1}: {text}") for k, text in enumerate(texts)]
         if mobility.self_stress > LISTED:

@@ -13,6 +13,7 @@ from kinetruss.model import NodalForce, turns
 from kinetruss.studio._edits import role_of
 from kinetruss.studio._instant import number
 from kinetruss.studio.editor.edits import MEMBERS, ends_of, place_of
+from kinetruss.studio.editor.loose import loose_ends
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
         "places": list(places.values()),
         "apart": found.apart,
         "why": found.why,
-        "warnings": [{"kind": kind, "text": text} for kind, text in _warnings(found)],
+        "warnings": [{"kind": kind, "text": text} for kind, text in _warnings(found, _floats(data))],
         "missing": _missing(drawing),
         "alarms": found.alarms,
         "mobility": _mobility(found, light),
@@ -59,6 +60,7 @@ def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
         "undo": drawing.state.words if drawing.past else "",
         "redo": drawing.future[0].words if drawing.future else "",
         "valid": found.model is not None,
+        "hints": loose_ends(places, known),
     }
 
 
@@ -67,9 +69,12 @@ def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
     return [{"where": one.where, "text": str(one), "line": one.line, "column": one.column} for one in faults]
 
 
-def _warnings(found: Judged) -> list[tuple[str, str]]:
-    """Warnings; where elastic parts hold the drawing in equilibrium, what rigid bars leave free is no mechanism."""
-    return [one for one in found.warnings if one[0] != "mechanism" or found.forces is None]
+def _warnings(found: Judged, floats: bool) -> list[tuple[str, str]]:
+    """Warnings; where elastic parts hold the drawing in equilibrium, what rigid bars leave free is no mechanism.
+
+    floats : nothing holds the drawing: that is said, and its motions as a whole are no news.
+    """
+    return [one for one in found.warnings if one[0] != "mechanism" or (found.forces is None and not floats)]
 
 
 def _places(drawing: Drawing) -> dict[str, list[float]]:
@@ -178,15 +183,20 @@ def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
     return counts if light else counts | {"text": str(one)}
 
 
+def _floats(data: dict[str, Any]) -> bool:
+    """Whether nothing holds the drawing."""
+    return not data.get("fixed") and not data.get("clamped")
+
+
 def _missing(drawing: Drawing) -> list[str]:
     """What the drawing still needs before it can carry anything."""
     data, found = drawing.state.data, drawing.found
     words = []
     if not data.get("nodes"):
-        return ["Nothing is drawn yet. Choose Bar and drag in the drawing, or click for nodes."]
+        return ["Choose Bar and drag in the drawing, or Node and click. The mouse wheel sets the scale."]
     if not any(data.get(table) for table in (*MEMBERS, "membranes", "solids")):
         words.append("No bar yet: drag from node to node.")
-    if not data.get("fixed"):
+    if _floats(data):
         words.append("No support yet: pick a node and choose what holds it.")
     model = found.model
     if model is not None and model.members and not model.loads:

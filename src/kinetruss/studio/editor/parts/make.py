@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from kinetruss.errors import InputError, ModelError
 from kinetruss.model import Model
@@ -20,11 +23,23 @@ from kinetruss.studio.editor.edits import (
 )
 from kinetruss.units import parse
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 __all__ = ["made", "with_analysis"]
 
 MATERIAL = "aluminium_6082_t6"
 OUTER, INNER = (0.04, 0.032), (0.03, 0.024)
 """Outer and inner diameter of base and tube of a new active member, as fractions of its length."""
+
+FLAT = 0.1
+"""Thickness of a body over its size below which it counts as flat; its square for areas and volumes."""
+
+MOST_TRIED = 16
+"""Largest number of nodes of a body among which its carriers are looked for."""
+
+MOVING = ("dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection")
+"""Analyses whose motion a mission can take."""
 
 SHARED = ("ends", "section", "material", "mass")
 """Fields that bars and beams both have."""
@@ -52,16 +67,23 @@ def made(
         carried = list(dict.fromkeys([*nodes, *ends]))
         if len(carried) < 2:
             raise InputError("Pick the nodes of the body first, two or more: Shift-click them, or Shift-drag a box.")
-        return added_entry(data, "bodies", "body", {"nodes": carried, "mass": "1 kg"})
+        found, table, name = added_entry(data, "bodies", "body", {"nodes": carried, "mass": "1 kg"})
+        return (_in_space(found, name, carried) if len(carried) > 3 else found), table, name
     return added_entry(data, "runs", "run", _run(drives))
 
 
 def with_analysis(data: Data, name: str, analysis: str) -> Data:
-    """The data with another analysis of a run, and without those fields of the run that it does not use."""
+    """The data with another analysis of a run: without the fields that it does not use, and with those that it needs.
+
+    Raises
+    ------
+    InputError : a mission without other runs or trajectories.
+    """
     entry = (data.get("runs") or {}).get(name) or {}
+    needed = _needed(data, name, analysis)
     found = data
-    for kept in (tuple(entry), ("samples", "load_cases", "condition"), ()):
-        run = {**{key: entry[key] for key in entry if key in kept}, "analysis": analysis}
+    for kept in (tuple(entry), ("trajectory", "samples"), ("samples", "load_cases", "condition"), ()):
+        run = {**needed, **{key: entry[key] for key in entry if key in kept}, "analysis": analysis}
         found = {**data, "runs": {**(data.get("runs") or {}), name: run}}
         try:
             Model(**found)
@@ -70,6 +92,29 @@ def with_analysis(data: Data, name: str, analysis: str) -> Data:
                 continue
         break
     return found
+
+
+def _needed(data: Data, name: str, analysis: str) -> dict[str, Any]:
+    """Fields without which a run of this analysis is refused."""
+    runs = data.get("runs") or {}
+    if analysis == "dynamics.simulate":
+        given = (runs.get(name) or {}).get("trajectory")
+        return {"t_end": (given.get("duration") if isinstance(given, Mapping) else None) or "2 s"}
+    if analysis == "flexible.corrected":
+        fixed = data.get("fixed") or {}
+        moving = [node for node in data["nodes"] if node not in fixed] or list(data["nodes"])
+        return {"elastic": {"at": [f"{moving[-1]}.x"]}}
+    if analysis == "mission":
+        moving = [other for other, one in runs.items() if other != name and _prescribed(one)] or list(data.get("trajectories") or {})
+        if not moving:
+            raise InputError("A mission does the motions of other runs. Make a run that moves the drives first: New run.")
+        return {"motions": moving}
+    return {}
+
+
+def _prescribed(run: Mapping[str, Any]) -> bool:
+    """Whether a mission can take the motion of a run."""
+    return run.get("analysis", MOVING[0]) in MOVING and "condition" not in run
 
 
 def _found(data: Data, name: str) -> tuple[str, Any]:
@@ -125,6 +170,45 @@ def _rods(data: Data, record: Mapping[str, Any]) -> dict[str, Any]:
 def _tube(length: float, share: tuple[float, float]) -> dict[str, Any]:
     outer, inner = (f"{1000 * part * length:.2g} mm" for part in share)
     return {"kind": "tube", "outer": outer, "inner": inner}
+
+
+def _in_space(data: Data, name: str, nodes: Sequence[str]) -> Data:
+    """The data with a body of four nodes or more carried by nodes that span it, with their centre near that of all.
+
+    If all lie in a plane, three carry it, and a node without mass beside the plane makes it stiff out of the plane too.
+    """
+    places = np.array([[float(parse(value, "length")) for value in place_of(data, node)] for node in nodes])
+    if places.shape[1] != 3:
+        return data
+    size = float(np.ptp(places, axis=0).max()) or 1.0
+    four, volume = _spread(places / size, 4)
+    three, area = _spread(places / size, 3)
+    if area < FLAT**2:
+        return data  # nearly on a line: the model says what such a body lacks
+    record = {**data["bodies"][name], "carriers": [nodes[k] for k in (four if volume > FLAT**2 else three)]}
+    if volume <= FLAT**2:
+        normal = np.cross(*(places[three[1:]] - places[three[0]]))
+        normal *= np.copysign(0.5 * size / np.linalg.norm(normal), normal[int(np.argmax(np.abs(normal)))])
+        digits, apex = 4 - math.floor(math.log10(size)), f"{name}.apex"
+        place = [round(float(one), digits) + 0.0 for one in places.mean(axis=0) + normal]
+        data = {**data, "nodes": {**data["nodes"], apex: place}}
+        record["nodes"] = [*nodes, apex]
+    return {**data, "bodies": {**data["bodies"], name: record}}
+
+
+def _spread(places: NDArray[np.float64], count: int) -> tuple[list[int], float]:
+    """Of the triples (quadruples) that span at least half of the largest area (volume) that with its centre nearest the mean.
+
+    Returns their numbers, and twice their area (six times their volume).
+    """
+    chosen = np.linspace(0, len(places) - 1, min(len(places), MOST_TRIED)).astype(int)
+    groups = np.array(list(combinations(chosen.tolist(), count)))
+    edges = places[groups[:, 1:]] - places[groups[:, :1]]
+    spans = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1) if count == 3 else np.abs(np.linalg.det(edges))
+    off = np.linalg.norm(places[groups].mean(axis=1) - places.mean(axis=0), axis=1)
+    off[spans < 0.5 * spans.max()] = np.inf
+    best = int(np.argmin(off.round(9)))
+    return [int(k) for k in groups[best]], float(spans[best])
 
 
 def _angle(data: Data, nodes: Sequence[str], members: Sequence[str]) -> dict[str, Any]:
