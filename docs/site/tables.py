@@ -10,7 +10,7 @@ import yaml
 from api import text_of
 
 import kinetruss as kt
-from kinetruss.model import Record
+from kinetruss.model import Record, field_texts
 from kinetruss.model import _record as types
 from kinetruss.model._data import ModelData
 from kinetruss.units import unit_of
@@ -79,8 +79,15 @@ def _records(hint: object) -> Iterator[type[Record]]:
 
 
 def _record(record: type[Record]) -> list[str]:
-    words = _words(record)
-    lines = [f"### {record.__name__}", "", *text_of(_head(record)), "", "| field | type | default | |", "|---|---|---|---|"]
+    words = field_texts(record) | {"kind": "chooses this record"}
+    lines = [
+        f"### {record.__name__}",
+        "",
+        *text_of(_head(record)),
+        "",
+        "| field | type | default | meaning |",
+        "|---|---|---|---|",
+    ]
     for name, parameter in record.__signature__.parameters.items():
         default = (
             "required"
@@ -95,11 +102,34 @@ def _record(record: type[Record]) -> list[str]:
     return [*lines, ""]
 
 
+WORDS = {
+    "Flag": "true or false", "Name": "name", "Names": "list of names", "str": "text", "Whole": "whole number",
+    "Point": "coordinates (m)", "Vector": "vector", "ForceVector": "vector (N)", "GravityVector": "vector (m/s^2)",
+    "_Moment": "moment (N m)", "_Stress": "stress (Pa)", "_Times": "list of times (s)", "Direction": "x, y, z or a vector",
+    "Axis": "vector", "Shape": "`spline`, `monotone`", "Points": "pairs of numbers",
+    "Moves": "coordinate → two values (m or rad)",
+    "RotaryFrictions": "one or two numbers (N m s)", "InertiaTensor": "number, three numbers or matrix (kg m^2)",
+    "Spin": "number or vector (rad/s)", "SpinRate": "number or vector (rad/s^2)", "Offset": "vector (m)",
+    "HingeAxis": "1, 2, 3 or a vector", "EndCondition": "word or number", "Measured": "coordinate", "Analysis": "word",
+}  # fmt: skip
+"""Names of types that are no records -> words."""
+
+
 def _kind(annotation: str) -> str:
     """A type in words: quantities with their unit in place of the names of types."""
     if annotation.startswith("Literal["):
         return ", ".join(f"`{word}`" for word in re.findall(r"'([^']*)'", annotation))
-    return re.sub(r"\w+", lambda found: _quantity(found[0]), annotation).replace(" | None", "")
+    text = re.sub(r"\w+", lambda found: _quantity(found[0]), annotation.replace(" | None", "")).replace(
+        "Literal[1, 2, 3]", "1, 2, 3"
+    )
+    before = ""
+    while text != before:  # from the inside out
+        before = text
+        text = re.sub(r"tuple\[name, \.\.\.\]", "list of names", text)
+        text = re.sub(r"tuple\[([^\[\]]*?), \.\.\.\]", r"list of \1", text)
+        text = re.sub(r"tuple\[([^\[\]]*)\]", r"(\1)", text)
+        text = re.sub(r"(?:Table|Filled)\[name, ([^\[\]]*)\]", r"name → \1", text)
+    return text.replace(" | ", " or ")
 
 
 def _quantity(word: str) -> str:
@@ -107,17 +137,13 @@ def _quantity(word: str) -> str:
         if isinstance(one, types.Of):
             unit = unit_of(one.quantity)
             return f"{one.quantity} ({unit})" if unit else one.quantity
-    return {"Flag": "true or false", "Name": "name"}.get(word, word)
+    if word.endswith("OrName"):
+        return f"{word.removesuffix('OrName').lower()} or its name"
+    return WORDS.get(word, word)
 
 
 def _head(record: type[Record]) -> str:
-    """The docstring before its list of fields."""
-    return re.split(r"\n\s*\n?(?=[\w, ]+ : )", inspect.getdoc(record) or "", maxsplit=1)[0]
-
-
-def _words(record: type[Record]) -> dict[str, str]:
-    """What the docstring says of each field."""
-    doc = re.sub(r"\s*\n\s+", " ", re.sub(r"\n(?=[^\n]*? : )", "\n", record.__doc__ or ""))
-    names = "|".join(record.model_fields)
-    found = re.split(rf"(?:^|(?<=[.;\n] )|(?<=\n)|(?<= ))((?:{names})(?:, (?:{names}))*) : ", doc)
-    return {name: text.strip() for key, text in zip(found[1::2], found[2::2], strict=True) for name in key.split(", ")}
+    """The docstring without its lists of fields and its examples."""
+    field = re.compile(rf"(?m)(?:^|[.;:] )(?:{'|'.join(record.model_fields)})(?:, \\w+)* : ")
+    blocks = re.split(r"\n[ \t]*\n", inspect.getdoc(record) or "")
+    return "\n\n".join(block for block in blocks if not field.search(block) and not block.startswith(">>>"))

@@ -40,6 +40,16 @@ def test_every_table_has_an_example_in_the_reference():
     assert set(Model.model_fields) - shown == {"kinetruss", "title", "joints", "gauge_zero"}
 
 
+def test_every_field_of_the_reference_has_a_meaning_and_a_type_in_words(tmp_path):
+    ((_, page),) = tables.pages(tmp_path)
+    rows = [re.split(r" (?<!\\)\| ", line.strip("| ")) for line in page.splitlines() if line.startswith("| `")]
+    assert len(rows) > 300
+    for row in rows:
+        assert len(row) == 4, row
+        assert row[3].strip(), row
+        assert not re.search(r"tuple|Table|Filled|OrName|\b_|>>>", row[1] + row[3]), row
+
+
 @pytest.mark.parametrize("table", tables.SOURCE["tables"])
 def test_the_python_of_the_reference_is_its_yaml(table, tmp_path):
     model = tables.model_of(table, tmp_path)

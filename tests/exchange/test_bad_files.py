@@ -121,8 +121,8 @@ def test_import_writes_a_whole_model_or_nothing(tmp_path):
     assert done.exit_code == 0, done.output
     assert "1 loop; joints and closures leave 2 freedoms" in done.output
     assert "1 condition of it is redundant: the rest of the robot implies it" in done.output
-    assert "dynamics: friction is not carried" in done.output
-    assert "robot.urdf:34 <joint name='motor_left'>" in done.output
+    assert "limit: a model has no limits at joints" in done.output
+    assert "robot.urdf:33 <joint name='motor_left'>" in done.output
     model = kt.read(out)
     assert list(model.drives) == ["motor_left", "motor_right"]
     assert run.invoke(main, ["info", str(out)]).exit_code == 0

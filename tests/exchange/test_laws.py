@@ -59,7 +59,8 @@ def test_couplings_springs_and_tendons_against_mujoco(tmp_path):
     assert set(found.model.couplings) == {"gears", "coupling_11"}
     assert set(found.model.springs) == {"h1.spring", "h2.spring", "s.spring", "band.spring", "stay.spring"}
     lost = [one.what for one in found.left_out if one.what != "geom"]
-    assert sorted(lost) == ["fixed", "joint equality", "motor: gear"]
+    assert sorted(lost) == ["fixed", "joint equality"]
+    assert found.model.drives["h1"].gear == kt.Gear(ratio=5)
     force, given = moved(found.model, {"h1": (0.0, 0.4)}, found.offsets)
     agree(force, MujocoTree(path, ["h1"]).torques(*given))
 

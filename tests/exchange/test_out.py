@@ -159,13 +159,14 @@ def test_files_that_are_there_stay(tmp_path):
 
 
 def test_what_is_left_out_is_named(tmp_path):
-    soft = kt.Spring(coordinate=kt.AngleDrive("crank"), stiffness=2.0, friction=0.1)
+    soft = kt.Spring(coordinate=kt.AngleDrive("crank"), stiffness=2.0, play=0.1, friction=0.2, slip=0.01)
     model = fourbar(5).with_(springs={"soft": soft})
     model = model.with_(bars=model.bars | {"string": kt.Bar(ends=("A", "C"), kind="cable", stiffness=3.0)})
     written = kt.exchange.write(model, tmp_path / "fourbar.xml")
     assert ("cable bar", "string") in {(one.what, one.where) for one in written.left_out}
-    assert {(one.what, one.where) for one in written.left_out} >= {("friction of a spring", "soft")}
-    written = kt.exchange.write(model, tmp_path / "fourbar.urdf")
+    assert {(one.what, one.where) for one in written.left_out} >= {("play of a spring", "soft"), ("slip of a spring", "soft")}
+    stiff = model.with_(springs={"soft": soft.with_(play=0.0)})
+    written = kt.exchange.write(stiff, tmp_path / "fourbar.urdf")
     assert "URDF has no springs" in {one.why for one in written.left_out}
 
 

@@ -93,3 +93,15 @@ def test_nodes_are_needed_unless_there_is_a_library_model():
     assert not list(
         JUDGE.iter_errors({"library": "vgt.triangular", "motors": {"motor": {"max_voltage": 9}}, "loads": {"a": None}})
     )
+
+
+def test_fields_of_records_are_described():
+    """Editors show these words: those of the docstrings."""
+    tube = schema()["$defs"]["Tube"]["properties"]
+    assert tube["outer"]["description"] == "diameters, m. Length: a number in m, or text with a unit"
+    for record in (kt.Node, kt.Bar, kt.Active, kt.Material, kt.Motor, kt.Spring, kt.Quintic, kt.Run, kt.Gauge):
+        one = schema()["$defs"][record.__name__]
+        fields = (one["anyOf"][0] if "anyOf" in one and "properties" not in one else one)["properties"]
+        assert [name for name, field in fields.items() if name not in ("kind", "file") and "description" not in field] == [], (
+            record
+        )

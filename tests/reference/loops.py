@@ -14,12 +14,21 @@ import mujoco
 import numpy as np
 import pinocchio as pin
 
+SLIP = 1e-3
+"""rad/s or m/s"""
+
 
 class Tree(ABC):
     """A robot of another program: `q` of its pose, the columns of its motors."""
 
     q: Any
     motors: list[int]
+    laws: dict[int, tuple[float, float, float]] = {}
+    """Column -> damping, friction and inertia of a rotor that the other program does not count."""
+
+    @abstractmethod
+    def column(self, joint: str) -> int:
+        """Of a hinge or slide."""
 
     @abstractmethod
     def integrate(self, q: Any, step: Any) -> Any: ...
@@ -54,8 +63,15 @@ class Tree(ABC):
             v, a = N @ u, np.zeros(J.shape[1])
             a[self.motors] = du
             a[rest] = np.linalg.lstsq(J[:, rest], -self.drift(self.q, v) - J[:, self.motors] @ du, rcond=1e-10)[0]
-            found.append(N.T @ self.inverse(self.q, v, a))
+            found.append(N.T @ (self.inverse(self.q, v, a) + self.resistance(v, a)))
         return np.array(found)
+
+    def resistance(self, v: Any, a: Any) -> Any:
+        """Of `laws`; friction has its size times tanh(rate/slip)."""
+        found = np.zeros(len(v))
+        for k, (damping, friction, rotor) in self.laws.items():
+            found[k] = damping * v[k] + friction * np.tanh(v[k] / SLIP) + rotor * a[k]
+        return found
 
     def closed(self, q: Any, value: Any) -> Any:
         """The closed pose near q with these values of the motors."""
@@ -90,6 +106,9 @@ class PinocchioTree(Tree):
         self.q = pin.neutral(self.model)
         index = {name: self.model.joints[self.model.getJointId(name)] for one in mimics for name in one[:2]}
         self.mimics = [(index[one], index[other], *rest) for one, other, *rest in mimics]
+
+    def column(self, joint):
+        return self.model.joints[self.model.getJointId(joint)].idx_v
 
     def integrate(self, q, step):
         return pin.integrate(self.model, q, step)
@@ -169,6 +188,9 @@ class MujocoTree(Tree):
         self.data.qvel[:] = 0 if v is None else v
         mujoco.mj_fwdPosition(self.model, self.data)
         mujoco.mj_fwdVelocity(self.model, self.data)
+
+    def column(self, joint):
+        return int(self.model.jnt_dofadr[self.model.joint(joint).id])
 
     def integrate(self, q, step):
         found = q.copy()

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from kinetruss.model import Model
+from kinetruss.model import Model, Record, field_texts
 from kinetruss.shelves import shelves
 
 __all__ = ["schema", "schema_file"]
@@ -38,6 +39,7 @@ def schema() -> dict[str, Any]:
     """
     made = _tidy(Model.model_json_schema())
     records = made["$defs"]
+    _describe(records, {one.__name__: one for one in _all(Record)})
     for name in {name for union in _unions(made) for name in union}:
         records[name]["required"] = ["kind", *records[name].get("required", [])]
     for name, fields in _FROM_FILE.items():
@@ -60,6 +62,21 @@ def schema() -> dict[str, Any]:
         "else": {"properties": properties, "required": made["required"], "additionalProperties": False},
         "$defs": records,
     }
+
+
+def _all(record: type[Record]) -> Iterator[type[Record]]:
+    for one in record.__subclasses__():
+        yield one
+        yield from _all(one)
+
+
+def _describe(records: dict[str, Any], known: Mapping[str, type[Record]]) -> None:
+    """Give every field the words of its record's docstring, before those of its quantity."""
+    for name, one in records.items():
+        for field, text in field_texts(known[name]).items() if name in known else ():
+            if (own := one.get("properties", {}).get(field)) is not None:
+                given = own.get("description", "")
+                own["description"] = f"{text} {given[:1].upper()}{given[1:]}".strip()
 
 
 def schema_file() -> Path:

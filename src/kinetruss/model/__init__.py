@@ -4,7 +4,7 @@ from kinetruss.late import listed
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._data import FORMAT
-from kinetruss.model._described import contents
+from kinetruss.model._described import contents, field_texts
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety, TitleBlock
 from kinetruss.model._plausibility import plausibility
@@ -218,6 +218,7 @@ __all__ = [
     "Joint",
     "body_mass",
     "contents",
+    "field_texts",
     "faults",
     "moved_by",
     "nearest",

@@ -60,15 +60,23 @@ Clamps = Annotated[Table[Name, Name], BeforeValidator(_grounded)]
 
 
 class Safety(Record):
-    """Safety factors: allowable stress = yield strength/`yielding`, allowable compression = critical load/`buckling`."""
+    """Safety factors.
+
+    yielding : allowable stress = yield strength/`yielding`.
+    buckling : allowable compression = critical load/`buckling`.
+    """
 
     yielding: Annotated[Number, Field(ge=1)] = 1.0
     buckling: Annotated[Number, Field(ge=1)] = 1.0
 
 
 class TitleBlock(Record):
-    """What the title block of a report says: project, client, number of the document, author, checker, revision, date; empty
-    entries become lines to fill in.
+    """What the title block of a report says. Empty entries become lines to fill in.
+
+    project, client : for what and for whom it was made.
+    number : of the document.
+    author, checker : who made and who checked it.
+    revision, date : of the document, as text.
     """
 
     project: str = ""

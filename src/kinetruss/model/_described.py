@@ -1,15 +1,16 @@
-"""A model in one line: what `repr` shows."""
+"""A model in one line, which `repr` shows, and the fields of its records in words."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import re
+from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import counted
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["contents", "described"]
+__all__ = ["contents", "described", "field_texts"]
 
 COUNTED = (
     ("active", "active member", ""), ("beams", "beam", ""), ("bodies", "body", "bodies"), ("hubs", "hub", ""),
@@ -48,3 +49,20 @@ def contents(model: ModelData) -> str:
     parts += [counted(bars, "bar")] if bars else []
     parts += [counted(len(table), word, several) for field, word, several in COUNTED if (table := getattr(model, field))]
     return ", ".join(parts)
+
+
+def field_texts(record: type[Any]) -> dict[str, str]:
+    """What the docstring of a record says of each field, as the schema and the model reference show it.
+
+    >>> import kinetruss as kt
+    >>> field_texts(kt.Rod)
+    {'diameter': 'm.'}
+    """
+    names = "|".join(record.model_fields)
+    field = re.compile(rf"(?:^|(?<=[.;\n] )|(?<=\n)|(?<= ))((?:{names})(?:, (?:{names}))*) : ")
+    found: dict[str, str] = {}
+    for block in re.split(r"\n[ \t]*\n", record.__doc__ or ""):
+        parts = field.split(re.sub(r"\s*\n\s+", " ", re.sub(r"\n(?=[^\n]*? : )", "\n", block)).strip())
+        for key, text in zip(parts[1::2], parts[2::2], strict=True):
+            found |= dict.fromkeys(key.split(", "), text.strip())
+    return found

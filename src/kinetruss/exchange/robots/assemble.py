@@ -17,12 +17,12 @@ import numpy as np
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.exchange.robots.closing import Posed
 from kinetruss.exchange.robots.draft import REACH, Draft, extent, gyration, hinged
-from kinetruss.exchange.robots.laws import with_laws, with_spans
+from kinetruss.exchange.robots.laws import with_laws, with_rotors, with_spans
 from kinetruss.exchange.robots.parts import SAME, Connection, Part, parts_of
 from kinetruss.exchange.robots.records import LeftOut
 from kinetruss.library import joints
 from kinetruss.library.bodies import MassProperties, rigid
-from kinetruss.model import GROUND, Bar, Body, Hinge, Joint, LengthDrive, Model, Node
+from kinetruss.model import GROUND, Bar, Body, Gear, Hinge, HingeDrive, Joint, LengthDrive, Model, Node
 from kinetruss.model.checks import beside
 from kinetruss.model.parts import quality, second_moments
 
@@ -76,13 +76,21 @@ def assemble(posed: Posed) -> Assembled:
     spans = {one.name: [draft.share(end, points[end][1], points[end][:1]) for end in one.points] for one in posed.robot.spans}
     sliders = [one for one in connections if one.kind == "prismatic"]
     model = _with_bodies(draft, posed, parts, {name for one in sliders for name in one.parts})
-    drives = {one.drive: draft.coordinates[one.name] for one in connections if one.kind == "revolute" and one.drive is not None}
-    model = model.with_(joints=_with_hinges(model, draft), drives=drives)
+    model = model.with_(joints=_with_hinges(model, draft), drives=_drives(draft, connections))
     for one in sliders:
         model = _slider(model, draft, one)
-    model = with_spans(with_laws(model, draft, connections, posed.robot), spans, posed.robot)
+    model = with_rotors(with_laws(model, draft, connections, posed.robot), draft, connections)
+    model = with_spans(model, spans, posed.robot)
     offsets = {one.drive: draft.offsets[one.name] for one in connections if one.drive is not None}
     return Assembled(model=model, offsets=offsets, left_out=draft.left)
+
+
+def _drives(draft: Draft, connections: Sequence[Connection]) -> dict[str, HingeDrive | LengthDrive]:
+    """The drives of hinges, with the gears before them."""
+    found = {one.drive: (one, draft.coordinates[one.name]) for one in connections if one.kind == "revolute" and one.drive}
+    return {
+        name: angle if one.ratio is None else angle.with_(gear=Gear(ratio=one.ratio)) for name, (one, angle) in found.items()
+    }
 
 
 def _size(parts: Mapping[str, Part], connections: Sequence[Connection]) -> float:

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.exchange.robots.records import JointCoupling, LeftOut, Pivot
+from kinetruss.exchange.robots.records import JointCoupling, LeftOut, Pivot, Robot
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.configuration import drive_values
-from kinetruss.model import Model, Spring
+from kinetruss.model import GROUND, Gear, Model, Spring
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Place", "Turn", "acting", "couplings_of", "length_spring", "sprung", "values_of"]
+__all__ = ["Place", "Turn", "acting", "armed", "couplings_of", "geared", "length_spring", "sprung", "values_of"]
 
-LAWS = ("friction", "play", "table")
+LAWS = ("play", "table")
 """Parts of the law of a spring that other programs do not have."""
 
 
@@ -82,23 +83,38 @@ def sprung(
     model: Model, places: Mapping[str, Place], start: Mapping[str, float], pivots: Sequence[Pivot], left: list[LeftOut]
 ) -> list[Pivot]:
     """The joints with the springs of the model on them. start : values of the coordinates in the model, rad or m."""
-    laws: dict[str, list[tuple[float, float, float]]] = {}
+    laws: dict[str, list[tuple[float, float, float, float]]] = {}
     for name, spring in model.springs.items():
         if len(spring.parts) == 1 and (place := places.get(f"{name}.0")) is not None:
             law = _law(name, spring, start[f"{name}.0"], left)
-            laws.setdefault(place.pivot, []).append((law[0], place.sign * (law[1] - place.value), law[2]))
+            laws.setdefault(place.pivot, []).append((law[0], place.sign * (law[1] - place.value), *law[2:]))
     return [replace(one, spring=_together(laws[one.name])) if one.name in laws else one for one in pivots]
 
 
-def length_spring(name: str, spring: Spring, start: float, left: list[LeftOut]) -> tuple[float, float, float]:
-    """Stiffness, N/m, length without force, m, and damping, N s/m, of a spring on a length."""
+def geared(model: Model, pivots: Sequence[Pivot], left: list[LeftOut]) -> list[Pivot]:
+    """The joints with the ratios of the gears of their drives; what else an actuator has is listed."""
+    ratios: dict[str, float] = {}
+    for name, active in model.actuators.items():
+        gear = active.gear if not isinstance(active.gear, str) else model.gears[active.gear]
+        if name in model.drives and gear is not None:
+            ratios[name] = gear.ratio
+            if active.motor is None and active.amplifier is None and gear == Gear(ratio=gear.ratio):
+                continue
+        left.append(LeftOut("actuators", name, "of an actuator its drive is carried, and the ratio of a gear at an angle"))
+    return [one if one.drive not in ratios else replace(one, ratio=ratios[one.drive]) for one in pivots]
+
+
+def length_spring(name: str, spring: Spring, start: float, left: list[LeftOut]) -> tuple[float, float, float, float]:
+    """Stiffness, N/m, length without force, m, damping, N s/m, and friction, N, of a spring on a length."""
     return _law(name, spring, start, left)
 
 
-def _law(name: str, spring: Spring, start: float, left: list[LeftOut]) -> tuple[float, float, float]:
-    """Stiffness, value of the coordinate without force, damping. What they are not is listed."""
+def _law(name: str, spring: Spring, start: float, left: list[LeftOut]) -> tuple[float, float, float, float]:
+    """Stiffness, value of the coordinate without force, damping, friction. What they are not is listed."""
     factor = spring.parts[0][1]
     left += [LeftOut(f"{word} of a spring", name, "is not carried") for word in LAWS if getattr(spring, word)]
+    if spring.friction and spring.slip != Spring.model_fields["slip"].default:
+        left.append(LeftOut("slip of a spring", name, "is not carried: friction there is Coulomb's"))
     k, rest = spring.stiffness * factor**2, start if spring.rest is None else spring.rest / factor
     if spring.table or spring.play:
         k = 0.0
@@ -106,14 +122,14 @@ def _law(name: str, spring: Spring, start: float, left: list[LeftOut]) -> tuple[
         left.append(LeftOut("preload of a spring", name, "is not carried without a stiffness"))
     elif spring.preload:
         rest -= spring.preload * factor / k
-    return k, rest, spring.damping * factor**2
+    return k, rest, spring.damping * factor**2, spring.friction * abs(factor)
 
 
-def _together(laws: Sequence[tuple[float, float, float]]) -> tuple[float, float, float]:
+def _together(laws: Sequence[tuple[float, float, float, float]]) -> tuple[float, float, float, float]:
     """Springs side by side: their sum is one about the mean of the rests, weighted by the stiffnesses."""
     k = sum(one[0] for one in laws)
     rest = sum(one[0] * one[1] for one in laws) / k if k else 0.0
-    return k, rest, sum(one[2] for one in laws)
+    return k, rest, sum(one[2] for one in laws), sum(one[3] for one in laws)
 
 
 def couplings_of(model: Model, places: Mapping[str, Place], left: list[LeftOut]) -> list[JointCoupling]:
@@ -130,3 +146,43 @@ def couplings_of(model: Model, places: Mapping[str, Place], left: list[LeftOut])
         else:
             found.append(JointCoupling(name=name, factors=factors, where=name))
     return found
+
+
+def armed(robot: Robot, held: Collection[str]) -> Robot:
+    """The robot with each balanced wheel on the ground that only turns with one joint as the `armature` of this joint.
+
+    held : links that something else holds: they are no such wheels.
+    """
+    pivots = {one.name: one for one in robot.pivots}
+    links, couplings = dict(robot.links), []
+    busy = {name for one in robot.closures for name in one.links} | {one.parent for one in robot.pivots} | set(held)
+    counts = Counter(name for one in robot.couplings for name in one.factors)
+    for one in robot.couplings:
+        wheel = next((name for name in one.factors if counts[name] == 1 and _wheel(pivots[name], links, busy)), None)
+        if len(one.factors) != 2 or wheel is None:
+            couplings.append(one)
+            continue
+        (joint,) = one.factors.keys() - {wheel}
+        gone = pivots.pop(wheel)
+        given = links.pop(gone.child).properties
+        inertia = 0.0 if given is None else float(gone.axis @ given.inertia @ gone.axis)
+        added = inertia * (one.factors[joint] / one.factors[wheel]) ** 2
+        pivots[joint] = replace(pivots[joint], armature=pivots[joint].armature + added)
+    return replace(robot, links=links, pivots=list(pivots.values()), couplings=couplings)
+
+
+def _wheel(pivot: Pivot, links: Mapping[str, Any], busy: Collection[str]) -> bool:
+    """True for a hinge without a law between the ground and a link whose centre is on its axis."""
+    if (
+        pivot.kind != "revolute"
+        or pivot.parent != GROUND
+        or pivot.drive is not None
+        or any(pivot.spring)
+        or pivot.child in busy
+    ):
+        return False
+    given = links[pivot.child].properties
+    if given is None:
+        return True
+    off = np.cross(pivot.axis, given.center - pivot.origin[:3, 3])
+    return bool(float(np.linalg.norm(off)) ** 2 * given.mass <= 1e-12 * float(np.trace(given.inertia)))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.exchange.robots.masses import masses_of, rods_of
-from kinetruss.exchange.robots.of_laws import Place, Turn, acting, couplings_of, length_spring, sprung, values_of
+from kinetruss.exchange.robots.of_laws import Place, Turn, acting, armed, couplings_of, geared, length_spring, sprung, values_of
 from kinetruss.exchange.robots.records import Closure, DrivenLength, LeftOut, Link, Pivot, Robot, RobotOfModel, placement
 from kinetruss.exchange.robots.rigid import rigid_parts
 from kinetruss.model import GROUND, AngleDrive, HingeDrive, Model
@@ -29,7 +29,6 @@ TABLES = {
     "load_cases": "loads are not carried",
     "conditions": "conditions are not carried",
     "velocities": "velocities at the start are not carried",
-    "actuators": "gears, screws and motors are not carried; its drive is",
     "runs": "runs are not carried",
 }
 
@@ -85,6 +84,7 @@ class _Maker:
         self._tree(turns)
         start = values_of(self.model, self.coordinates, self._start())
         self.pivots = sprung(self.model, self.places, start, self.pivots, self.left)
+        self.pivots = geared(self.model, self.pivots, self.left)
         drives = {one.drive: 0 for one in self.pivots if one.drive is not None}
         self.left += [
             LeftOut("drive", one.name, "its angle is at no joint of the tree, or measured from no part of it")
@@ -107,9 +107,11 @@ class _Maker:
             gravity=(gravity[0], gravity[1], gravity[2] if len(gravity) == 3 else 0.0),
             left_out=self.left,
         )
+        robot = armed(robot, {name for one in lengths for name in one.links})
         offsets = {name: place.value for name, place in self.places.items() if name in drives}
         offsets |= {one.name: one.length for one in lengths if one.driven}
-        return RobotOfModel(robot=robot, lengths=lengths, offsets=offsets, lines=self._lines())
+        lines = {name: ends for name, ends in self._lines().items() if name in robot.links}
+        return RobotOfModel(robot=robot, lengths=lengths, offsets=offsets, lines=lines)
 
     def _lines(self) -> dict[str, list[NDArray[np.float64]]]:
         found: dict[str, list[NDArray[np.float64]]] = {}

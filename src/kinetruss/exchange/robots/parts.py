@@ -48,20 +48,22 @@ class Connection:
     axis: NDArray[np.float64]
     value: float = 0.0
     drive: str | None = None
+    ratio: float | None = None
     limits: tuple[float, float] | None = None
-    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    spring: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    armature: float = 0.0
     coupled: bool = False
     where: str = ""
 
     @property
     def measured(self) -> bool:
-        """True if a drive, a spring or a coupling acts on its value."""
-        return self.drive is not None or self.coupled or self.sprung
+        """True if a drive, a spring, the inertia of a rotor or a coupling acts on its value."""
+        return self.drive is not None or self.coupled or self.sprung or bool(self.armature)
 
     @property
     def sprung(self) -> bool:
-        """True if it has stiffness or damping."""
-        return bool(self.spring[0] or self.spring[2])
+        """True if it has stiffness, damping or friction."""
+        return bool(self.spring[0] or self.spring[2] or self.spring[3])
 
 
 def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[LeftOut]]:
@@ -138,7 +140,8 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
         found.append(
             Connection(
                 name=pivot.name, kind=pivot.kind, parts=parts, place=place, axis=axis / np.linalg.norm(axis), value=value,
-                drive=pivot.drive, limits=pivot.limits, spring=pivot.spring, coupled=pivot.name in coupled, where=pivot.where,
+                drive=pivot.drive, ratio=pivot.ratio, limits=pivot.limits, spring=pivot.spring, armature=pivot.armature,
+                coupled=pivot.name in coupled, where=pivot.where,
             )
         )  # fmt: skip
     return found

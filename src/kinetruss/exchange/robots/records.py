@@ -70,8 +70,9 @@ class Pivot:
     """A joint: child frame = parent frame . origin . motion . after, each (4, 4); the motion is about or along `axis` (3,).
 
     home : value of a revolute or prismatic joint where the file draws the robot, rad or m; start : that at which the search
-    for a closed pose starts, `home` if None. spring : stiffness, value without force, and damping of a revolute (N m/rad, rad,
-    N m s/rad) or prismatic joint (N/m, m, N s/m). drive : the name of its drive, if it has one. limits : of its value.
+    for a closed pose starts, `home` if None. spring : stiffness, value without force, damping and friction of a revolute
+    (N m/rad, rad, N m s/rad, N m) or prismatic joint (N/m, m, N s/m, N). armature : inertia that its rate adds, kg m^2 or kg.
+    drive : the name of its drive, if it has one; ratio : of the gear before it. limits : of its value.
     """
 
     name: str
@@ -84,8 +85,10 @@ class Pivot:
     home: float = 0.0
     start: float | None = None
     drive: str | None = None
+    ratio: float | None = None
     limits: tuple[float, float] | None = None
-    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    spring: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    armature: float = 0.0
     where: str = ""
 
 
@@ -117,13 +120,14 @@ class JointCoupling:
 class Span:
     """The straight distance of two named points of links: a drive of a length, or a spring, or both.
 
-    spring : stiffness, N/m, length without force, m (None: that where no spring of a joint has a force), and damping, N s/m.
+    spring : stiffness, N/m, length without force, m (None: that where no spring of a joint has a force), damping, N s/m, and
+        friction, N.
     """
 
     name: str
     points: tuple[str, str]
     driven: bool = False
-    spring: tuple[float, float | None, float] | None = None
+    spring: tuple[float, float | None, float, float] | None = None
     where: str = ""
 
 
@@ -158,7 +162,7 @@ class DrivenLength:
     length: float
     properties: tuple[MassProperties | None, MassProperties | None] | None = None
     driven: bool = True
-    spring: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    spring: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -53,7 +53,8 @@ def mjcf_text(drawn: RobotOfModel) -> tuple[str, list[LeftOut]]:
     if drives or any(one.driven for one in drawn.lengths):
         group = ET.SubElement(root, "actuator")
         for pivot in drives:
-            ET.SubElement(group, "motor", name=str(pivot.drive), joint=pivot.name)
+            gear = {} if pivot.ratio is None else {"gear": _row([pivot.ratio])}
+            ET.SubElement(group, "motor", {"name": str(pivot.drive), "joint": pivot.name, **gear})
         for driven in (one for one in drawn.lengths if one.driven):
             ET.SubElement(group, "motor", name=driven.name, tendon=driven.name)
     ET.indent(root)
@@ -72,10 +73,10 @@ def _couplings(group: Element, robot: Robot, left: list[LeftOut]) -> None:
         ET.SubElement(group, "joint", {"name": one.name, **ends, "polycoef": _row([0.0, slope, 0.0, 0.0, 0.0])})
 
 
-def _spring(law: tuple[float, float, float], rest: str) -> dict[str, str]:
-    """Attributes of stiffness, value without force (named `rest`) and damping."""
+def _spring(law: tuple[float, float, float, float], rest: str) -> dict[str, str]:
+    """Attributes of stiffness, value without force (named `rest`), damping and friction."""
     found = {"stiffness": _row(law[:1]), rest: _row(law[1:2])} if law[0] else {}
-    return found | ({"damping": _row(law[2:])} if law[2] else {})
+    return found | {word: _row([one]) for word, one in zip(("damping", "frictionloss"), law[2:], strict=True) if one}
 
 
 def _bodies(world: Element, drawn: RobotOfModel, left: list[LeftOut]) -> None:
@@ -125,7 +126,7 @@ def _joint(body: Element, pivot: Pivot) -> None:
         given["pos"] = _row(pivot.origin[:3, 3])
     if pivot.kind in ("revolute", "prismatic"):
         given["axis"] = _row(pivot.axis)
-        given |= _spring(pivot.spring, "springref")
+        given |= _spring(pivot.spring, "springref") | ({"armature": _row([pivot.armature])} if pivot.armature else {})
     ET.SubElement(body, "joint", given)
 
 

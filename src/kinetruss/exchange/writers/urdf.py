@@ -30,6 +30,8 @@ def urdf_texts(drawn: RobotOfModel) -> tuple[str, str, list[LeftOut]]:
     no_springs = "URDF has no springs"
     left += [LeftOut("springs", one.name, no_springs) for one in drawn.lengths if not one.driven]
     left += [LeftOut("stiffness", one.name, no_springs) for one in robot.pivots if one.spring[0]]
+    left += [LeftOut("armature", one.name, "URDF has no inertia of rotors") for one in robot.pivots if one.armature]
+    left += [LeftOut("gear", str(one.drive), "URDF has no gears") for one in robot.pivots if one.ratio is not None]
     mimics = dict(_mimics(robot, left))
     if tuple(robot.gravity) != EARTH:
         left.append(LeftOut("gravity", "model", f"URDF has none; other programs take {EARTH} m/s^2"))
@@ -89,8 +91,9 @@ def _joint(root: Element, pivot: Pivot, at: dict[str, Any], mimic: tuple[str, fl
         ET.SubElement(element, "axis", xyz=_row(pivot.axis))
     if pivot.kind == "prismatic":
         ET.SubElement(element, "limit", lower=f"-{FAR}", upper=FAR, effort=FAR, velocity=FAR)
-    if pivot.spring[2]:
-        ET.SubElement(element, "dynamics", damping=_row(pivot.spring[2:]), friction="0")
+    damping, friction = pivot.spring[2:]
+    if damping or friction:
+        ET.SubElement(element, "dynamics", damping=_row([damping]), friction=_row([friction]))
     if mimic is not None:
         ET.SubElement(element, "mimic", joint=mimic[0], multiplier=_row([mimic[1]]), offset="0")
 

@@ -21,6 +21,7 @@ class Beam(Record):
     Beams that meet at a node share its rotation: their joint is stiff. A bar on the same node is pinned to it. The start
     configuration is free of stress.
 
+    ends : names of its two nodes.
     kind : ``elastic`` (Euler-Bernoulli: E, and in space G = E/(2 (1 + poisson)), of the material; large rotations, small
         strains), or ``rigid``.
     section, material : names or records, by default those of the model. mass : total, kg; by default density x area x

@@ -51,7 +51,10 @@ Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction), W
 
 
 class LengthDrive(Record):
-    """Prescribes the length (m) of a bar or active member."""
+    """Prescribes the length (m) of a bar or active member.
+
+    bar : name of the bar or active member.
+    """
 
     _positional: ClassVar = ("bar",)
     kind: Literal["length"] = "length"
@@ -69,6 +72,13 @@ class AngleDrive(Record):
     direction `reference` to the bar, both projected onto the plane normal to the axis, right-handed about the axis; by default
     the reference of x is y, that of y is z, that of z is x, and that of other axes is the bar at the start. A `motor` turns it
     through a `gear` (motor turns per turn of the bar; by default none), fed by an `amplifier`.
+
+    bar : name of the bar.
+    axis : in space, x, y, z or a direction.
+    reference : direction from which the angle counts, in space.
+    gear : between motor and bar, a record or a name.
+    motor : that turns the bar, likewise.
+    amplifier : that feeds the motor, likewise.
     """
 
     _positional: ClassVar = ("bar",)
@@ -101,6 +111,11 @@ class HingeDrive(Record):
     from its first to its second node; all these nodes may move. In the plane the axis is one node, and the angle goes
     counter-clockwise from the direction of `start` to that of `end`. A torque on it acts on `end`, and its opposite on `start`.
     A `motor` gives it through a `gear`, as on an `AngleDrive`.
+
+    axis : the node of the hinge in the plane; in space two nodes on its axis.
+    start : node from which the angle counts.
+    end : node to which it counts.
+    gear, motor, amplifier : as of an `AngleDrive`.
     """
 
     kind: Literal["hinge"] = "hinge"
@@ -119,7 +134,11 @@ class HingeDrive(Record):
 
 
 class CoordinateDrive(Record):
-    """Prescribes one coordinate (m) of a node."""
+    """Prescribes one coordinate (m) of a node.
+
+    node : whose coordinate it prescribes.
+    axis : which one.
+    """
 
     kind: Literal["coordinate"] = "coordinate"
     node: Name
@@ -161,6 +180,8 @@ class Coupling(Record):
     more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear pair two angles; the
     offsets of two points of one body from a line of another are the two conditions of a slider in the plane.
 
+    terms : pairs of coordinate and factor.
+    value : of the sum, m or rad; by default that in the model.
     beam : the rigid beam whose rotation it couples to its ends (added automatically, see `Beam`).
     """
 
@@ -193,8 +214,12 @@ class GimbalPose(Record):
     """Pose of a double-octahedral bay: gimbal angles beta, gamma (rad) and the centroid distance `height` (m).
 
     Coordinates ``NAME.beta``, ``NAME.gamma``, ``NAME.height`` move the three lengths of `drives`, in the order
-    M7, M9, M11 of Lacy (1991, chapter 4): of middle nodes 4 and 5, 5 and 6, 4 and 6. `base` is the side of the base and top
-    triangles, `longeron` the length of the cross longerons, m; a pose of a bay with other lengths is refused.
+    M7, M9, M11 of Lacy (1991, chapter 4): of middle nodes 4 and 5, 5 and 6, 4 and 6. A pose of a bay
+    with other lengths than `base` and `longeron` is refused.
+
+    base : side of the base and top triangles, m.
+    longeron : length of the cross longerons, m.
+    drives : names of the drives of the three lengths, in the order above.
     """
 
     kind: Literal["gimbal"] = "gimbal"

@@ -53,6 +53,13 @@ class LeadScrew(Record):
     `flank` is the thread half-angle: 0 for a square thread, 14.5 deg for Acme, 15 deg for trapezoidal metric.
     `static_friction` is the coefficient at rest; by default that of the running screw.
     `hand` : of the thread; it gives the sign of the torque about the axis of the member.
+
+    lead : travel per angle, m/rad; text may say mm/rev.
+    mean_diameter : of the thread, m.
+    friction : coefficient between screw and nut, running.
+    static_friction : coefficient at rest; by default that of the running screw.
+    flank : half-angle of the thread, rad.
+    hand : of the thread.
     """
 
     lead: Lead
@@ -92,6 +99,11 @@ class Gear(Record):
     `back_efficiency` applies if power flows back to the motor; by default it is the `efficiency`. For a self-locking gear it
     is 0 or less: moving with the load then needs motor torque. A worm of lead angle a and friction angle r has tan(a)/tan(a +
     r) and tan(a - r)/tan(a).
+
+    ratio : motor speed over output speed.
+    efficiency : power at the output over that of the motor, which drives.
+    back_efficiency : if the load drives the motor; by default the `efficiency`.
+    inertia : of its parts, at the motor, kg m^2.
     """
 
     ratio: Number
@@ -138,6 +150,17 @@ class Motor(Record):
     `time_constant` (s, of the unloaded motor at a constant voltage: J R/(K_t K_b)) may replace the inertia or the resistance.
     `max_current` and `max_torque` are peak limits, `rated_current` and `rated_torque` continuous limits (compared with the
     root mean square).
+
+    inertia : of the rotor, kg m^2.
+    resistance : of the winding, ohm.
+    inductance : of the winding, H.
+    torque_constant : torque per current, N m/A.
+    emf_constant : back-emf per speed, V s/rad.
+    friction_torque : Coulomb friction of the bearings, N m.
+    time_constant : s, of the unloaded motor at a constant voltage, in place of the inertia or the resistance.
+    max_voltage, max_current, max_speed, max_torque : peak limits, V, A, rad/s, N m.
+    rated_current, rated_torque : continuous limits, A, N m.
+    source : where the values are from.
     """
 
     model_config = ConfigDict(json_schema_extra=_two_of_three)
@@ -196,6 +219,9 @@ class Motor(Record):
 class Amplifier(Record):
     """The amplifier of a motor: a current of `current_gain` A/V, or a voltage of `voltage_gain` V/V, times its input.
 
+    current_gain : output current per input voltage, A/V.
+    voltage_gain : output voltage per input voltage.
+    source : where the values are from.
     max_input : V, larger inputs are limited to it. max_voltage, max_current : limits of its output.
     """
 

@@ -115,6 +115,8 @@ class Elastic(Record):
 class Run(Record):
     """A named run of a model.
 
+    motion : a file of the motion of all nodes, in place of a trajectory: CSV with columns t, NODE.x, NODE.vx ...
+    targets : a task of the structure, in place of a trajectory.
     analysis : ``dynamics.inverse`` (motion, forces, strength, drives), ``kinematics.follow`` (motion only),
         ``dynamics.simulate`` (the motion that forces cause, then as ``dynamics.inverse``); at rest ``statics.linear`` (small
         displacements), ``statics.equilibrium`` (large ones), ``statics.at_poses`` (forces in poses) and ``statics.deflection``

@@ -42,6 +42,17 @@ class Spring(Record):
 
     Units: stiffness N/m or N m/rad, damping N s/m or N m s/rad, friction and preload N or N m, slip m/s or rad/s. An angle must
     stay within half a turn of `rest`; the moment of a spring wound up by more turns is given as its preload.
+
+    coordinate : on which it acts, as a drive that would move it.
+    terms : a sum of coordinates in its place: pairs of coordinate and factor.
+    stiffness : N/m or N m/rad.
+    rest : value of the coordinate without force, m or rad; by default that in the model.
+    damping : N s/m or N m s/rad.
+    friction : size of Coulomb's friction, N or N m.
+    slip : rate at which the friction has 76 % of its size, m/s or rad/s.
+    play : half-width of the dead band, m or rad.
+    preload : force at rest, N or N m.
+    table : points (deflection, force) in place of the stiffness.
     """
 
     coordinate: Measured | None = None

@@ -47,7 +47,11 @@ Moves = Filled[Name, Move]
 
 
 class Quintic(Record):
-    """From start to end by 10 s^3 - 15 s^4 + 6 s^5: at rest, without acceleration, at both ends."""
+    """From start to end by 10 s^3 - 15 s^4 + 6 s^5: at rest, without acceleration, at both ends.
+
+    moves : coordinate -> (start, end), m or rad.
+    duration : s.
+    """
 
     kind: Literal["quintic"] = "quintic"
     moves: Moves
@@ -55,7 +59,12 @@ class Quintic(Record):
 
 
 class Trapezoid(Record):
-    """From start to end with constant acceleration over the fraction `ramp` of the time, constant rate, deceleration."""
+    """From start to end with constant acceleration over the fraction `ramp` of the time, constant rate, deceleration.
+
+    moves : coordinate -> (start, end), m or rad.
+    duration : s.
+    ramp : fraction of the duration for each of acceleration and deceleration.
+    """
 
     kind: Literal["trapezoid"] = "trapezoid"
     moves: Moves
@@ -64,7 +73,11 @@ class Trapezoid(Record):
 
 
 class ConstantRate(Record):
-    """Every named coordinate moves at a constant rate (m/s or rad/s) from its value in the model."""
+    """Every named coordinate moves at a constant rate (m/s or rad/s) from its value in the model.
+
+    rates : coordinate -> rate, m/s or rad/s.
+    duration : s.
+    """
 
     kind: Literal["constant_rate"] = "constant_rate"
     rates: Filled[Name, Rate]
@@ -72,7 +85,13 @@ class ConstantRate(Record):
 
 
 class Sine(Record):
-    """Value in the model plus amplitude x (sin(2 pi t/period + phase) - sin(phase))."""
+    """Value in the model plus amplitude x (sin(2 pi t/period + phase) - sin(phase)).
+
+    amplitudes : coordinate -> amplitude, m or rad.
+    period : of one oscillation, s.
+    phase : angle at the start, rad.
+    duration : s.
+    """
 
     kind: Literal["sine"] = "sine"
     amplitudes: Filled[Name, Coordinate]
@@ -82,7 +101,12 @@ class Sine(Record):
 
 
 class Cyclic(Record):
-    """There and back: start + (end - start)(1 - cos(2 pi t/period))/2, for `cycles` periods."""
+    """There and back: start + (end - start)(1 - cos(2 pi t/period))/2, for `cycles` periods.
+
+    moves : coordinate -> (start, turning point), m or rad.
+    period : of one way there and back, s.
+    cycles : number of periods.
+    """
 
     kind: Literal["cyclic"] = "cyclic"
     moves: Moves
@@ -101,6 +125,14 @@ class StepResponse(Record):
     Order 2: w^2/(s^2 + 2 zeta w s + w^2); order 3: the same times p/(s + p) with p = `third_pole` w.
     w = `settling_factor`/(zeta `settling_time`); 4 is the usual 2 % rule. The profile of Lacy (1991, section 3.2) is order 3,
     zeta 0.8, settling time 0.9 of the duration, settling factor 6, third pole 2.
+
+    moves : coordinate -> (start, end), m or rad.
+    duration : s.
+    damping : the damping ratio zeta.
+    settling_time : s.
+    settling_factor : zeta w times the settling time.
+    order : 2 or 3.
+    third_pole : p over w, of order 3.
     """
 
     kind: Literal["step_response"] = "step_response"
@@ -161,6 +193,11 @@ class Spline(Tabulated):
     if the measured motion turns between rows, the accelerations there are not the measured ones. In a file, ``file:
     table.csv`` (columns t, coordinate names) is read into times and values. `largest_gap` refuses a table with a longer pause
     between two samples than this many times the median step. A noisy table is a `Measured` one.
+
+    times : s.
+    values : coordinate -> its values at these times, m or rad.
+    largest_gap : longest pause between two samples, as a multiple of the median step.
+    shape : ``spline`` or ``monotone``.
     """
 
     kind: Literal["spline"] = "spline"
@@ -176,6 +213,15 @@ class Measured(Tabulated):
     ``savitzky_golay``, for even steps, with an odd number of rows as `window` (by default the best by cross-validation).
     `outliers`: ``keep`` reports them, ``replace`` smooths without them too. In a file, ``file: table.csv`` has columns ``t``,
     ``M7``, ``M7.rate``, ``M7.acceleration``. See `kinematics.measured`.
+
+    times : s.
+    values : coordinate -> its values at these times, m or rad.
+    largest_gap : as of a `Spline`.
+    rates : coordinate -> rates at these times, m/s or rad/s.
+    accelerations : coordinate -> accelerations, m/s^2 or rad/s^2.
+    smoothing : ``spline`` or ``savitzky_golay``.
+    window : of ``savitzky_golay``, an odd number of rows.
+    outliers : ``keep`` or ``replace``.
     """
 
     kind: Literal["measured"] = "measured"

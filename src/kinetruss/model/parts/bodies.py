@@ -58,6 +58,7 @@ class Frame(Record):
 class Body(Record):
     """A body with mass, carried by nodes.
 
+    frame : axes fixed in the body in which `center` and `inertia` are given; by default the global axes.
     nodes : the nodes of the body; other bodies and bars share them (joints).
     mass : kg. center : its centre, m, and inertia : about the centre, kg m^2, both in `frame`: one number in the plane;
         in space the three moments about the axes of the frame, or a 3 x 3 matrix. Without them the mass is distributed evenly

@@ -38,6 +38,8 @@ _Moment = Annotated[Any, PlainValidator(_moment), WithJsonSchema(_SCHEMA)]
 class BodyForce(InTime):
     """A force at a point of a body: constant (`force`, N), or a table in time (`times` s, `forces` N; linear between).
 
+    force : constant force, N.
+    times, forces : a table in place of `force`, s and N.
     body : name of a body, or of a bar of a planar model that moves as a body.
     at : for a body, the point in the start configuration, global axes, m, by default the centre of mass; for a bar (along,
         left), m along it from its first end and to its left, by default its middle.
@@ -63,6 +65,9 @@ class BodyForce(InTime):
 class BodyCouple(InTime):
     """A couple on a body, or on a bar of a planar model: `moment`, N m (plane: one number, counter-clockwise), or a table.
 
+    body : name of a body, or of a bar of a planar model that moves as a body.
+    moment : constant moment, N m; in the plane one number, counter-clockwise.
+    times, moments : a table in place of `moment`, s and N m.
     follows : the moment turns with the body; else it keeps its direction. Given in global axes of the start configuration.
     member : where the body is that of a hub in space (``NODE.hub``, or a hub on the ground), the member through whose joint the
         couple enters. It twists and bends the arm of this member, and its component along the member twists the member.
@@ -92,6 +97,11 @@ class Pressure(InTime):
 
     In the plane on the edge from the first node to the second, to its left, over the `depth`, m. Each node takes an equal part
     of p times the present area.
+
+    face : names of its three nodes in space, of the two of an edge in the plane.
+    pressure : constant pressure, Pa.
+    times, pressures : a table in place of `pressure`, s and Pa.
+    depth : of the structure across the plane, m.
     """
 
     face: Annotated[tuple[Name, ...], Field(min_length=2, max_length=3), Series]

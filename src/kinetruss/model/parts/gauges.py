@@ -65,6 +65,8 @@ class Bridge(Record):
 class Gauge(Record):
     """A strain gauge on a bar, or on base or tube of an active member, by default parallel to its axis.
 
+    member : name of the bar or active member.
+    distance : place in m from the end at A, in place of `at`.
     part : ``base`` or ``tube``, of an active member. at : place as a fraction of the length, from the end at A; or
     `distance` from that end, m; by default the middle. angle : place around the section, rad, from member axis 2 towards 3.
     radius : distance from the axis, m; by default the gauge sits on the surface. factor : gauge factor, relative change of
@@ -96,6 +98,8 @@ class Gauge(Record):
 class GaugeZero(Record):
     """The reference state of all gauges: a pose at rest, under gravity, with the loads of `load_case` (by default none).
 
+    time : instant of the run, s, in place of `at`.
+    load_case : whose loads act in the reference state; by default none.
     at : drive or pose coordinates -> value (m or rad), the others as in the model; or `time` of the run, s.
     """
 

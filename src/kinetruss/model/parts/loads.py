@@ -50,7 +50,12 @@ class InTime(Record):
 
 
 class NodalForce(InTime):
-    """A force on a node: constant (`force`, N), or a table (`times` s, `forces` N; linear between, constant outside)."""
+    """A force on a node: constant, or a table in time.
+
+    node : on which it acts.
+    force : constant force, N.
+    times, forces : a table, s and N; linear between its points, constant outside.
+    """
 
     node: Name
     force: ForceVector | None = None
@@ -64,16 +69,22 @@ class NodalForce(InTime):
 
 
 class LoadCase(Record):
-    """Which loads act: nodal forces with factors (all with 1 where None), and gravity if it differs from the model's."""
+    """Which loads act.
+
+    loads : name of a load -> factor; all loads with factor 1 where not given.
+    gravity : m/s^2, if it differs from that of the model.
+    """
 
     loads: Table[Name, Number] | None = None
     gravity: GravityVector | None = None
 
 
 class History(Record):
-    """Displacement of a support from its position in the model: times (s) and displacements (m), quintic spline between.
+    """Displacement of a support from its position in the model. A run beyond the table is refused.
 
-    A run beyond the table is refused. `shape`: ``monotone`` never overshoots the points, as in `Spline`.
+    times : s.
+    displacements : m, one row a time; a quintic spline goes through them.
+    shape : ``spline``, or ``monotone``, which never overshoots the points, as in `Spline`.
     """
 
     times: Annotated[tuple[Time, ...], Field(min_length=2), Series]

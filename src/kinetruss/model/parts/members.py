@@ -55,6 +55,13 @@ class Node(Record):
     another one (two joints at one place); otherwise that is a fault. A `scalar` is not a point but a single coordinate, its x
     (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom. A `director` belongs
     to the frame of another node, whose rotation beams share (added automatically, see `Beam`).
+
+    at : place, m: two coordinates in the plane, three in space.
+    mass : lumped mass, kg.
+    gravity : acceleration of this mass, m/s^2; by default that of the model.
+    coincident : it may stand where another node stands.
+    scalar : it is a single coordinate, its x, and no point.
+    director : it belongs to the frame of another node (added automatically).
     """
 
     at: Point
@@ -88,6 +95,10 @@ class PlanarBody(Record):
 class Bar(Record):
     """A straight member between two nodes.
 
+    ends : names of its two nodes, A and B.
+    section : of the whole bar, a record or a name; by default that of the model.
+    material : likewise.
+    pretension : force of an elastic bar or cable in the start configuration, N, in place of `natural_length`.
     kind : ``rigid`` keeps its length, ``driven`` has a length prescribed in time, ``elastic`` has a constitutive law,
         ``cable`` is elastic in tension only, ``free`` has no stiffness (but its mass and damping count).
     mass : total, kg; by default density x area x length, or 0 without section or material.
@@ -172,6 +183,7 @@ class Active(Record):
 
     The screw between them drives the length.
 
+    ends : names of its two nodes; the base is clamped at the first, the tube at the second.
     base, tube : the two rods. screw, gear, motor, amplifier : records, or names.
     length : at the start, m; by default the distance of the nodes. limits : least and largest length, m.
     friction : as of a `Bar`. orientation, buckling : as of a `Bar`; the whole member buckles.

@@ -24,7 +24,10 @@ __all__ = ["General", "Material", "MaterialOrName", "Rectangle", "Rod", "Section
 
 
 class Tube(Record):
-    """Round tube, outer and inner diameter in m."""
+    """Round tube.
+
+    outer, inner : diameters, m.
+    """
 
     kind: Literal["tube"] = "tube"
     outer: PositiveLength
@@ -78,7 +81,10 @@ class Tube(Record):
 
 
 class Rod(Record):
-    """Solid round bar, diameter in m."""
+    """Solid round bar.
+
+    diameter : m.
+    """
 
     kind: Literal["rod"] = "rod"
     diameter: PositiveLength
@@ -121,7 +127,11 @@ class Rod(Record):
 
 
 class Rectangle(Record):
-    """Solid rectangle: height along axis 2 (in the plane, for a planar model), width along axis 3, in m."""
+    """Solid rectangle.
+
+    height : along axis 2 (in the plane, for a planar model), m.
+    width : along axis 3, m.
+    """
 
     kind: Literal["rectangle"] = "rectangle"
     width: PositiveLength
@@ -173,9 +183,13 @@ class Rectangle(Record):
 
 
 class General(Record):
-    """Any section given by its numbers (SI): area, I2, I3 about the principal axes 2 and 3, extreme fibres c2, c3.
+    """Any section given by its numbers.
 
+    area : m^2.
+    I2, I3 : second moments of area about the principal axes 2 and 3, m^4.
+    c2, c3 : distance of the extreme fibres from the centroid along axes 2 and 3, m.
     J : torsion constant, m^4, of a beam in space.
+    shear_factor : largest shear stress over shear force/area.
     """
 
     kind: Literal["general"] = "general"
@@ -218,8 +232,13 @@ SectionOrName = Annotated[Annotated[Section, Tag("record")] | Annotated[Name, Ta
 
 
 class Material(Record):
-    """Elastic material: E (Young's modulus), density, yield strength, Poisson's ratio; SI, with the source of the values.
+    """Elastic material.
 
+    E : Young's modulus, Pa.
+    density : kg/m^3.
+    yield_strength : Pa; without it, strength is not checked.
+    poisson : Poisson's ratio.
+    source : where the values are from.
     thermal_expansion : coefficient of linear expansion, 1/K, as conditions with a temperature need it.
     """
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -53,10 +53,10 @@ WHY = {
     "geom": "shapes are not carried; mass and places are",
 }
 JOINT_WHY = {
-    "armature": "inertia of a rotor is not carried; give a motor to the drive",
-    "damping": "damping of balls, and laws of several numbers, are not carried",
-    "stiffness": "springs of balls, and laws of several numbers, are not carried",
-    "frictionloss": "friction of joints is not carried; add a spring with friction",
+    "armature": "inertia of the rotors of balls and of free bodies is not carried",
+    "damping": "damping of balls and of free bodies, and laws of several numbers, are not carried",
+    "stiffness": "springs of balls and of free bodies, and laws of several numbers, are not carried",
+    "frictionloss": "friction of balls and of free bodies is not carried",
     "range": "a model has no limits at joints; those of sliders size their guides",
 }
 
@@ -91,6 +91,8 @@ class _Reader:
         self.site: dict[str, tuple[str, NDArray[np.float64]]] = {}
         self.point: dict[str, str] = {}
         """Site -> node."""
+        self.ratios: dict[str, float] = {}
+        """Joint -> gear of its actuator."""
 
     def robot(self, at: Mapping[str, float]) -> Robot:
         for one in self.root.children:
@@ -112,11 +114,13 @@ class _Reader:
         spans = laws.spans([one for group in self.root.all("tendon") for one in group.children], self.point)
         motors = [element for group in self.root.all("actuator") for element in group.children]
         drives = {name for element in motors for name in self._drive(element, spans)}
+        ratios = {name: ratio for name, ratio in self.ratios.items() if name in drives}
         if unknown := [name for name in at if name not in self.joint]:
             raise InputError(f"{self.path}: no joint called {unknown[0]!r}. {nearest(unknown[0], self.joint)}")
         values = {self.joint[name]: value for name, value in at.items()}
         pivots = [
-            replace(one, drive=one.name if one.name in drives else None, start=values.get(one.name)) for one in self.pivots
+            replace(one, drive=one.name if one.name in drives else None, ratio=ratios.get(one.name), start=values.get(one.name))
+            for one in self.pivots
         ]
         x, y, z = 0.0, 0.0, -9.81
         for option in self.root.all("option"):
@@ -196,12 +200,11 @@ class _Reader:
             raise one.fault("has the name of another joint.", "Give it another name.")
         own = self.names.of(given, one.where, "joint")
         self.joint[given] = own
-        spring = self._spring(one) if kind in ("revolute", "prismatic") else None
-        if spring is not None and kind == "revolute":
-            spring = spring[0], self.units.angle * spring[1], spring[2]
-        for word in JOINT_WHY if spring is None else ("armature", "frictionloss", "range"):
-            if word in one.attributes and (word == "range" or np.any(one.numbers(word, (1, 2, 3)))):
-                self.left.append(LeftOut(word, one.where, JOINT_WHY[word]))
+        single = kind in ("revolute", "prismatic")
+        carried = self._carried(one) if single else ()
+        for word, why in JOINT_WHY.items():
+            if word in one.attributes and (word == "range" or (word not in carried and np.any(one.numbers(word, (1, 2, 3))))):
+                self.left.append(LeftOut(word, one.where, why))
         if kind == "free":
             return Pivot(name=own, kind=kind, parent="", child="", origin=np.eye(4), where=one.where)
         place = one.numbers("pos", 3, (0, 0, 0))
@@ -219,15 +222,27 @@ class _Reader:
         after = placement(None, -place)
         return Pivot(
             name=own, kind=kind, parent="", child="", origin=origin, axis=axis, after=after, home=value, limits=limits,
-            spring=spring or (0.0, 0.0, 0.0),
-            where=one.where,
+            spring=self._spring(one, kind, carried), armature=self._resisting(one, carried, "armature"), where=one.where,
         )  # fmt: skip
 
-    def _spring(self, one: Element) -> tuple[float, float, float] | None:
-        """Stiffness, value without force and damping of a hinge or slide; None for laws of several numbers."""
-        if any(len(one.text(word, "").split()) > 1 for word in ("stiffness", "damping")):
-            return None
-        return one.number("stiffness", 0.0), one.number("springref", 0.0), one.number("damping", 0.0)
+    def _carried(self, one: Element) -> tuple[str, ...]:
+        """Attributes of a hinge or slide that its spring and its rotor hold: those of a single number."""
+        several = any(len(one.text(word, "").split()) > 1 for word in ("stiffness", "damping"))
+        return ("frictionloss", "armature") if several else ("stiffness", "damping", "frictionloss", "armature")
+
+    def _spring(self, one: Element, kind: JointKind, carried: Collection[str]) -> tuple[float, float, float, float]:
+        """Stiffness, value without force, damping and friction of a hinge or slide."""
+        stiffness, damping, friction = (
+            self._resisting(one, carried, word) for word in ("stiffness", "damping", "frictionloss")
+        )
+        rest = one.number("springref", 0.0) if "stiffness" in carried else 0.0
+        return stiffness, self.units.angle * rest if kind == "revolute" else rest, damping, friction
+
+    def _resisting(self, one: Element, carried: Collection[str], word: str) -> float:
+        found = one.number(word, 0.0) if word in carried else 0.0
+        if found < 0:
+            raise one.fault(f"has the {word} {found:g}.", "Give 0 or more.")
+        return found
 
     def _closure(self, element: Element) -> Iterator[Closure]:
         given = self.defaults.of(element, "main")
@@ -267,17 +282,28 @@ class _Reader:
                 LeftOut(element.tag, element.where, "only actuators of joints and of straight tendons are carried")
             )
             return
-        if more := sorted(set(given) - {"name", "joint", "tendon", "class"}):
-            self.left.append(
-                LeftOut(f"{element.tag}: {', '.join(more)}", element.where, "of an actuator only its place is carried")
-            )
+        known = {"name", "joint", "tendon", "class"}
         if "tendon" in given:
-            yield spans[given["tendon"]].name
-            return
-        name = self._named(element, "joint", self.joint, "joint")
-        if {one.name: one for one in self.pivots}[name].kind not in ("revolute", "prismatic"):
-            raise element.fault("drives a joint of several freedoms.", "Drive hinges and slides.")
+            name = spans[given["tendon"]].name
+        else:
+            name = self._named(element, "joint", self.joint, "joint")
+            kind = {one.name: one for one in self.pivots}[name].kind
+            if kind not in ("revolute", "prismatic"):
+                raise element.fault("drives a joint of several freedoms.", "Drive hinges and slides.")
+            if kind == "revolute" and (ratio := self._ratio(element)) is not None:
+                self.ratios[name] = ratio
+                known.add("gear")
+        if more := sorted(set(given) - known):
+            why = "of an actuator its joint is carried, and the gear of a hinge if it is above 0; control belongs to a run"
+            self.left.append(LeftOut(f"{element.tag}: {', '.join(more)}", element.where, why))
         yield name
+
+    def _ratio(self, element: Element) -> float | None:
+        """The gear of an actuator: torque on the joint over that of the motor; None if a drive cannot hold it."""
+        if "gear" not in element.attributes:
+            return None
+        numbers = element.numbers("gear", tuple(range(1, 7)))
+        return float(numbers[0]) if numbers[0] > 0 and not numbers[1:].any() else None
 
     def _named(self, element: Element, word: str, known: Mapping[str, Any], what: str) -> Any:
         name = element.text(word)

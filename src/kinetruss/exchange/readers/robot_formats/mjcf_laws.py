@@ -66,22 +66,22 @@ class Laws:
         if element.tag != "spatial" or len(ends) != 2 or len(element.children) != 2:
             self._lost(element.tag, element, "only tendons straight between two sites are carried")
             return None
-        if any(len(element.text(word, "").split()) > 1 for word in ("stiffness", "damping", "springlength")):
+        if any(len(element.text(word, "").split()) > 1 for word in ("stiffness", "damping", "springlength", "frictionloss")):
             self._lost(element.tag, element, "its law of several numbers is not carried")
             return None
         for one in ends:
             if (site := one.text("site")) not in points:
                 raise one.fault(f"no site called {site!r}.", nearest(site, points))
-        for word in ("frictionloss", "range", "armature"):
+        for word in ("range", "armature"):
             if word in element.attributes:
                 self._lost(word, element, "is not carried of tendons")
         first, second = (points[one.text("site")] for one in ends)
-        stiffness, damping = element.number("stiffness", 0.0), element.number("damping", 0.0)
+        stiffness, damping, friction = (element.number(word, 0.0) for word in ("stiffness", "damping", "frictionloss"))
         rest = element.number("springlength", -1.0)
         return Span(
             name=self._names.of(element.attributes.get("name", f"tendon_{element.line}"), element.where, "joint"),
             points=(first, second),
-            spring=(stiffness, rest if rest >= 0 else None, damping) if stiffness or damping else None,
+            spring=(stiffness, rest if rest >= 0 else None, damping, friction) if stiffness or damping or friction else None,
             where=element.where,
         )
 
@@ -89,7 +89,7 @@ class Laws:
         """The tendons that have a motor or a law of their own."""
         for one in spans.values():
             if one.name not in drives and one.spring is None:
-                self._left.append(LeftOut("spatial", one.where, "has no actuator, no stiffness and no damping, so no force"))
+                self._left.append(LeftOut("spatial", one.where, "has no actuator, stiffness, damping or friction, so no force"))
         return [replace(one, driven=one.name in drives) for one in spans.values() if one.name in drives or one.spring]
 
     def _lost(self, what: str, element: Element, why: str) -> None:

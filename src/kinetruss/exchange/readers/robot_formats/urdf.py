@@ -40,8 +40,8 @@ WHY = {
     "visual": "shapes are not carried; mass and places are",
     "collision": "contacts are not part of a model",
     "limit": "a model has no limits at joints; those of sliders size their guides",
-    "dynamics": "friction is not carried, damping is that of hinges and sliders only; add a spring with friction",
-    "joint_properties": "friction is not carried; add a spring with friction",
+    "dynamics": "friction and damping are those of hinges and sliders only",
+    "joint_properties": "is no element of URDF; write its friction as <dynamics friction=.../>",
     "calibration": "has no meaning in a model",
     "safety_controller": "controllers are not carried",
     "transmission": "gears and motors are not carried; give them to the drive",
@@ -272,9 +272,9 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
         if not (size := float(np.linalg.norm(along))):
             raise (axis or joint).fault("has an axis without direction.", 'Write for example <axis xyz="0 0 1"/>.')
         along = along / size
-    damping = 0.0
+    damping = friction = 0.0
     if found in ("revolute", "prismatic") and (dynamics := joint.one("dynamics")) is not None:
-        damping = dynamics.number("damping", 0.0)
+        damping, friction = (_resisting(dynamics, word) for word in ("damping", "friction"))
     limits = None
     if (limit := joint.one("limit")) is not None and "lower" in limit.attributes and "upper" in limit.attributes:
         limits = (limit.number("lower"), limit.number("upper"))
@@ -287,11 +287,18 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
             origin=origin,
             axis=along,
             limits=limits,
-            spring=(0.0, 0.0, damping),
+            spring=(0.0, 0.0, damping, friction),
             where=joint.where,
         ),
         None,
     )
+
+
+def _resisting(dynamics: Element, word: str) -> float:
+    found = dynamics.number(word, 0.0)
+    if found < 0:
+        raise dynamics.fault(f"has the {word} {found:g}.", "Give 0 or more.")
+    return found
 
 
 def _left_out(root: Element) -> Iterator[LeftOut]:
@@ -300,7 +307,7 @@ def _left_out(root: Element) -> Iterator[LeftOut]:
             yield LeftOut(one.tag, one.where, WHY.get(one.tag, "is not known here"))
             continue
         for child in one.children:
-            still = child.tag == "dynamics" and one.attributes.get("type") in SINGLE and not child.number("friction", 0.0)
+            still = child.tag == "dynamics" and one.attributes.get("type") in SINGLE
             if child.tag not in PARTS[one.tag] or (child.tag in ("limit", "dynamics") and not still):
                 where = f"{child.file}:{child.line} {one.label}"
                 yield LeftOut(child.tag, where, WHY.get(child.tag, "is not known here"))
