@@ -138,19 +138,18 @@ def _module(root: Path, file: Path) -> str:
 
 
 def _imports(root: Path, trees: dict[Path, ast.Module]) -> dict[str, set[str]]:
-    """Modules that each module names in its imports, those for types only included; packages' own files left out."""
-    modules = {_module(root, file) for file in trees if file.name != "__init__.py"}
+    """Modules that each module names in its imports: packages too, those for types only and those within functions."""
+    modules = {_module(root, file): tree for file, tree in trees.items()}
     found: dict[str, set[str]] = {}
-    for file, tree in trees.items():
-        if file.name == "__init__.py":
-            continue
+    for module, tree in modules.items():
         wanted: set[str] = set()
         for node in ast.walk(tree):
             if isinstance(node, ast.ImportFrom) and node.module:
-                wanted |= {node.module, *(f"{node.module}.{name.name}" for name in node.names)}
+                # of a package a name may be a module of its own
+                wanted |= {inner if (inner := f"{node.module}.{name.name}") in modules else node.module for name in node.names}
             elif isinstance(node, ast.Import):
                 wanted |= {name.name for name in node.names}
-        found[_module(root, file)] = wanted & modules
+        found[module] = (wanted & modules.keys()) - {module}
     return found
 
 
