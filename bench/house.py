@@ -41,7 +41,8 @@ def figures(root: Path) -> dict[str, Any]:
     folders = Counter(file.parent for file in files if file.name != "__init__.py")
     folder, most = folders.most_common(1)[0]
     arguments = sorted(_arguments(root, trees), reverse=True)
-    inner = [one for one in arguments if one[1].rsplit(":")[-1] not in _public(root, trees)]
+    public = _public(root, trees)
+    inner = [one for one in arguments if one[1].rsplit(":")[-1] not in public]
     circles = _circles(_imports(root, trees))
     comments = {file: _comments(text) for file, text in texts.items()}
     inner_files = [file for file in files if "kernels" in file.relative_to(root).parts]
