@@ -41,7 +41,8 @@ def figures(root: Path) -> dict[str, Any]:
     folders = Counter(file.parent for file in files if file.name != "__init__.py")
     folder, most = folders.most_common(1)[0]
     arguments = sorted(_arguments(root, trees), reverse=True)
-    inner = [one for one in arguments if one[1].rsplit(":")[-1] not in _public(root, trees)]
+    public = _public(root, trees)
+    inner = [one for one in arguments if one[1].rsplit(":")[-1] not in public]
     circles = _circles(_imports(root, trees))
     comments = {file: _comments(text) for file, text in texts.items()}
     inner_files = [file for file in files if "kernels" in file.relative_to(root).parts]
@@ -138,19 +139,18 @@ def _module(root: Path, file: Path) -> str:
 
 
 def _imports(root: Path, trees: dict[Path, ast.Module]) -> dict[str, set[str]]:
-    """Modules that each module names in its imports, those for types only included; packages' own files left out."""
-    modules = {_module(root, file) for file in trees if file.name != "__init__.py"}
+    """Modules that each module names in its imports: packages too, those for types only and those within functions."""
+    modules = {_module(root, file): tree for file, tree in trees.items()}
     found: dict[str, set[str]] = {}
-    for file, tree in trees.items():
-        if file.name == "__init__.py":
-            continue
+    for module, tree in modules.items():
         wanted: set[str] = set()
         for node in ast.walk(tree):
             if isinstance(node, ast.ImportFrom) and node.module:
-                wanted |= {node.module, *(f"{node.module}.{name.name}" for name in node.names)}
+                # of a package a name may be a module of its own
+                wanted |= {inner if (inner := f"{node.module}.{name.name}") in modules else node.module for name in node.names}
             elif isinstance(node, ast.Import):
                 wanted |= {name.name for name in node.names}
-        found[_module(root, file)] = wanted & modules
+        found[module] = (wanted & modules.keys()) - {module}
     return found
 
 

@@ -55,6 +55,27 @@ def test_counts_of_a_known_tree(tmp_path):
     assert (found["comments per 100 lines of kernels"], found["pragmas"]) == (0, 1)
 
 
+def test_imports_for_types_in_functions_and_of_packages_close_circles(tmp_path):
+    source = tmp_path / "src" / "kinetruss"
+    (source / "one").mkdir(parents=True)
+    (source / "kernels").mkdir()
+    (source / "kernels" / "k.py").write_text("K = 1\n")
+    (source / "__init__.py").write_text('_PACKAGES = "one"\n_NAMES = {}\n')
+    (source / "one" / "__init__.py").write_text("if TYPE_CHECKING:\n    from kinetruss.one.a import f\n")
+    (source / "one" / "a.py").write_text("def f():\n    from kinetruss.b import g\n\n    return g\n")
+    (source / "b.py").write_text("from kinetruss.one import f\n\n\ndef g():\n    return f\n")
+    (source / "c.py").write_text("from kinetruss import b\n")
+    found = json.loads(
+        subprocess.run([sys.executable, SCRIPT, "--json", "--root", tmp_path], check=True, capture_output=True).stdout
+    )
+    assert (found["import circles"], found["files in import circles"]) == (1, 3)
+
+
+def test_no_module_imports_itself_by_way_of_others():
+    found = json.loads(subprocess.run([sys.executable, SCRIPT, "--json"], check=True, capture_output=True).stdout)
+    assert found["import circles"] == 0
+
+
 def test_packages_are_imported_by_the_names_that_they_declare():
     found = json.loads(subprocess.run([sys.executable, SCRIPT, "--json"], check=True, capture_output=True).stdout)
     assert found["inner modules imported across packages"] == 0

@@ -7,16 +7,13 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.mechanics.beams.curves import BeamCurves, beam_curves
     from kinetruss.mechanics.beams.elements import MODES, BeamElements, beam_elements
     from kinetruss.mechanics.beams.forces import beam_forces, section_forces
     from kinetruss.mechanics.beams.modes import damping_forces, damping_tangents, mode_rates, mode_stiffness, pairs_of
 
 __all__ = [
     "MODES",
-    "BeamCurves",
     "BeamElements",
-    "beam_curves",
     "beam_elements",
     "beam_forces",
     "damping_forces",
@@ -30,7 +27,6 @@ __all__ = [
 __getattr__, __dir__ = late(
     __name__,
     {
-        "curves": "BeamCurves beam_curves",
         "elements": "MODES BeamElements beam_elements",
         "forces": "beam_forces section_forces",
         "modes": "damping_forces damping_tangents mode_rates mode_stiffness pairs_of",

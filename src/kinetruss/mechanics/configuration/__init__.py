@@ -1,4 +1,4 @@
-"""Positions of nodes: arguments of users, poses of bays, motions of groups of nodes, values of rows and drives."""
+"""Positions of nodes: arguments of users, poses of bays, motions of groups of nodes, values of rows and drives, axes of beams."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.mechanics.configuration.bay import FIT, POSE, bay_of, departs, pose_fault, pose_members, pose_values
+    from kinetruss.mechanics.configuration.curves import BeamCurves, beam_curves
     from kinetruss.mechanics.configuration.planes import Rates, gimbal_angles, normalised, size, turn, vector_area
     from kinetruss.mechanics.configuration.positions import names_of, number_of, positions_of, vectors_of
     from kinetruss.mechanics.configuration.readings import drive_places, drive_values, row_values, shortest
@@ -16,12 +17,14 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FIT",
+    "BeamCurves",
     "Rates",
     "POSE",
     "ROTATION",
     "RotatingBase",
     "base_of",
     "bay_of",
+    "beam_curves",
     "centred",
     "departs",
     "drive_places",
@@ -48,6 +51,7 @@ __getattr__, __dir__ = late(
     __name__,
     {
         "bay": "FIT POSE bay_of departs pose_fault pose_members pose_values",
+        "curves": "BeamCurves beam_curves",
         "planes": "Rates gimbal_angles normalised size turn vector_area",
         "positions": "names_of number_of positions_of vectors_of",
         "readings": "drive_places drive_values row_values shortest",

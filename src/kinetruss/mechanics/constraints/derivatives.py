@@ -18,11 +18,20 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.mechanics import System, constraint_jacobian, direction_rates, measure_turning, row_ends, row_scales, turned
-from kinetruss.mechanics.structure.constraint_gradients import assembled
+from kinetruss.mechanics.structure.constraint_gradients import (
+    assembled,
+    constraint_jacobian,
+    direction_rates,
+    row_ends,
+    row_scales,
+    turned,
+)
+from kinetruss.mechanics.structure.hessians import measure_turning
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.mechanics.structure.system import System
 
 __all__ = ["Derivatives", "held_rows"]
 

@@ -102,7 +102,7 @@ def arrows(
 def curves_of(model: Model, x: Array) -> dict[int, Array]:
     """By place among the members that are drawn the points (g, dim), m, of elastic beams with nodes at x (n, dim)."""
     from kinetruss.mechanics import compile
-    from kinetruss.mechanics.beams import beam_curves
+    from kinetruss.mechanics.configuration import beam_curves
 
     if not model.beams or (found := beam_curves(compile(model))) is None:
         return {}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.beams import beam_curves
+from kinetruss.mechanics.configuration import beam_curves
 from kinetruss.mechanics.structure import body_faces, orientation, skin_of
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
 from kinetruss.model.beams import chords, shown_kinds, shown_names
