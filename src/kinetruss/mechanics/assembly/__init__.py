@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         continua_geometric,
         continua_stiffness,
         densities,
+        material_stiffness,
         resting_forces,
         squared_changes,
         strain_balance,
@@ -66,6 +67,7 @@ __all__ = [
     "elements",
     "history_of",
     "mass_matrix",
+    "material_stiffness",
     "nodal_loads",
     "pins_of",
     "with_continua_forces",
@@ -94,8 +96,8 @@ __getattr__, __dir__ = late(
         "balance": "Balance balance_of balanced_rows row_tensions measure_forces sum_stiffness",
         "cases": "ROTATES Loads case_loads",
         "continua": (
-            "beam_losses continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
-            "resting_forces strain_balance"
+            "beam_losses continua_arrays continua_geometric continua_stiffness densities material_stiffness resting_forces "
+            "squared_changes strain_balance with_continua_forces"
         ),
         "followers": "Follower history_of on_ground unit_loads_of",
         "laws": "bar_laws",

@@ -86,18 +86,25 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     }
     groups = list(dict.fromkeys(gauge.group for gauge in model.gauges.values() if gauge.group is not None))
     if groups:
-        across = ["bending_3"] if model.dim == 2 else ["bending_2", "bending_3"]
-        inner = ["T", "M3", "V2"] if model.dim == 2 else ["T", "M2", "M3", "V2", "V3"]
-        coords |= {"group": groups, "component": ["axial", *across], "inner": inner}
-        split = np.stack([_split(model, group, places, strain) for group in groups], axis=1)
-        parts_of_groups = [k[next(i for i, one in enumerate(model.gauges.values()) if one.group == group)] for group in groups]
-        force = 1e-6 * split / np.stack([_per_force(parts, int(i), model.dim) for i in parts_of_groups])
-        kept = 1 + len(across)
-        data["group_strain"] = variable(
-            ("time", "group", "component"), split[..., :kept], "1e-6", "axial and bending strain of a group"
-        )
-        data["group_force"] = variable(("time", "group", "inner"), force, "N, N m", "section forces that a group measures")
+        of_groups, named = _of_groups(model, groups, places, strain)
+        data |= of_groups
+        coords |= named
     return xr.Dataset(data, coords=coords, attrs={"kind": "gauges", "load_case": forces.load_case})
+
+
+def _of_groups(model: Model, groups: list[str], places: _Places, strain: NDArray[np.float64]) -> tuple[Any, dict[str, Any]]:
+    """Axial and bending strains of groups and the section forces that they measure, and the coordinates of both."""
+    across = ["bending_3"] if model.dim == 2 else ["bending_2", "bending_3"]
+    inner = ["T", "M3", "V2"] if model.dim == 2 else ["T", "M2", "M3", "V2", "V3"]
+    split = np.stack([_split(model, group, places, strain) for group in groups], axis=1)
+    first = [next(i for i, one in enumerate(model.gauges.values()) if one.group == group) for group in groups]
+    per_force = np.stack([_per_force(places.parts, int(places.part[i]), model.dim) for i in first])
+    axial, force, of_group = split[..., : 1 + len(across)], 1e-6 * split / per_force, ("time", "group")
+    data = {
+        "group_strain": variable((*of_group, "component"), axial, "1e-6", "axial and bending strain of a group"),
+        "group_force": variable((*of_group, "inner"), force, "N, N m", "section forces that a group measures"),
+    }
+    return data, {"group": groups, "component": ["axial", *across], "inner": inner}
 
 
 class _Places:
