@@ -180,6 +180,7 @@ def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64
     """(times, gauges), 1e-6."""
     stations = np.unique(places.xi)
     found, parts, k = sections(model, forces, stations).data, places.parts, places.part
+    # T/A - M3 y/I3 + M2 z/I2 at each gauge
     at = np.searchsorted(stations, places.xi)
     stress = found["section_T"].values[:, k, at] / parts.area[k]
     M, V = found["section_M"].values[:, k, at], found["section_V"].values[:, k, at]
@@ -188,6 +189,7 @@ def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64
         stress = stress + M[..., 0] * places.z / parts.I2[k]
     strain = places.along * stress / parts.E[k]
     if places.shear.any():
+        # shear strain k V/(A G) along the surface
         per = (parts.factor / parts.area / parts.G)[k]
         V = V[..., -2:] if V.shape[-1] > 1 else V
         strain = strain + per * (V * places.shear[:, : V.shape[-1]]).sum(axis=-1)
@@ -232,6 +234,7 @@ def _split(model: Model, group: str, places: _Places, strain: NDArray[np.float64
     columns = [along, -along * places.y[chosen] / parts.c2[part], shear[:, 0]]
     if model.dim == 3:
         columns = [columns[0], along * places.z[chosen] / parts.c3[part], columns[1], shear[:, 0], shear[:, 1]]
+    # e = D (axial, bending, shear); an unknown is determined where D^+ D = 1
     design = np.stack(columns, axis=1)
     inverse = np.linalg.pinv(design, rcond=1e-9)
     unseen = np.abs(np.eye(design.shape[1]) - inverse @ design).max(axis=1) > 1e-9
