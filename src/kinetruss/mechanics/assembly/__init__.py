@@ -44,7 +44,15 @@ if TYPE_CHECKING:
         spring_laws,
         spring_motions,
     )
-    from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, pins_of, structure_of
+    from kinetruss.mechanics.assembly.tables import (
+        body_masses,
+        continua_mass,
+        elements,
+        nodal_loads,
+        pair_weights,
+        pins_of,
+        structure_of,
+    )
 
 __all__ = [
     "Balance",
@@ -69,6 +77,7 @@ __all__ = [
     "mass_matrix",
     "material_stiffness",
     "nodal_loads",
+    "pair_weights",
     "pins_of",
     "with_continua_forces",
     "on_ground",
@@ -104,6 +113,6 @@ __getattr__, __dir__ = late(
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
         "springs": "SpringHistories refuse_turns spring_forces spring_laws spring_motions",
-        "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
+        "tables": "body_masses continua_mass elements nodal_loads pair_weights pins_of structure_of",
     },
 )
