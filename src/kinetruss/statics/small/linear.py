@@ -245,4 +245,6 @@ def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]
         held.members[i] for i, f, kind in zip(held.row_member, flexible, held.row_kind, strict=True) if not f and not kind
     ]
     lacking = [name for name in lacking if name not in rigid]
-    return f"Kept inextensible, since they have no section or no material: {few(lacking, 8)}." if lacking else ""
+    if not lacking:
+        return ""
+    return f"Kept inextensible, since they have no section or no material: {few(lacking, 8)}."

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from kinetruss.dynamics import NotOnBars, not_on_bars
-from kinetruss.errors import few
 from kinetruss.model import Model
 from kinetruss.strength.members.parts import parts_of
 
@@ -35,8 +34,8 @@ def not_held(model: Model, cases: Iterable[str]) -> tuple[NotOnBars, ...]:
 def sentences(found: tuple[NotOnBars, ...]) -> list[str]:
     """One sentence for each: the action, its nodes, and the members that it may bend."""
     return [
-        f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {few(one.nodes, MOST)} and not on one bar; "
-        f"it may bend {few(one.members, MOST)}."
+        f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {_listed(one.nodes)} and not on one bar; "
+        f"it may bend {_listed(one.members)}."
         for one in found
     ]
 
@@ -49,4 +48,9 @@ def add_to_notes(
         by = list(dict.fromkeys(f"{one.kind} {one.source!r}" for one in found if member in one.members))
         for rule in (0, 2) if by else ():
             if said[i, rule] or utilisation[i, rule] == utilisation[i, rule]:
-                said[i, rule] = "; ".join(filter(None, (said[i, rule], f"without bending by {few(by, MOST)}")))
+                said[i, rule] = "; ".join(filter(None, (said[i, rule], f"without bending by {_listed(by)}")))
+
+
+def _listed(names: Iterable[str]) -> str:
+    names = list(names)
+    return ", ".join(names[:MOST]) + (f" and {len(names) - MOST} more" if len(names) > MOST else "")
