@@ -16,6 +16,7 @@ KernelCacheWarning        compiled kernels cannot be stored on disk
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,6 +32,7 @@ __all__ = [
     "ModelError",
     "StoreError",
     "UnitError",
+    "few",
     "one_line",
     "plain",
     "shown",
@@ -90,6 +92,16 @@ def shown(value: object) -> str:
     except ValueError:  # Python refuses to print integers of thousands of digits
         text = f"{type(value).__name__} too long to show"
     return text if len(text) <= LONGEST_VALUE else f"{text[: LONGEST_VALUE - 3]}..."
+
+
+def few(texts: Sequence[str], most: int, between: str = ", ") -> str:
+    """The first `most` of some names or sentences, and the number of those that are left out.
+
+    >>> import kinetruss as kt
+    >>> kt.errors.few(["A", "B", "C", "D"], 2)
+    'A, B and 2 more'
+    """
+    return between.join(texts[:most]) + (f" and {len(texts) - most} more" if len(texts) > most else "")
 
 
 @dataclass(frozen=True, slots=True)

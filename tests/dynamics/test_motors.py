@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import kinetruss as kt
 from kinetruss import actuators, dynamics
 from kinetruss.actuators.forward import drive_model_of, slipping
-from kinetruss.dynamics.forward.set_up import Asked, problem_of
+from kinetruss.dynamics.forward.set_up import Options, problem_of
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import drives, vgt
@@ -222,7 +222,7 @@ def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
     times = np.linspace(0.0, 0.15, 41)
 
     def fresh():
-        return stepper_for(problem_of(bay(), 0.15, Asked(tasks=tasks)), 0.15)
+        return stepper_for(problem_of(bay(), 0.15, Options(tasks=tasks)), 0.15)
 
     whole = fresh().advance(times)
     first = fresh()

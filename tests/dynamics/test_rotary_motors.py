@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.dynamics.forward.set_up import Asked, problem_of
+from kinetruss.dynamics.forward.set_up import Options, problem_of
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import mechanisms
@@ -396,7 +396,7 @@ def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
     times = np.linspace(0.0, 0.4, 41)
 
     def fresh():
-        return stepper_for(problem_of(spatial(gear=GEAR, motor=RUBBING), 0.4, Asked(tasks=task)), 0.4)
+        return stepper_for(problem_of(spatial(gear=GEAR, motor=RUBBING), 0.4, Options(tasks=task)), 0.4)
 
     whole = fresh().advance(times)
     first = fresh()

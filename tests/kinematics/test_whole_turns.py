@@ -119,16 +119,16 @@ def test_samples_from_elsewhere_that_are_too_far_apart_are_refused():
 
 def test_a_simulation_in_pieces_goes_on_counting():
     from kinetruss.dynamics.forward.record import simulation_of
-    from kinetruss.dynamics.forward.set_up import Asked, problem_of
+    from kinetruss.dynamics.forward.set_up import Options, problem_of
     from kinetruss.dynamics.forward.steppers import stepper_for
 
     model = rotor(-7.0)
-    work = stepper_for(problem_of(model, 6.0, Asked(tasks={"hip": FREE, "elbow": FREE})), 6.0)
+    work = stepper_for(problem_of(model, 6.0, Options(tasks={"hip": FREE, "elbow": FREE})), 6.0)
     whole = simulate(model, 6.0, samples=4, tasks={"hip": FREE, "elbow": FREE}).motion
     for times in ([0.0, 2.0], [4.0], [6.0]):
         part = simulation_of(work, work.advance(np.array(times))).motion
         state = work.arrays()
-        work = stepper_for(problem_of(model, 6.0, Asked(tasks={"hip": FREE, "elbow": FREE})), 6.0)
+        work = stepper_for(problem_of(model, 6.0, Options(tasks={"hip": FREE, "elbow": FREE})), 6.0)
         work.restore(state)
     np.testing.assert_allclose(part.drive_position.values[-1], whole.drive_position.values[-1], rtol=1e-13)
     assert part.data.sizes["between"] == whole.data.sizes["between"]

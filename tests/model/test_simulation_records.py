@@ -49,7 +49,10 @@ def simulated(**fields):
         ({"kind": "elastic", "stiffness": "1 N"}, "bars.s.stiffness: '1 N' is not a stiffness (N/m)."),
         ({"kind": "cable", "stiffness": 1, "strain": "green"}, "bars.s.strain: is given for a cable."),
         ({"strain": "green"}, "bars.s.strain: is given for a rigid bar."),
-        ({"kind": "cable", "stiffness": 1, "pretension": -1}, "bars.s.pretension: -1 N would push; a cable only pulls."),
+        (
+            {"kind": "cable", "stiffness": 1, "pretension": -1},
+            "bars.s.pretension: -1 N is compression; a cable carries tension only.",
+        ),
         ({"kind": "elastic", "stiffness": 1, "pretension": 2}, "bars.s.pretension: 2 N is more than the bar can carry"),
         (
             {"kind": "elastic", "stiffness": 1, "pretension": 0.1, "natural_length": 1},

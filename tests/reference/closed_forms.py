@@ -146,7 +146,7 @@ def laws() -> Numbers:
         "forward.law.cable.slack": slack,
         "forward.law.cable.falling": -0.4 - G / 2 * 0.3**2,
         "forward.law.cable.lowest": -1 - lowest,
-        "forward.law.cable.pull": k * lowest,
+        "forward.law.cable.tension": k * lowest,
         "forward.law.cable.thrown": -1 + v * 0.2 - G / 2 * 0.2**2,
         "forward.drive.given_force": 1 + 50.0 / 12.5 / 2,
     }

@@ -1,4 +1,4 @@
-"""Lead screws, gears and motors: what the drives of active members must deliver, and what they do when they are fed."""
+"""Lead screws, gears and motors: what drives must deliver, and how they move when a voltage or a current drives them."""
 
 from kinetruss.actuators.demand.couples import screw_couples
 from kinetruss.actuators.demand.evaluate import evaluate

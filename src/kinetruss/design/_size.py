@@ -15,7 +15,7 @@ from kinetruss.design._plan import Plan, SizedGroup, make_plan
 from kinetruss.design._proof import Smaller, force_difference, proven
 from kinetruss.design._select import Selection, select
 from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
-from kinetruss.errors import AnalysisError, ModelError
+from kinetruss.errors import AnalysisError, ModelError, few
 from kinetruss.io import read_mission
 from kinetruss.mechanics import compile
 from kinetruss.model import Active, Mission, Model, mission_faults
@@ -176,5 +176,4 @@ def _replaced(model: Model, plan: Plan) -> list[str]:
             given.append(name)
     if not given:
         return []
-    names = ", ".join(given[:6]) + (f" and {len(given) - 6} more" if len(given) > 6 else "")
-    return [f"Masses given in the model were replaced by those of the tubes: {names}. Lump fittings at nodes."]
+    return [f"Masses given in the model were replaced by those of the tubes: {few(given, 6)}. Lump fittings at nodes."]

@@ -22,7 +22,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, continua_stiffness, mass_matrix
+from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, mass_matrix, material_stiffness
 from kinetruss.mechanics.beams import mode_stiffness
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, nearest
@@ -133,19 +133,12 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
             M=M[free][:, free],
             C=C[free][:, free],
             K=(K + stiff)[free][:, free],
-            B=_bodily(system, here)[free][:, free],
+            B=material_stiffness(system, here)[free][:, free],
             G=constraint_jacobian(system, here)[:, free],
             f=softness.flexibility(system, here),
             load=load[i][free],
             N=N,
         )
-
-
-def _bodily(system: System, x: NDArray[np.float64]) -> Any:
-    """Material stiffness (3 n, 3 n), N/m, of membranes, solids and beams at x (n, 3)."""
-    if system.continua is None:
-        return csr_array((x.size, x.size))
-    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
 
 
 def _of_shapes(system: System, forces: Forces, i: int, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:

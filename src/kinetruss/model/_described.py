@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import counted
+from kinetruss.errors import few
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
@@ -30,8 +31,7 @@ def described(model: ModelData) -> str:
     "<Model 'Four-bar linkage': planar, 4 nodes (2 fixed), 3 bars; drive: motor>"
     """
     drives = list(model.all_drives)
-    more = f" and {len(drives) - NAMED} more" if len(drives) > NAMED else ""
-    driven = f"; drive{'s' * (len(drives) > 1)}: {', '.join(drives[:NAMED])}{more}" if drives else ""
+    driven = f"; drive{'s' * (len(drives) > 1)}: {few(drives, NAMED)}" if drives else ""
     title = f" {model.title!r}" if model.title else ""
     return f"<Model{title}: {'planar' if model.dim == 2 else 'spatial'}, {contents(model)}{driven}>"
 

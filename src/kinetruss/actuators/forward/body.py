@@ -54,7 +54,7 @@ class Body(Protocol):
 
 
 class Coordinate:
-    """The body of a drive alone: a mass (kg, kg m^2) moves with the length or angle, thrust(t, length) pushes against it.
+    """The body of a drive alone: a mass (kg, kg m^2) moves with the length or angle, thrust(t, length) acts against it.
 
     thrusts : one law for each interval.
     """

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
+    from kinetruss.actuators.forward.drive_model import DriveModel
     from kinetruss.actuators.forward.phases import Phase
 
 __all__ = ["simulate_drive"]
@@ -118,15 +119,7 @@ def simulate_drive(
     refuse_jam(model, given.carried)
     at = _instants(duration, samples, times)
     _check(start, rate, limits, rtol, "rad" if model.shaft.turns else "m")
-    edges = (0.0, *kinks(history, given, duration), float(duration))
-    thrusts = [thrust_of(given, a, b) for a, b in pairwise(edges)]
-    drives = Drives(
-        **inputs_of((model,), (history,), edges, (start,), (given.carried,), lambda i, t: (thrusts[i](t, start),)),
-        names=("drive",),
-        period=np.zeros(1),
-        limits=(-math.inf, math.inf) if limits is None else (float(limits[0]), float(limits[1])),
-    )
-    modes = MotorModes(drives, Coordinate(given.carried, thrusts))
+    modes = _modes(model, history, given, start, duration, limits)
     phases = phases_of(modes, (start, rate), rtol)
     if not phases:
         raise InputError("The drive starts at the end of its stroke and moves beyond it. Give another start, or wider limits.")
@@ -143,6 +136,26 @@ def simulate_drive(
         episodes=found,
         provenance={"rtol": rtol, "stretches": len(phases), "train": train.model_dump()},
     )
+
+
+def _modes(
+    model: DriveModel,
+    history: DriveInput | PositionLoop,
+    load: DriveLoad,
+    start: float,
+    duration: float,
+    limits: tuple[float, float] | None,
+) -> MotorModes:
+    """The modes of one drive that works on a single coordinate, between the kinks of its input and of its load."""
+    edges = (0.0, *kinks(history, load, duration), float(duration))
+    thrusts = [thrust_of(load, a, b) for a, b in pairwise(edges)]
+    drives = Drives(
+        **inputs_of((model,), (history,), edges, (start,), (load.carried,), lambda i, t: (thrusts[i](t, start),)),
+        names=("drive",),
+        period=np.zeros(1),
+        limits=(-math.inf, math.inf) if limits is None else (float(limits[0]), float(limits[1])),
+    )
+    return MotorModes(drives, Coordinate(load.carried, thrusts))
 
 
 def _instants(duration: float, samples: int, times: ArrayLike | None) -> NDArray[np.float64]:

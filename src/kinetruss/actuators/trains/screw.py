@@ -75,7 +75,7 @@ def screw_torque(screw: LeadScrew, thrust: ArrayLike, moving: ArrayLike) -> NDAr
 
     Parameters
     ----------
-    thrust : N, positive when the actuator pushes its ends apart (= minus the tension of the member).
+    thrust : N, positive when it is compression in the actuator (= minus the tension of the member).
     moving : rate of length (m/s), or its sign; 0 stands still.
 
     The sign of the power thrust x rate chooses: positive work raises the load, negative lowers it. At standstill the

@@ -21,7 +21,16 @@ from kinetruss.kernels.structure.equations import (
 )
 from kinetruss.kinematics.given import check_support
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly import Follower, case_loads, continua_arrays, elements, history_of, on_ground, unit_loads_of
+from kinetruss.mechanics.assembly import (
+    Follower,
+    case_loads,
+    continua_arrays,
+    elements,
+    history_of,
+    on_ground,
+    pair_weights,
+    unit_loads_of,
+)
 from kinetruss.mechanics.freedom import released
 from kinetruss.mechanics.planning import mark_dropped, solver_arrays, workspace_for
 from kinetruss.model import (
@@ -194,11 +203,11 @@ def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
 def _masses(system: System, load_case: str | None) -> dict[str, Any]:
     """Constant and changing masses, laws, and weight."""
     loads, found = case_loads(system, np.zeros(1), load_case, rotating=True), elements(system)
-    g, mass = loads.gravity, found["pair"]
+    g = loads.gravity
     constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
-    turned = np.array([-g[1], g[0], 0.0])
-    np.add.at(constant, found["pair_A"] // 3, (mass[:, 0] + mass[:, 1])[:, None] * g + mass[:, 3:] * turned)
-    np.add.at(constant, found["pair_B"] // 3, (mass[:, 1] + mass[:, 2])[:, None] * g - mass[:, 3:] * turned)
+    weight = pair_weights(found["pair"], g)
+    np.add.at(constant, found["pair_A"] // 3, weight[:, 0])
+    np.add.at(constant, found["pair_B"] // 3, weight[:, 1])
     return found | {"constant": constant.reshape(-1), "gravity": g, "lump_gravity": loads.lump_gravity}
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.dynamics.forward.kernel_stepper import KernelStepper
 from kinetruss.dynamics.forward.problem import Problem
-from kinetruss.dynamics.forward.set_up import Asked, problem_of
+from kinetruss.dynamics.forward.set_up import Options, problem_of
 from kinetruss.dynamics.forward.simulate import wanted_times
 from kinetruss.dynamics.forward.stepper import Stepper
 from kinetruss.dynamics.forward.steppers import stepper_for
@@ -112,4 +112,4 @@ def prepare(model: Model, t_end: float, **options: Any) -> Prepared:
     >>> print(f"{fall.run(0.5).position[-1, 1, 1]:.6f}")
     -0.920370
     """
-    return Prepared(problem=problem_of(model, t_end, Asked(**options)), longest=float(t_end))
+    return Prepared(problem=problem_of(model, t_end, Options(**options)), longest=float(t_end))

@@ -22,7 +22,7 @@ from kinetruss.dynamics.starting.start import (
     named_coordinates,
     start_notes,
 )
-from kinetruss.errors import InputError, ModelError, shown
+from kinetruss.errors import InputError, ModelError, few, shown
 from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.plan import LENGTH
@@ -52,18 +52,18 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-__all__ = ["Asked", "problem_of", "seconds"]
+__all__ = ["Options", "problem_of", "seconds"]
 
 LARGEST = 2000
 """Number of constraints up to which all states of self-stress are computed."""
-UNFED = (Free, GivenForce, Hold, *TRAJECTORY_TASKS)
+NO_INPUT = (Free, GivenForce, Hold, *TRAJECTORY_TASKS)
 """Tasks that need no motor."""
 TOLERANCE = 1e-13
 """Tolerance of the start, as a fraction of a length and of the largest speed."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Asked:
+class Options:
     """The options of a simulation; see `dynamics.simulate`."""
 
     method: Any = None
@@ -87,8 +87,10 @@ class Asked:
         """
         own = (self.velocities, self.positions, self.user_force)
         plain = isinstance(self.events, dict | None) and isinstance(self.load_case, str | None)
-        fed = not isinstance(self.tasks, dict | None) or any(not isinstance(one, UNFED) for one in (self.tasks or {}).values())
-        return plain and not fed and all(one is None for one in own)
+        has_input = not isinstance(self.tasks, dict | None) or any(
+            not isinstance(one, NO_INPUT) for one in (self.tasks or {}).values()
+        )
+        return plain and not has_input and all(one is None for one in own)
 
     def _key(self) -> tuple[Hashable, ...]:
         named = (tuple((name, ByIdentity(one)) for name, one in (given or {}).items()) for given in (self.tasks, self.events))
@@ -99,32 +101,32 @@ class Asked:
         return hash(self._key())
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Asked) and self._key() == other._key()
+        return isinstance(other, Options) and self._key() == other._key()
 
 
-def problem_of(model: Model, t_end: float, asked: Asked) -> Problem:
+def problem_of(model: Model, t_end: float, options: Options) -> Problem:
     """Set up a simulation to t_end (s).
 
     Raises
     ------
     InputError : an option cannot be used.
     """
-    if asked.repeatable and not model.bearings:
-        return _kept(compile(model), seconds(t_end), asked).fresh()
-    return _set_up(model, t_end, asked)
+    if options.repeatable and not model.bearings:
+        return _kept(compile(model), seconds(t_end), options).fresh()
+    return _set_up(model, t_end, options)
 
 
 @kept(4)
-def _kept(system: System, t_end: float, asked: Asked) -> Problem:
-    return _set_up(system.model, t_end, asked)
+def _kept(system: System, t_end: float, options: Options) -> Problem:
+    return _set_up(system.model, t_end, options)
 
 
-def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
+def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     """`problem_of` without reuse of an earlier set-up."""
-    run = _checked(model, t_end, asked)
-    chosen, method = asked.method is None, DOP853() if asked.method is None else asked.method
-    system, load_case = compile(model), asked.load_case
-    x, v = given_positions(system, asked.positions), given_velocities(system, asked.velocities)
+    run = _checked(model, t_end, options)
+    chosen, method = options.method is None, DOP853() if options.method is None else options.method
+    system, load_case = compile(model), options.load_case
+    x, v = given_positions(system, options.positions), given_velocities(system, options.velocities)
     held = held_instead(model, run.tasks)
     reduced = released(system, held_by_none(system, held))
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
@@ -132,13 +134,13 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     before = x.copy(), v.copy()
     v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # velocities of supports come from their own motion only
     _project(system, eq, ws, x, v)
-    completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, asked.velocities))
+    completed = completed_velocities(reduced, x, before[1], v, named_coordinates(system, options.velocities))
     if completed is not None:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
-    user = user_force_of(system, asked.user_force, x, v, load_case)
+    user = user_force_of(system, options.user_force, x, v, load_case)
     if model.bearings:
-        user = rubbing_of(system, asked.user_force, eq, ws, load_case, (x, v))
+        user = rubbing_of(system, options.user_force, eq, ws, load_case, (x, v))
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)
@@ -177,12 +179,12 @@ def _set_up(model: Model, t_end: float, asked: Asked) -> Problem:
     return replace(found, notes=(*found.notes, *said))
 
 
-def _checked(model: Model, t_end: float, asked: Asked) -> Run:
+def _checked(model: Model, t_end: float, options: Options) -> Run:
     """The options as a run of the model, with the checks of a run: unknown names, tasks that do not fit their drive."""
-    for name, given in (("tasks", asked.tasks), ("events", asked.events)):
+    for name, given in (("tasks", options.tasks), ("events", options.events)):
         if given is not None and not isinstance(given, Mapping):
             raise InputError(f"{name} is {shown(given)}. Give name -> record, e.g. {{'M7': kt.Free()}}.")
-    for name, task in (asked.tasks or {}).items():
+    for name, task in (options.tasks or {}).items():
         if callable(task):
             raise InputError(
                 f"tasks[{name!r}] is a function. Give a record: Free(), Hold(), GivenForce(...), an input of its "
@@ -192,11 +194,11 @@ def _checked(model: Model, t_end: float, asked: Asked) -> Run:
     run = Run(
         analysis="dynamics.simulate",
         t_end=seconds(t_end),
-        trajectory=asked.trajectory,
-        tasks=dict(asked.tasks or {}),
-        method=asked.method,
-        load_cases=None if asked.load_case is None else (asked.load_case,),
-        events=dict(asked.events or {}),
+        trajectory=options.trajectory,
+        tasks=dict(options.tasks or {}),
+        method=options.method,
+        load_cases=None if options.load_case is None else (options.load_case,),
+        events=dict(options.events or {}),
     )
     if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
         raise InputError(f"No trajectory called {run.trajectory!r}. {nearest(run.trajectory, model.trajectories)}")
@@ -268,9 +270,8 @@ def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
     ways = [moves_text(mode, there.node_names) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
     if not ways:
         return []
-    shown = "; ".join(ways[:3]) + (f" and {len(ways) - 3} more" if len(ways) > 3 else "")
-    text = f"Stiff to second order only, so that small loads cause large motions and the result is uncertain: {shown}."
-    return [f"{text} Connect a node outside the plane by bars, or add a support."]
+    stiff = "Stiff to second order only, so that small loads cause large motions and the result is uncertain"
+    return [f"{stiff}: {few(ways, 3, '; ')}. Connect a node outside the plane by bars, or add a support."]
 
 
 def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.forward.record import simulation_of
-from kinetruss.dynamics.forward.set_up import Asked, problem_of, seconds
+from kinetruss.dynamics.forward.set_up import Options, problem_of, seconds
 from kinetruss.dynamics.forward.steppers import stepper_for
 from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics.path import instants
@@ -87,7 +87,7 @@ def simulate(
     """
     t = wanted_times(t_end, samples, times, model)
     last = float(t[-1]) if t_end is None else seconds(t_end)
-    asked = Asked(
+    options = Options(
         method=method,
         tasks=tasks,
         trajectory=trajectory,
@@ -97,7 +97,7 @@ def simulate(
         user_force=user_force,
         events=events,
     )
-    work = stepper_for(problem_of(model, last, asked), last)
+    work = stepper_for(problem_of(model, last, options), last)
     callback = None if progress is None else lambda done: progress(done, len(t))
     found = simulation_of(work, work.advance(t, progress=callback))
     if found.status is Status.INTERRUPTED and raise_on_failure:

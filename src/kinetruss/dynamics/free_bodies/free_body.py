@@ -245,6 +245,7 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
     turn = turning(axes)
     terms = []
     for one in acting:
+        # lever along the axis times the force across it, and the eccentricity times the force along it
         moment = (one.at - rod.centre) * (turn @ one.force)
         if rod.side:
             moment = moment + rod.side * (axes[:1] @ one.force)

@@ -240,6 +240,7 @@ class Instant:
         m, l, rotary, m_tube, l_tube, rotary_tube = system.rods[i]
         own_base, own_tube = map(float, system.own_rods[i, [1, 4]])
         if not system.two_rods[i]:
+            # int (s - L/2) a ds m/L = m L (a_B - a_A)/12
             swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
             return (Rod(name=name, start=0.0, length=L, mass=m, acceleration=(self.a[A] + self.a[B]) / 2, swing=swing),)
         base = Rod(

@@ -315,6 +315,7 @@ def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], act
     u = here.axes[i, 0]
     apart = u @ (here.a[system.q[i]] - here.a[system.p[i]])
     L, Ld = np.array([here.length(i)]), np.array([u @ (here.v[system.q[i]] - here.v[system.p[i]])])
+    # (F_B - F_A) . u/2 = N + m u . (a_B - a_A)/12
     N = bar_laws(system, L, Ld, [i]).tension[0]
     terms, right = [(A, -u[None] / 2), (B, u[None] / 2)], N + system.rods[i, 0] * apart / 12
     for it, unit in acting:

@@ -84,9 +84,11 @@ class Feedback(Result):
             one = next(one for one in lin.inputs if one.label == label)
             columns = lin.data["B"].sel(input=[name for name, _ in one.columns]).values
             for k, s in enumerate(1j * at):
+                # x = e^{st} X: steady response X_s to the input, and z of the samples with u = -G z held over T
                 turn = np.exp(s * self.period)
                 steady = np.linalg.solve(s * np.eye(len(A)) - A, columns @ s ** np.arange(columns.shape[1]))
                 z = np.linalg.solve(turn * np.eye(len(A)) - Ad + Bd @ G, turn * steady - Ad @ steady)
+                # component of the held input at s: (1 - e^{-sT})/(s T)
                 hold = 1.0 if s == 0 else (1 - 1 / turn) / (s * self.period)
                 given[k, :, j] += by.values[k] @ (-G @ z) * hold
         return given
@@ -209,6 +211,7 @@ def _push(system: System, one: Coordinate, x: NDArray[np.float64], value: float,
         out += value * measure_gradients(system, one.index, _full(x)[None])[0].reshape(-1, 3)[:, : out.shape[1]]
         return
     p, q = system.p[one.index], system.q[one.index]
+    # gradient of the length, d/L, or of the angle, d turned by 90 degrees over L^2
     d = x[q] - x[p]
     if one.kind == "length":
         force = value / np.sqrt(d @ d) * d

@@ -60,6 +60,7 @@ def reduced(state: State, at: Basis, inputs: list[Input]) -> Reduced:
     K, C = balance.tangents(x, state.N, force, **moving)
     motions = [one for one in inputs if one.kind == "motion"]
     X0, X1, X2 = X = _columns(state, at, motions)
+    # x = T q: T^T M T, T^T (2 M T' + C T), T^T (M T'' + C T' + K T)
     T = X0[:, : len(at.dofs)]
     forces = [one for one in inputs if one.kind != "motion"]
     push = np.stack([unit_load_of(at.system, one, x) for one in forces], axis=1) if forces else np.zeros((x.size, 0))
@@ -88,13 +89,16 @@ def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Flo
                 moved[part.index, k + j] += factor
             else:
                 given[row_of(system, part), k + j] += factor
+    # G X0 = r s', with unit coordinates and motions
     unit = np.hstack([np.eye(k), np.zeros((k, m))])
     X0 = _solved(at, rows, dofs, rows.r[:, [0]] * given, dofs.r[:, [0]] * unit, moved)
     if state.still:
         return X0, np.zeros_like(X0), np.zeros_like(X0)
     none = np.zeros_like(moved)
+    # G X1 = r' s - G' X0
     turned = [rows.r[:, [1]] * given - rows.g[1] @ X0, dofs.r[:, [1]] * unit - dofs.g[1] @ X0]
     X1 = _solved(at, rows, dofs, turned[0], turned[1], none)
+    # G X2 = r'' s - 2 G' X1 - G'' X0
     second = [j.r[:, [2]] * s - 2 * (j.g[1] @ X1) - j.g[2] @ X0 for j, s in ((rows, given), (dofs, unit))]
     return X0, X1, _solved(at, rows, dofs, second[0], second[1], none)
 

@@ -15,7 +15,7 @@ from kinetruss.kernels.structure.plan import NONE
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied as gather
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measure_gradients, rearrange, row_directions
-from kinetruss.mechanics.assembly import continua_stiffness, nodal_loads, structure_of, with_continua_forces
+from kinetruss.mechanics.assembly import material_stiffness, nodal_loads, structure_of, with_continua_forces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,8 +54,7 @@ def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDA
     if system.continua is None or not len(x):
         return 0.0
     largest = float(np.abs(with_continua_forces(system, loads, x).force).max(initial=0.0))
-    none = np.zeros(len(system.continua.p))
-    stiff = float(np.abs(continua_stiffness(system.continua, x[0].reshape(-1, 3), none).diagonal()).max())
+    stiff = float(np.abs(material_stiffness(system, x[0].reshape(-1, 3)).diagonal()).max())
     off = float(np.abs(rest[:, system.free]).max(initial=0.0))
     return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
 

@@ -9,7 +9,7 @@ import numpy as np
 from kinetruss.dynamics.forward.watch import described
 from kinetruss.dynamics.remarks.lost_digits import TOO_FEW
 from kinetruss.dynamics.remarks.stiff import MANY, longer_steps, stiffest, vibrating
-from kinetruss.errors import AnalysisError
+from kinetruss.errors import AnalysisError, few
 from kinetruss.kernels.integrate import state as m
 from kinetruss.model import DOP853, Taylor
 from kinetruss.results import Status
@@ -154,6 +154,5 @@ def _events(work: Integration, t: float) -> list[str]:
         found.append(f"Stopped by {described(names[k], events[names[k]])} at t = {came[-1, 1]:.9g} s.")
     never = [described(name, events[name]) for k, name in enumerate(names) if k not in came[:, 0]]
     if never:
-        shown = "; ".join(never[:SHOWN]) + (f" and {len(never) - SHOWN} more" if len(never) > SHOWN else "")
-        found.append(f"Did not come up to t = {t:.6g} s: {shown}.")
+        found.append(f"Did not come up to t = {t:.6g} s: {few(never, SHOWN, '; ')}.")
     return found

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.errors import Fault, ModelError
+from kinetruss.errors import Fault, ModelError, few
 from kinetruss.io.tables.table import Table, read_table
 
 if TYPE_CHECKING:
@@ -102,8 +102,7 @@ def history_faults(model: Model, history: NodeHistory) -> list[Fault]:
     whole = "xyz"[: model.dim]
     moving = [n for n in model.nodes if set(model.fixed.get(n, "")) != set(whole) or n in model.support_motion]
     if missing := [name for name in moving if name not in history.nodes]:
-        shown = ", ".join(missing[:12]) + (f" and {len(missing) - 12} more" if len(missing) > 12 else "")
-        found.append(_about(history, f"has no columns for {shown}.", "Add them; only fixed nodes may be omitted."))
+        found.append(_about(history, f"has no columns for {few(missing, 12)}.", "Add them; only fixed nodes may be omitted."))
     places = np.array([node.at for node in model.nodes.values()], float)
     allowed = AGREE * float(np.ptp(places, axis=0).max())
     for k, name in enumerate(history.nodes):

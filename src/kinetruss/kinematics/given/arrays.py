@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.arrays import array_of
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.given.own_motion import OWN, lengths_of, misfits
 from kinetruss.kinematics.path.follow import instants
@@ -96,9 +96,8 @@ def _with_misfit(system: System, motion: Motion, x: NDArray[np.float64]) -> Moti
     rest = [one.text for one in bad if one.kind != "length"]
     said = []
     if bars:
-        named = ", ".join(f"{one.what} by {one.share:.2g}" for one in bars[:6])
-        more = f" and {len(bars) - 6} more" if len(bars) > 6 else ""
-        said.append(f"Rigid bars change their length in the given motion (fraction of the length): {named}{more}.")
+        named = few([f"{one.what} by {one.share:.2g}" for one in bars], 6)
+        said.append(f"Rigid bars change their length in the given motion (fraction of the length): {named}.")
     if rest:
         more = f"; and {len(rest) - 3} more" if len(rest) > 3 else ""
         said.append(f"The given motion does not keep to the model: {'; '.join(rest[:3])}{more}.")

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.display import number
-from kinetruss.errors import InputError, shown
+from kinetruss.errors import InputError, few, shown
 from kinetruss.kinematics.given.outliers import outlying
 from kinetruss.kinematics.given.smoothing import LEAST_ROWS, Smooth, savitzky_golay, smoothing_spline
 from kinetruss.mechanics import ByIdentity
@@ -157,7 +157,7 @@ def measured_notes(record: Measured) -> str:
 
 def _outliers(record: Measured, name: str, one: _Column) -> str:
     at = np.array(record.times)[one.outlier]
-    when = ", ".join(f"{t:g}" for t in at[:6]) + (f" and {len(at) - 6} more" if len(at) > 6 else "")
+    when = few([f"{t:g}" for t in at], 6)
     replaced = record.outliers == "replace" and one.smooth is not None
     fate = "They are replaced by the smoothed curve." if replaced else "They are kept; outliers: replace smooths without them."
     if one.smooth is None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.arrays import array_of
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.kinematics.given.support import with_supports
@@ -109,8 +109,7 @@ def _of_shapes(system: System) -> str:
     if held is None:
         return ""
     names = [held.elements.names[k] for k in held.beams]
-    shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
-    return f"Beams keep their shape: {shown}. Their deflection under load: statics.deflection, flexible.vibration."
+    return f"Beams keep their shape: {few(names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
 
 
 def with_note(motion: Motion, note: str) -> Motion:

@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.path.passed import refuse_uncounted, with_passed
 from kinetruss.kinematics.poses.body_nodes import nodes_of, start_frame
 from kinetruss.kinematics.rates.jacobian import state_of
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import System, compile, turned
 from kinetruss.mechanics.configuration import centred, spin_of
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Body, Frame, Model
@@ -127,7 +127,7 @@ def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Fram
     own, along, across, fixed = _follows(model, body, names, origin)
     index = [system.node_index(name) for name in own]
     nodes = [y.reshape(len(x), -1, 3)[:, index] for y in histories]
-    x_c, v_c, a_c = (np.einsum("k,tkc->tc", along, y) + np.einsum("k,tkc->tc", across, _left(y)) for y in nodes)
+    x_c, v_c, a_c = (np.einsum("k,tkc->tc", along, y) + np.einsum("k,tkc->tc", across, turned(y)) for y in nodes)
     arm = np.einsum("tij,j->ti", R, fixed)
     turning = np.cross(w, arm)
     r = (x_c + arm, v_c + turning, a_c + np.cross(alpha, arm) + np.cross(w, turning))
@@ -168,11 +168,6 @@ def _straining(model: Model, body: str | Sequence[str], names: Sequence[str]) ->
         if one.kind == "straining" and set(names) in (set(one.nodes), set(one.carried_by(model.dim))):
             return one
     return None
-
-
-def _left(y: Array) -> Array:
-    """Vectors turned to their left in the plane."""
-    return np.stack([-y[..., 1], y[..., 0], np.zeros_like(y[..., 0])], axis=-1)
 
 
 def _rotations(system: System, names: Sequence[str], arms: Array) -> NDArray[np.float64]:

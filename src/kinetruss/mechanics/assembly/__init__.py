@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         continua_geometric,
         continua_stiffness,
         densities,
+        material_stiffness,
         resting_forces,
         squared_changes,
         strain_balance,
@@ -43,7 +44,15 @@ if TYPE_CHECKING:
         spring_laws,
         spring_motions,
     )
-    from kinetruss.mechanics.assembly.tables import body_masses, continua_mass, elements, nodal_loads, pins_of, structure_of
+    from kinetruss.mechanics.assembly.tables import (
+        body_masses,
+        continua_mass,
+        elements,
+        nodal_loads,
+        pair_weights,
+        pins_of,
+        structure_of,
+    )
 
 __all__ = [
     "Balance",
@@ -66,7 +75,9 @@ __all__ = [
     "elements",
     "history_of",
     "mass_matrix",
+    "material_stiffness",
     "nodal_loads",
+    "pair_weights",
     "pins_of",
     "with_continua_forces",
     "on_ground",
@@ -94,14 +105,14 @@ __getattr__, __dir__ = late(
         "balance": "Balance balance_of balanced_rows row_tensions measure_forces sum_stiffness",
         "cases": "ROTATES Loads case_loads",
         "continua": (
-            "beam_losses continua_arrays continua_geometric continua_stiffness densities squared_changes with_continua_forces "
-            "resting_forces strain_balance"
+            "beam_losses continua_arrays continua_geometric continua_stiffness densities material_stiffness resting_forces "
+            "squared_changes strain_balance with_continua_forces"
         ),
         "followers": "Follower history_of on_ground unit_loads_of",
         "laws": "bar_laws",
         "massless": "refuse_massless",
         "matrices": "body_and_continua_mass mass_matrix tangents turning_inertia turning_members",
         "springs": "SpringHistories refuse_turns spring_forces spring_laws spring_motions",
-        "tables": "body_masses continua_mass elements nodal_loads pins_of structure_of",
+        "tables": "body_masses continua_mass elements nodal_loads pair_weights pins_of structure_of",
     },
 )

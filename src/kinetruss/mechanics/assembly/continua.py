@@ -25,6 +25,7 @@ __all__ = [
     "continua_geometric",
     "continua_stiffness",
     "densities",
+    "material_stiffness",
     "with_continua_forces",
     "resting_forces",
     "squared_changes",
@@ -104,6 +105,13 @@ def continua_stiffness(
     )
     value = np.concatenate([blocks.reshape(-1), blocks.reshape(-1), own.reshape(-1)])
     return csr_array((value, (i, j)), shape=(3 * n, 3 * n))
+
+
+def material_stiffness(system: System, x: NDArray[np.float64]) -> Any:
+    """Stiffness (3 n, 3 n), N/m, of membranes, solids and beams at x (n, 3), without that of their stresses there."""
+    if system.continua is None:
+        return csr_array((x.size, x.size))
+    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
 
 
 def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:

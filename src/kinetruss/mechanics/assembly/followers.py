@@ -18,6 +18,7 @@ import numpy as np
 
 from kinetruss.mechanics import System
 from kinetruss.mechanics.kept import kept
+from kinetruss.mechanics.structure.constraint_gradients import turned
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure
 from kinetruss.model.beams import carriers_of
 from kinetruss.model.parts import barycentric, fixed_vector
@@ -51,15 +52,15 @@ class Follower:
         """Nodal forces (..., k, 3) of the amount 1 with its nodes at r (..., k, 3), which may be complex."""
         c, d, w, u = (self.data[:, [j]] for j in range(4))
         # V = V_0 + sum (c + d J) r + g (r_1 - r_0) x (r_2 - r_0)
-        V = self.vector[:3] + np.sum(c * r + d * _turned(r), axis=-2)
+        V = self.vector[:3] + np.sum(c * r + d * turned(r), axis=-2)
         if self.vector[3]:
             V = V + self.vector[3] * np.cross(r[..., 1, :] - r[..., 0, :], r[..., 2, :] - r[..., 0, :])
         if self.mode == FORCE:
-            return np.asarray(w * V[..., None, :] + u * _turned(V)[..., None, :])
+            return np.asarray(w * V[..., None, :] + u * turned(V)[..., None, :])
         r = r - r.mean(axis=-2, keepdims=True)
         square = np.sum(r * r, axis=(-2, -1))
         if self.mode == FLAT_COUPLE:
-            return np.asarray((V[..., 2] / square)[..., None, None] * _turned(r))
+            return np.asarray((V[..., 2] / square)[..., None, None] * turned(r))
         # f_i = alpha x r_i with (sum |r|^2 1 - r r^T) alpha = V
         G = square[..., None, None] * np.eye(3) - np.swapaxes(r, -1, -2) @ r
         a = np.linalg.solve(G, V[..., None])[..., 0]
@@ -71,11 +72,6 @@ class Follower:
         # complex steps in each coordinate
         stepped = np.broadcast_to(r, (size, *r.shape)) + 1j * STEP * np.eye(size).reshape(size, *r.shape)
         return np.asarray(self.forces(stepped).imag.reshape(size, size).T / STEP)
-
-
-def _turned(r: NDArray[Any]) -> NDArray[Any]:
-    """J r."""
-    return np.stack([-r[..., 1], r[..., 0], np.zeros_like(r[..., 0])], axis=-1)
 
 
 def history_of(load: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:

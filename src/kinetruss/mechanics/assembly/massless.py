@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.mechanics import RANK_TOLERANCE, System, constraint_jacobian, flats_of
 
 if TYPE_CHECKING:
@@ -76,5 +76,5 @@ def _joined(system: System, light: NDArray[np.int64]) -> list[NDArray[np.int64]]
 def _moved(system: System, columns: list[int], direction: NDArray[np.float64]) -> str:
     chosen = [columns[k] // 3 for k in np.argsort(-np.abs(direction)) if abs(direction[k]) > 1e-6]
     names = list(dict.fromkeys(system.nodes[i] for i in chosen))
-    shown = ", ".join(map(repr, names[:4])) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+    shown = few([repr(name) for name in names], 4)
     return f"Node {shown} has" if len(names) == 1 else f"Nodes {shown} have"

@@ -24,7 +24,7 @@ from kinetruss.mechanics.assembly.springs import spring_laws, spring_tangents
 from kinetruss.mechanics.assembly.tables import elements, mass_of_pairs
 from kinetruss.mechanics.beams import damping_tangents
 from kinetruss.mechanics.kept import kept
-from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, ends_of, length_hessians
+from kinetruss.mechanics.structure.constraint_gradients import angle_hessians, direction_rates, dot, ends_of, length_hessians
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -153,14 +153,14 @@ def turning_inertia(
     (A, B), (vA, vB), (aA, aB) = ((y[..., 0, :], y[..., 1, :]) for y in (x, v, a))
     (L, _, Ldd), (u, w, s) = direction_rates(B - A, vB - vA, aB - aA)
     # component of u'' across u
-    cross = s + _dot(w, w) * u
+    cross = s + dot(w, w) * u
     found = elements(system)
     m_A, m_B, h_A, h_B, second, axial = (
         column[:, None] for column in found["varying"][np.searchsorted(found["varying_member"], members)].T
     )
     bA, bB = aA - g, aB - g
     # transverse inertia force of the first moments h and the second moment J, and the axial mass m L''
-    swing = (h_A * (bA - _dot(bA, u) * u) - h_B * (bB - _dot(bB, u) * u) + second * cross) / L + axial * Ldd * u
+    swing = (h_A * (bA - dot(bA, u) * u) - h_B * (bB - dot(bB, u) * u) + second * cross) / L + axial * Ldd * u
     return np.stack([m_A * bA + h_A * s - swing, m_B * bB - h_B * s + swing], axis=-2)
 
 
@@ -207,7 +207,3 @@ def _assembled(system: System, blocks: NDArray[np.float64]) -> Any:
     place, columns, pointers = _pattern(system)
     data = np.bincount(place, weights=blocks.reshape(-1), minlength=len(columns))
     return csr_array((data, columns, pointers), shape=(system.x0.size,) * 2)
-
-
-def _dot(one: NDArray[Any], two: NDArray[Any]) -> NDArray[Any]:
-    return np.asarray(np.sum(one * two, axis=-1, keepdims=True))

@@ -25,6 +25,7 @@ __all__ = [
     "elements",
     "mass_of_pairs",
     "nodal_loads",
+    "pair_weights",
     "pins_of",
     "planar_body_mass",
     "structure_of",
@@ -92,6 +93,14 @@ def mass_of_pairs(A: NDArray[np.int64], B: NDArray[np.int64], pair: NDArray[np.f
     i, j, m = (np.concatenate(part) for part in zip(*entries, strict=True))
     kept = m != 0.0
     return csr_array((m[kept], (i[kept], j[kept])), shape=(3 * len(lump),) * 2)
+
+
+def pair_weights(pair: NDArray[np.float64], g: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weight (k, 2, 3), N, of mass pairs (k, 4) at their first and second node under gravity g (3,), m/s^2."""
+    AA, AB, BB, skew = pair.T[:, :, None]
+    # the skew part of planar bodies acts across g
+    turned = skew * np.array([-g[1], g[0], 0.0])
+    return np.stack([(AA + AB) * g + turned, (AB + BB) * g - turned], axis=1)
 
 
 def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""Positions of nodes: arguments of users, poses of bays, motions of groups of nodes, values of rows and drives, axes of beams."""
+"""Positions of nodes: arguments of users, poses of bays, motions of groups, values of rows and drives, axes of beams."""
 
 from __future__ import annotations
 

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.errors import few
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -46,8 +48,7 @@ def moves_text(mode: NDArray[np.float64], names: tuple[str, ...]) -> str:
 def self_stress_text(state: NDArray[np.float64], names: tuple[str, ...]) -> str:
     """A state of self-stress (rows,) in words: which bars are in compression or tension, largest force first."""
     order, most = ranked(np.abs(state), 1e-6), SHOWN[1]
-    shown = [f"{names[i]} {_shown(state[i])}" for i in order[:most]]
-    return ", ".join(shown) + (f" and {len(order) - most} more" if len(order) > most else "")
+    return few([f"{names[i]} {_shown(state[i])}" for i in order], most)
 
 
 def _direction(vector: NDArray[np.float64]) -> str:

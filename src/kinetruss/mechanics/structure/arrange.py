@@ -15,6 +15,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
+from kinetruss.errors import few
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
 from kinetruss.mechanics import constraints
 from kinetruss.mechanics.kept import kept
@@ -51,8 +52,7 @@ class Arrangement:
 
 def not_unique_note(names: Sequence[str]) -> str:
     """The sentence of a message on members whose force is not unique; empty without any."""
-    shown = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
-    return f"The force of these members is not unique (redundant structure): {shown}." if names else ""
+    return f"The force of these members is not unique (redundant structure): {few(names, 8)}." if names else ""
 
 
 @kept()

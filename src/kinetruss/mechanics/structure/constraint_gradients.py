@@ -31,6 +31,7 @@ __all__ = [
     "constraint_gradients",
     "constraint_jacobian",
     "direction_rates",
+    "dot",
     "ends_of",
     "jacobian",
     "length_hessians",
@@ -47,8 +48,8 @@ Three = tuple["NDArray[Any]", "NDArray[Any]", "NDArray[Any]"]
 """A quantity with its first and second rate."""
 
 
-def turned(u: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Vectors (..., 3) turned by 90 degrees in the plane, counter-clockwise."""
+def turned(u: NDArray[Any]) -> NDArray[Any]:
+    """Vectors (..., 3) turned by 90 degrees in the plane, counter-clockwise; complex ones allowed."""
     return np.stack([-u[..., 1], u[..., 0], np.zeros_like(u[..., 0])], axis=-1)
 
 
@@ -66,15 +67,16 @@ def direction_rates(d: NDArray[Any], dv: NDArray[Any], da: NDArray[Any]) -> tupl
 
     u' = (d' - L' u)/L, u'' = (d'' - L'' u - 2 L' u')/L.
     """
-    L = np.sqrt(_dot(d, d))
+    L = np.sqrt(dot(d, d))
     u = d / L
-    Ld = _dot(u, dv)
+    Ld = dot(u, dv)
     ud = (dv - Ld * u) / L
-    Ldd = _dot(u, da) + L * _dot(ud, ud)
+    Ldd = dot(u, da) + L * dot(ud, ud)
     return (L, Ld, Ldd), (u, ud, (da - Ldd * u - 2 * Ld * ud) / L)
 
 
-def _dot(one: NDArray[Any], two: NDArray[Any]) -> NDArray[Any]:
+def dot(one: NDArray[Any], two: NDArray[Any]) -> NDArray[Any]:
+    """Products (..., 1) of vectors (..., 3); of complex ones without conjugation."""
     return np.asarray(np.sum(one * two, axis=-1, keepdims=True))
 
 

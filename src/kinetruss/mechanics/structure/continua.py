@@ -231,6 +231,7 @@ def _rule(v: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.
     Six-node triangles: the rule of degree 4 with six points (Dunavant, 1985), exact for straight sides.
     """
     if v in (3, 4):
+        # linear shape functions: N_1 = 1 - l_2 - .. and N_i = l_i, one point at the centre
         derivative = np.vstack([-np.ones((1, v - 1)), np.eye(v - 1)])
         return np.array([0.5 if v == 3 else 1 / 6]), np.full((1, v), 1 / v), derivative[None]
     L, weight = [], []
@@ -238,6 +239,7 @@ def _rule(v: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.
         L += [[1 - 2 * a, a, a], [a, 1 - 2 * a, a], [a, a, 1 - 2 * a]]
         weight += 3 * [0.5 * w]
     l1, l2, l3 = np.array(L).T
+    # corners l (2 l - 1), middles of sides 4 l l'; derivatives with l_1 = 1 - l_2 - l_3
     N = np.stack([l1 * (2 * l1 - 1), l2 * (2 * l2 - 1), l3 * (2 * l3 - 1), 4 * l1 * l2, 4 * l2 * l3, 4 * l3 * l1], axis=1)
     zero = 0 * l1
     by2 = np.stack([1 - 4 * l1, 4 * l2 - 1, zero, 4 * (l1 - l2), 4 * l3, -4 * l3], axis=1)

@@ -53,15 +53,18 @@ def _hessian_times(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> 
     """The Hessian of measure m at flat x times v, (3 n,)."""
     found = np.zeros(x.size, np.result_type(x, v))
     for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
+        # each term depends on P, 1 and 2 by r = x_P - x_1 and b = x_2 - x_1: its gradient is g at P, -(1 - s) g at 1, -s g at 2
         P, one, two = (slice(flat, flat + 3) for flat in system.term_at[t, :3])
         kind, data = int(system.term_kind[t]), system.term_data[t]
         if kind == COSINE:
+            # m = c cos(x + phase): -c cos(x + phase) x'
             flat = P.start
             found[flat] -= data[0] * np.cos(x[flat] + data[1]) * v[flat]
             continue
         g, share, gd, shift = _rates(kind, data, x[P] - x[one], x[two] - x[one], v[P] - v[one], v[two] - v[one])
         if kind == NODE:
             continue
+        # rates of g, (1 - s) g and s g
         found[P] += gd
         found[one] -= (1 - share) * gd - shift * g
         found[two] -= share * gd + shift * g
@@ -77,8 +80,10 @@ def _rates(
         return e1, 0.0, 0.0 * e1, 0.0
     if kind == ALONG:
         L = np.sqrt(r @ r)
+        # c |r|: g = c u, g' = c (r' - u (u . r'))/|r|
         return factor * r / L, 0.0, factor * (rd - r * (r @ rd) / (r @ r)) / L, 0.0
     if kind == FIXED_AXIS:
+        # angle about a fixed axis: tan = (e_2 . r)/(e_1 . r)
         c, s, cd, sd = e1 @ r, e2 @ r, e1 @ rd, e2 @ rd
         square, across = c * c + s * s, c * e2 - s * e1
         return (
@@ -87,13 +92,16 @@ def _rates(
             factor * ((cd * e2 - sd * e1) - 2 * (c * cd + s * sd) / square * across) / square,
             0.0,
         )
+    # s = r . b/b^2: the foot of P on the line 1 2
     square = b @ b
     share, dilation = (r @ b) / square, (b @ bd) / square
     shift = (rd @ b + r @ bd) / square - 2 * share * dilation
     if kind == OFFSET:
+        # distance to the left of the line: g = c n/|b|, n = b turned by 90 degrees
         n, nd = (np.array([-y[1], y[0], 0.0 * y[0]]) for y in (b, bd))
         B = np.sqrt(square)
         return factor * n / B, share, factor * (nd - dilation * n) / B, shift
+    # angle about the line: g = c |b| n/n^2, n = b x r
     c, cd = np.cross(b, r), np.cross(bd, r) + np.cross(b, rd)
     size = factor * np.sqrt(square) / (c @ c)
     return size * c, share, size * (cd + (dilation - 2 * (c @ cd) / (c @ c)) * c), shift

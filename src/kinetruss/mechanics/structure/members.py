@@ -21,8 +21,30 @@ _KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "cable": ELASTIC
 
 def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]:
     """Arrays of `System` that have one entry a member; `distance` (m,) of the ends at the start, m."""
-    count = len(model.members)
-    found: dict[str, Any] = {
+    members = list(model.members.items())
+    active = [(i, member) for i, (_, member) in enumerate(members) if isinstance(member, Active)]
+    bars = [(i, name, member) for i, (name, member) in enumerate(members) if not isinstance(member, Active)]
+    found = _empty(len(members), distance)
+    for i, (_, member) in enumerate(members):
+        if member.length is not None:
+            found["length0"][i] = member.length
+        found["friction"][i] = member.friction
+    _bars(model, bars, found)
+    found["own_rods"] = found["rods"].copy()
+    found["clamped"] = _two_rods(model, active, found)
+    # hubs are rigid bodies, with their arms and with the members clamped to them
+    of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
+    of_hubs |= {one.member for one in pivots_of(model) if one.steady}
+    found["compliance"][[i for i, (name, _) in enumerate(members) if name in of_hubs]] = np.nan
+    for i, _, bar in bars:
+        if bar.kind != "rigid":
+            _law(model, bar, distance[i], i, found)
+    return found
+
+
+def _empty(count: int, distance: NDArray[np.float64]) -> dict[str, Any]:
+    """The arrays of rigid members without mass, section and friction."""
+    return {
         "kind": np.zeros(count, np.int8),
         "length0": distance.copy(),
         "rods": np.zeros((count, 6)),
@@ -37,59 +59,54 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
         "body": np.zeros((count, 4)),
         "is_body": np.zeros(count, np.bool_),
     }
-    clamped: list[tuple[int, float, float]] = []
-    own: list[tuple[int, NDArray[np.float64]]] = []
-    stuffs: dict[tuple[int, int, bool], tuple[float, float]] = {}
-    kinds, lines, soft, lawful = [DRIVEN] * count, [0.0] * count, [float("nan")] * count, []
-    uniform = np.zeros(count, np.bool_)
+
+
+def _bars(model: Model, bars: list[tuple[int, str, Bar]], found: dict[str, Any]) -> None:
+    """Kinds, compliances, rods and rigid bodies of bars (i, name, bar)."""
     driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
-    for i, (name, member) in enumerate(model.members.items()):
-        if member.length is not None:
-            found["length0"][i] = member.length
-        found["friction"][i] = member.friction
-        if isinstance(member, Active):
-            base, tube = member.base, member.tube
-            found["two_rods"][i] = True
-            bare = np.array([*_rod(model, base, base.length), *_rod(model, tube, tube.length)])
-            own.append((i, bare))
-            found["rods"][i] = (*_loaded(bare[:3], base.masses), *_loaded(bare[3:], tube.masses))
-            clamped += [(2 * i, one.at / base.length, one.mass) for one in sorted(base.masses, key=lambda one: one.at)]
-            clamped += [(2 * i + 1, 1 - one.at / tube.length, one.mass) for one in sorted(tube.masses, key=lambda one: -one.at)]
-            soft[i], found["yielding"][i] = _in_series(model, member)
-            continue
-        if name not in driven:
-            kinds[i] = _KINDS[member.kind]
-        said = id(member.section), id(member.material), member.brace  # the properties that many bars have in common
-        stuff = stuffs.get(said)
-        if stuff is None:
-            stuff = stuffs[said] = _stuff(model.section_of(member), model.material_of(member))
-        if member.body is not None:  # a rigid body: no section of its own
+    known: dict[tuple[int, int, bool], tuple[float, float]] = {}
+    uniform: list[int] = []
+    lines: list[float] = []
+    soft: list[float] = []
+    for i, _, bar in bars:
+        shared = id(bar.section), id(bar.material), bar.brace  # the properties that many bars have in common
+        per_length = known.get(shared)
+        if per_length is None:
+            per_length = known[shared] = _per_length(model.section_of(bar), model.material_of(bar))
+        soft.append(per_length[1] if bar.body is None else float("nan"))
+        if bar.body is not None:  # a rigid body: no section of its own
             found["is_body"][i] = True
-            found["body"][i] = (member.body.mass, *member.body.center, member.body.inertia)
-        elif member.mass is None and not member.rotary_inertia:
-            uniform[i] = True
-            lines[i], soft[i] = stuff
+            found["body"][i] = (bar.body.mass, *bar.body.center, bar.body.inertia)
+        elif bar.mass is None and not bar.rotary_inertia:
+            uniform.append(i)
+            lines.append(per_length[0])
         else:
-            found["rods"][i, :3] = _rod(model, member, found["length0"][i])
-            soft[i] = stuff[1]
-        if member.kind != "rigid":
-            lawful.append((i, member))
-    found["clamped"] = np.array(clamped).reshape(-1, 3)
-    found["kind"][:], found["compliance"][:] = kinds, soft
-    # hubs are rigid bodies, with their arms and with the members clamped to them
-    of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
-    of_hubs |= {one.member for one in pivots_of(model) if one.steady}
-    found["compliance"][[i for i, name in enumerate(model.members) if name in of_hubs]] = np.nan
-    length = found["length0"]
-    found["rods"][:, :2] = np.where(
-        uniform[:, None], np.stack([np.array(lines) * length, length], axis=1), found["rods"][:, :2]
-    )
-    found["own_rods"] = found["rods"].copy()
-    for i, bare in own:
+            found["rods"][i, :3] = _rod(model, bar, found["length0"][i])
+    places = [i for i, _, _ in bars]
+    found["kind"][places] = [DRIVEN if name in driven else _KINDS[bar.kind] for _, name, bar in bars]
+    found["compliance"][places] = soft
+    # thin uniform rods: m = density A l
+    length = found["length0"][uniform]
+    found["rods"][uniform, :2] = np.stack([np.array(lines) * length, length], axis=1)
+
+
+def _two_rods(model: Model, active: list[tuple[int, Active]], found: dict[str, Any]) -> NDArray[np.float64]:
+    """Rods and compliances of active members (i, member); returns the masses clamped on them (k, 3): rod, place in 0..1, kg.
+
+    Rod 2 i is the base of member i, with places from end A, rod 2 i + 1 its tube, with places from end A of the tube.
+    """
+    clamped: list[tuple[int, float, float]] = []
+    found["kind"][[i for i, _ in active]] = DRIVEN
+    for i, member in active:
+        base, tube = member.base, member.tube
+        found["two_rods"][i] = True
+        bare = np.array([*_rod(model, base, base.length), *_rod(model, tube, tube.length)])
         found["own_rods"][i] = bare
-    for i, bar in lawful:
-        _law(model, bar, distance[i], i, found)
-    return found
+        found["rods"][i] = (*_loaded(bare[:3], base.masses), *_loaded(bare[3:], tube.masses))
+        clamped += [(2 * i, one.at / base.length, one.mass) for one in sorted(base.masses, key=lambda one: one.at)]
+        clamped += [(2 * i + 1, 1 - one.at / tube.length, one.mass) for one in sorted(tube.masses, key=lambda one: -one.at)]
+        found["compliance"][i], found["yielding"][i] = _in_series(model, member)
+    return np.array(clamped).reshape(-1, 3)
 
 
 def _law(model: Model, bar: Bar, distance: float, i: int, found: dict[str, Any]) -> None:
@@ -142,10 +159,10 @@ def _in_series(model: Model, member: Active) -> tuple[float, float]:
 
 
 def _compliance(model: Model, part: Any) -> float:
-    return _stuff(model.section_of(part), model.material_of(part))[1]
+    return _per_length(model.section_of(part), model.material_of(part))[1]
 
 
-def _stuff(section: Any, material: Any) -> tuple[float, float]:
+def _per_length(section: Any, material: Any) -> tuple[float, float]:
     """Mass a length (kg/m) and 1/(E A) (1/N); 0 and NaN where section or material is not known."""
     if section is None or material is None:
         return 0.0, float("nan")

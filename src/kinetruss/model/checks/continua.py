@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import Fault
+from kinetruss.errors import Fault, few
 from kinetruss.model.checks.common import components, unknown
 from kinetruss.model.parts.sections import Material
 
@@ -137,7 +137,6 @@ def _faults_of(path: tuple[str, str], bad: NDArray[np.bool_], rows: Any, part: A
     found = np.flatnonzero(bad)
     if not len(found):
         return
-    first = "; ".join(f"{int(k)} ({', '.join(part.nodes[i] for i in rows[k])})" for k in found[:SHOWN])
-    more = f" and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
+    named = few([f"{int(k)} ({', '.join(part.nodes[i] for i in rows[k])})" for k in found], SHOWN, "; ")
     about = tuple(("nodes", part.nodes[i]) for i in rows[found[0]])
-    yield Fault((*path, "elements", int(found[0])), f"elements {first}{more} {what}.", mend, about=about)
+    yield Fault((*path, "elements", int(found[0])), f"elements {named} {what}.", mend, about=about)

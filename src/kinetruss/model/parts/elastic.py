@@ -114,7 +114,9 @@ def _law(model: ModelData, bar: Bar, path: tuple[str, str]) -> Iterator[Fault]:
         yield Fault((*path, "pretension"), "is given together with natural_length.", mend, about=((*path, "natural_length"),))
     elif bar.kind == "cable" and bar.pretension is not None and bar.pretension < 0:
         mend = "Give a tension, or a natural_length longer than the cable's ends are apart."
-        yield Fault((*path, "pretension"), f"{bar.pretension:g} N would push; a cable only pulls.", mend, about=kind)
+        yield Fault(
+            (*path, "pretension"), f"{bar.pretension:g} N is compression; a cable carries tension only.", mend, about=kind
+        )
     elif bar.pretension is not None and not (bar.stiffness is None and lacks):
         yield from _stretch(model, bar, path, parts)
     if bar.kind == "cable" and bar.strain != "engineering":

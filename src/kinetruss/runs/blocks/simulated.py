@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.dynamics.forward import Asked, Stepper, problem_of, simulation_of, stepper_for
+from kinetruss.dynamics.forward import Options, Stepper, problem_of, simulation_of, stepper_for
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.results import Simulation, Status
 from kinetruss.runs.blocks.block import Block, judged
@@ -28,8 +28,8 @@ def stepper_of(plan: Plan) -> Stepper:
     InputError : the simulation cannot be started.
     """
     run, t_end = plan.run, float(plan.times[-1])
-    asked = Asked(trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events, load_case=plan.cases[0])
-    return stepper_for(problem_of(plan.model, t_end, asked), t_end)
+    options = Options(trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events, load_case=plan.cases[0])
+    return stepper_for(problem_of(plan.model, t_end, options), t_end)
 
 
 def simulated(

@@ -280,6 +280,7 @@ class _Walk:
         N, J = row_force(self.balance, x, self.rows)
         q = here = densities(found, squared_changes(found, x))
         for _ in range(NEWTON):
+            # tangent at x, with the geometric part of the predicted densities q in place of those at x
             K = self.balance.stiffness(x, N) + continua_stiffness(found, x, q - here, material=False)
             g = self.balance.applied(x)[free] - J.T @ N
             p, dN = Saddle(K[free][:, free], J, self.rows).solve(g, np.zeros(J.shape[0]))
@@ -288,10 +289,12 @@ class _Walk:
             step = np.zeros(x.size)
             step[free] = p
             moved = step.reshape(-1, 3)
+            # a step that turns no member by more than the limit
             turned = np.linalg.norm(moved[system.q] - moved[system.p], axis=1) / ends_of(system, x)[1]
             part = min(1.0, LARGEST_TURN / max(float(turned.max(initial=0.0)), 1e-300))
             moved = part * moved
             d = x[found.q] - x[found.p]
+            # change of the squared lengths to first order: 2 d . (u_q - u_p)
             change = 2 * np.einsum("ec,ec->e", d, moved[found.q] - moved[found.p])
             q = densities(found, squared_changes(found, x) + change)
             x, off = projected(system, x + moved, self.wanted, span, rows=self.rows)

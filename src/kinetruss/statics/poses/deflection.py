@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.assembly import ROTATES, Loads, continua_stiffness
+from kinetruss.mechanics.assembly import ROTATES, Loads, material_stiffness
 from kinetruss.mechanics.configuration import ROTATION
 from kinetruss.mechanics.freedom import displacements, flat_positions
 from kinetruss.model import Model
@@ -25,7 +25,6 @@ from kinetruss.statics.small.weights import loads_at
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics import Continua
 
 __all__ = ["Deflection", "deflection", "loads_of", "nodal_forces"]
 
@@ -104,9 +103,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
 
 def _bent(system: System, x: NDArray[np.float64], u: NDArray[np.float64]) -> float:
     """Strain energy u^T K u/2, J, of beams, membranes and solids at x (3 n,), of displacements u (3 n,)."""
-    found = cast("Continua", system.continua)
-    K = continua_stiffness(found, x.reshape(-1, 3), np.zeros(len(found.p)))
-    return float(0.5 * u @ (K @ u))
+    return float(0.5 * u @ (material_stiffness(system, x.reshape(-1, 3)) @ u))
 
 
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import xarray as xr
-from scipy.sparse import csr_array
 
 from kinetruss.dynamics.actions import CarriedBy, mean_tension_at_rest
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly import (
     Loads,
     bar_laws,
     body_and_continua_mass,
-    continua_stiffness,
+    material_stiffness,
     measure_forces,
     resting_forces,
     spring_laws,
@@ -192,7 +191,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     energy[held.row_member[bars]] = stored_by[bars]
     held_now = system.prescribed.copy()
     held_now[system.coordinate_drive[:, 0]] = False
-    more = _continuum(system, x) @ solved.displacement  # forces of membranes and solids
+    more = material_stiffness(system, x) @ solved.displacement  # forces of membranes and solids
     reaction = np.where(held_now, G.T @ total + more - continua_force - load, 0.0).reshape(-1, 3)
     if len(system.measures) or system.model.hubs:
         drive, coupling = _on_measures(held, total)
@@ -240,13 +239,6 @@ def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.f
     return drive, -on[last - len(held.model.couplings) : last]
 
 
-def _continuum(system: System, x: NDArray[np.float64]) -> Any:
-    """Stiffness of membranes and solids (3 n, 3 n), N/m, without the geometric stiffness of their stresses at x."""
-    if system.continua is None:
-        return csr_array((x.size, x.size))
-    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
-
-
 def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]) -> str:
     """Message with the names of members that are kept inextensible because they have no E or A."""
     lacking = [
@@ -256,5 +248,4 @@ def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]
     lacking = [name for name in lacking if name not in rigid and not getattr(held.model.bars.get(name), "brace", False)]
     if not lacking:
         return ""
-    shown = ", ".join(lacking[:8]) + (f" and {len(lacking) - 8} more" if len(lacking) > 8 else "")
-    return f"Kept inextensible, since they have no section or no material: {shown}."
+    return f"Kept inextensible, since they have no section or no material: {few(lacking, 8)}."

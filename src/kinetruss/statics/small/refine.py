@@ -64,10 +64,12 @@ class Doubled:
         high = _high(at)
         low = at - high
         product = self.matrix.data * at
+        # round-off of each product, from halves of 26 bits (Dekker, 1971)
         lost = ((self.high * high - product) + self.high * low + self.low * high) + self.low * low
         total, rest = b.copy(), np.zeros_like(b)
         for rows, entries in self.slots:
             one, two = total[rows], -product[entries]
+            # sum with its round-off (Knuth's TwoSum)
             found = one + two
             part = found - one
             rest[rows] += ((one - (found - part)) + (two - part)) - lost[entries]

@@ -19,7 +19,7 @@ from scipy.sparse import block_array, csr_array, diags_array
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of, kept
-from kinetruss.mechanics.assembly import bar_laws, continua_stiffness, spring_laws
+from kinetruss.mechanics.assembly import bar_laws, material_stiffness, spring_laws
 from kinetruss.mechanics.freedom import mobility_at
 from kinetruss.statics.small.refine import best_of, fill_order
 
@@ -136,15 +136,11 @@ def _order(held: System) -> NDArray[np.int64]:
 
 def _continuum(held: System, x: NDArray[np.float64]) -> Any:
     """Stiffness of membranes and solids over the free coordinates, N/m, without that of their stresses at x."""
-    count = len(held.free)
-    if held.continua is None:
-        return csr_array((count, count))
-    none = np.zeros(len(held.continua.p))
-    return csr_array(continua_stiffness(held.continua, x, none))[held.free][:, held.free]
+    return csr_array(material_stiffness(held, x))[held.free][:, held.free]
 
 
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
-    """Raise an Raise an InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
+    """Raise an InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
     pulling = _rows_of(held, np.isfinite(flexible))  # slack cables have no stiffness
     found = mobility_at(pulling, x)
     if found.undriven and not _resisted(held, x, found.spaces.right):

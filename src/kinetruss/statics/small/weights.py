@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System
-from kinetruss.mechanics.assembly import Loads, case_loads, elements
+from kinetruss.mechanics.assembly import Loads, case_loads, elements, pair_weights
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,9 +54,8 @@ def end_weights(system: System, x: NDArray[np.float64], g: NDArray[np.float64]) 
     """
     found, out = elements(system), np.zeros((len(system.members), 2, 3))
     own = found["pair_member"] >= 0
-    member, (AA, AB, BB, skew) = found["pair_member"][own], found["pair"][own].T[:, :, None]
-    turned = skew * np.array([-g[1], g[0], 0.0])
-    out[member, 0], out[member, 1] = (AA + AB) * g + turned, (AB + BB) * g - turned
+    out[found["pair_member"][own]] = pair_weights(found["pair"][own], g)
+    # varying masses: m_A g and m_B g, and across the member the lever of the first moments h over L
     member, (m_A, m_B, h_A, h_B, _, _) = found["varying_member"], found["varying"].T[:, :, None]
     d = x[system.q[member]] - x[system.p[member]]
     L = np.linalg.norm(d, axis=1)[:, None]

@@ -98,21 +98,25 @@ def _sample(
     model: Model, record: Any, patch: Patch, gradient: NDArray[np.float64], x: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
     """Measures (k, g, ...) at positions x (n, 3)."""
+    # deformation gradient F = sum of x_v dN_v, Green strain E = (F^T F - 1)/2
     F = np.einsum("kvi,kgvs->kgis", x[patch.nodes] - x[patch.nodes[:, :1]], gradient)
     dim = gradient.shape[3]
     green = 0.5 * (np.einsum("kgis,kgit->kgst", F, F) - np.eye(dim))
     pairs = [(0, 0), (1, 1), (0, 1)] if dim == 2 else list(_PAIRS)
     factor = np.array([1.0 if a == b else 2.0 for a, b in pairs])
     strain = np.stack([green[..., a, b] for a, b in pairs], axis=-1)
+    # second Piola-Kirchhoff stress S = C E, shears of E doubled
     stress = (strain * factor) @ patch.C
     S = np.zeros((*F.shape[:2], 3, 3))
     for value, (a, b) in zip(np.moveaxis(stress, -1, 0), pairs, strict=True):
         S[..., a, b] = S[..., b, a] = value
     if dim == 2:
+        # a membrane: third column of F is its normal times the stretch of its thickness
         across, S[..., 2, 2] = _across(model, record, strain * factor, stress)
         normal = np.cross(F[..., 0], F[..., 1])
         area = np.linalg.norm(normal, axis=-1, keepdims=True)
         F = np.concatenate([F, (normal / area * across[..., None])[..., None]], axis=-1)
+    # Cauchy stress F S F^T/det F
     true = F @ S @ F.swapaxes(-1, -2) / np.linalg.det(F)[..., None, None]
     trace = np.trace(true, axis1=-2, axis2=-1)
     apart = true - trace[..., None, None] / 3 * np.eye(3)

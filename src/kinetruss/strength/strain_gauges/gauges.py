@@ -86,18 +86,25 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     }
     groups = list(dict.fromkeys(gauge.group for gauge in model.gauges.values() if gauge.group is not None))
     if groups:
-        across = ["bending_3"] if model.dim == 2 else ["bending_2", "bending_3"]
-        inner = ["T", "M3", "V2"] if model.dim == 2 else ["T", "M2", "M3", "V2", "V3"]
-        coords |= {"group": groups, "component": ["axial", *across], "inner": inner}
-        split = np.stack([_split(model, group, places, strain) for group in groups], axis=1)
-        parts_of_groups = [k[next(i for i, one in enumerate(model.gauges.values()) if one.group == group)] for group in groups]
-        force = 1e-6 * split / np.stack([_per_force(parts, int(i), model.dim) for i in parts_of_groups])
-        kept = 1 + len(across)
-        data["group_strain"] = variable(
-            ("time", "group", "component"), split[..., :kept], "1e-6", "axial and bending strain of a group"
-        )
-        data["group_force"] = variable(("time", "group", "inner"), force, "N, N m", "section forces that a group measures")
+        of_groups, named = _of_groups(model, groups, places, strain)
+        data |= of_groups
+        coords |= named
     return xr.Dataset(data, coords=coords, attrs={"kind": "gauges", "load_case": forces.load_case})
+
+
+def _of_groups(model: Model, groups: list[str], places: _Places, strain: NDArray[np.float64]) -> tuple[Any, dict[str, Any]]:
+    """Axial and bending strains of groups and the section forces that they measure, and the coordinates of both."""
+    across = ["bending_3"] if model.dim == 2 else ["bending_2", "bending_3"]
+    inner = ["T", "M3", "V2"] if model.dim == 2 else ["T", "M2", "M3", "V2", "V3"]
+    split = np.stack([_split(model, group, places, strain) for group in groups], axis=1)
+    first = [next(i for i, one in enumerate(model.gauges.values()) if one.group == group) for group in groups]
+    per_force = np.stack([_per_force(places.parts, int(places.part[i]), model.dim) for i in first])
+    axial, force, of_group = split[..., : 1 + len(across)], 1e-6 * split / per_force, ("time", "group")
+    data = {
+        "group_strain": variable((*of_group, "component"), axial, "1e-6", "axial and bending strain of a group"),
+        "group_force": variable((*of_group, "inner"), force, "N, N m", "section forces that a group measures"),
+    }
+    return data, {"group": groups, "component": ["axial", *across], "inner": inner}
 
 
 class _Places:
@@ -173,6 +180,7 @@ def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64
     """(times, gauges), 1e-6."""
     stations = np.unique(places.xi)
     found, parts, k = sections(model, forces, stations).data, places.parts, places.part
+    # T/A - M3 y/I3 + M2 z/I2 at each gauge
     at = np.searchsorted(stations, places.xi)
     stress = found["section_T"].values[:, k, at] / parts.area[k]
     M, V = found["section_M"].values[:, k, at], found["section_V"].values[:, k, at]
@@ -181,6 +189,7 @@ def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64
         stress = stress + M[..., 0] * places.z / parts.I2[k]
     strain = places.along * stress / parts.E[k]
     if places.shear.any():
+        # shear strain k V/(A G) along the surface
         per = (parts.factor / parts.area / parts.G)[k]
         V = V[..., -2:] if V.shape[-1] > 1 else V
         strain = strain + per * (V * places.shear[:, : V.shape[-1]]).sum(axis=-1)
@@ -225,6 +234,7 @@ def _split(model: Model, group: str, places: _Places, strain: NDArray[np.float64
     columns = [along, -along * places.y[chosen] / parts.c2[part], shear[:, 0]]
     if model.dim == 3:
         columns = [columns[0], along * places.z[chosen] / parts.c3[part], columns[1], shear[:, 0], shear[:, 1]]
+    # e = D (axial, bending, shear); an unknown is determined where D^+ D = 1
     design = np.stack(columns, axis=1)
     inverse = np.linalg.pinv(design, rcond=1e-9)
     unseen = np.abs(np.eye(design.shape[1]) - inverse @ design).max(axis=1) > 1e-9

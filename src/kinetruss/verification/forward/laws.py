@@ -53,4 +53,4 @@ def caught() -> dict[str, float]:
     y = run.motion.position.sel(node="P", axis="y").values
     tension = run.forces.member_force.sel(member="cable").values
     first = {event.name: event.time for event in reversed(run.events)}
-    return first | {"falling": float(y[1]), "lowest": float(y[2]), "pull": float(tension[2]), "thrown": float(y[3])}
+    return first | {"falling": float(y[1]), "lowest": float(y[2]), "tension": float(tension[2]), "thrown": float(y[3])}

@@ -128,7 +128,7 @@ def in_series() -> dict[str, float]:
 
 
 def screw() -> dict[str, float]:
-    """Torque of the screw about the axis of the tie as it starts to pull the load up (pulling: negative)."""
+    """Torque of the screw about the axis of the tie as it starts to lift the load (in tension: negative)."""
     model = _crane(None)
     motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"tie": -0.01}, duration=1.0), samples=3)
     demand = kt.actuators.evaluate(model, motion, kt.dynamics.inverse(model, motion))

@@ -11,7 +11,7 @@ from kinetruss.verification.thesis.tables import LEVEL, LONG, SHORT, at_rest
 
 THREE = {f"G{k}": kt.Gauge(member="M6", at=0.5, angle=2 * math.pi * k / 3, factor=2.1, group="M6") for k in range(3)}
 
-PULL, MASS, SPAN, GRAVITY, E = 250.0, 1.5, 2.0, 9.81, 71e9
+TENSION, MASS, SPAN, GRAVITY, E = 250.0, 1.5, 2.0, 9.81, 71e9
 TUBE = kt.Tube(outer=0.025, inner=0.021)
 
 
@@ -32,7 +32,7 @@ def level_bar() -> dict[str, float]:
         bars={"bar": kt.Bar(ends=("A", "B"), mass=MASS)},
         section=TUBE,
         material=kt.Material(E=E, density=0.0),
-        loads={"pull": kt.NodalForce(node="B", force=(PULL, 0, 0))},
+        loads={"end": kt.NodalForce(node="B", force=(TENSION, 0, 0))},
         gauges={name: kt.Gauge(member="bar", angle=angle, factor=2.1, group="mid") for name, angle in turns.items()},
     )
     still = np.zeros((1, 2, 3))

@@ -71,9 +71,6 @@ def read_mjcf(path: Path, text: str, at: Mapping[str, float] | None = None, *, m
     return _Reader(path, included(parse_xml(path, text, "mujoco"), path.parent, max_size)).robot(at or {})
 
 
-ONLY = "only actuators of joints and of straight tendons are carried"
-
-
 class _Reader:
     """Collects links, joints and points of the tree, then closures and drives that name them."""
 
