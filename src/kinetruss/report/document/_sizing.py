@@ -16,7 +16,7 @@ from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
 from kinetruss.report._page import Page
 from kinetruss.report.document._document import run_parts
-from kinetruss.report.document._record import document_record
+from kinetruss.report.document._record import document_record, plain
 from kinetruss.report.document.frame import Columns, Part, framed, known_paper
 from kinetruss.report.document.frame.title_block import filled
 from kinetruss.report.document.parts.words import cased, value_of
@@ -137,7 +137,7 @@ def _html(run: RunResult, sizing: Record, view: str, block: TitleBlock, paper: s
         parts,
         kicker="Report of a sizing",
         quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", block.date) if word),
-        record=record,
+        record=plain(record),
         foot=f"{title}, sizing",
         paper=paper,
     )
