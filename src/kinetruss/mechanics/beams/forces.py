@@ -66,21 +66,7 @@ def section_forces(
     force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
     (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
     """
-    stress = beam_forces(found, x, x0, linear)
-    EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
-    # rotations from the chord, f_p and f_q
-    none = np.zeros(stress["axial"].shape)
-    slope = {}
-    for axis, EI in ((2, EI2), (3, EI3)):
-        D, S = (stress.get(f"{name}{axis}", none) / EI for name in "DS")
-        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D)
-    if v is not None and found.damping.any():
-        lag = found.damping[:, None] * found.rigidity * mode_rates(found, x0[None] if linear else x, v)
-        stress = {name: own + lag[..., s] for s, (name, own) in enumerate(stress.items())}
-    bent = np.ones(stress["axial"].shape)
-    if given is not None:
-        stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
-        bent = np.isnan(given[..., 0]).astype(float)
+    stress, slope = _deformed(found, x, x0, linear, given, v)
     l = found.length[:, None]
     frame = _frames(found, x0[None] if linear else x)
     frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
@@ -88,7 +74,7 @@ def section_forces(
     read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
     q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
     place = x0[None] if linear else x
-    ends = _by_nodes(found, np.stack(list(stress.values()), axis=-1), place, load, frame)
+    ends = _by_nodes(found, stress, place, load, frame)
     force_p, moment_p = ends[0][:, :, 0], ends[1][:, :, 0]
     # the chord of a bent beam is shorter than the beam
     at = place[:, found.nodes]
@@ -107,8 +93,7 @@ def section_forces(
     moment += every * (ends[1][:, :, 1, None] - moment[:, :, -1:])
     force, moment = force[:, :, :-1], moment[:, :, :-1]
     if not linear:
-        slopes = {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}
-        force, moment = _on_the_curve(l, xi, slopes, force_p, force, moment)
+        force, moment = _on_the_curve(l, xi, slope, force_p, force, moment)
     signs = np.array([-1.0, 1.0])[:, None]
     return {
         "force": force,
@@ -117,6 +102,29 @@ def section_forces(
         "force_ends": ends[0] * signs,
         "moment_ends": ends[1] * signs,
     }
+
+
+def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the rotations (times, k) of both ends from the chord; 0 of
+    beams that keep their shape, whose stresses are given.
+    """
+    stress = beam_forces(found, x, x0, linear)
+    EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
+    # rotations from the chord, f_p and f_q
+    none = np.zeros(stress["axial"].shape)
+    slope = {}
+    for axis, EI in ((2, EI2), (3, EI3)):
+        D, S = (stress.get(f"{name}{axis}", none) / EI for name in "DS")
+        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D)
+    if v is not None and found.damping.any():
+        lag = found.damping[:, None] * found.rigidity * mode_rates(found, x0[None] if linear else x, v)
+        stress = {name: own + lag[..., s] for s, (name, own) in enumerate(stress.items())}
+    bent = np.ones(stress["axial"].shape)
+    if given is not None:
+        stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
+        bent = np.isnan(given[..., 0]).astype(float)
+    turned = {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}
+    return np.stack(list(stress.values()), axis=-1), turned
 
 
 def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats) -> tuple[Floats, Floats]:
@@ -128,8 +136,7 @@ def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, fram
     at = x[:, found.nodes]
     pull = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
     nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
-    np.subtract.at(nodal, (slice(None), slice(None), i), pull)
-    np.add.at(nodal, (slice(None), slice(None), j), pull)
+    nodal += np.einsum("tkwc,wv->tkvc", pull, np.eye(v)[j] - np.eye(v)[i])
     forces, moments = [], []
     for first in (0, v // 2):
         own = slice(first, first + v // 2)
