@@ -266,6 +266,18 @@ def test_every_command_shows_a_mission(tmp_path):
     assert "Report of a mission" in (tmp_path / "report" / "report.html").read_text("utf-8")
 
 
+def test_a_report_tells_of_infinite_utilisation(tmp_path):
+    """Beyond Euler's load the beam-column rule has no finite number: the page has it as a text, and is written."""
+    model = crane(loads=(4e5,))
+    kt.run(model, out=tmp_path / "out")
+    words = ["report", str(tmp_path / "out"), "-o", str(tmp_path / "page"), "--no-open", "--no-pdf", "--no-view"]
+    done = CliRunner().invoke(main, words)
+    assert done.exit_code == 0, (done.output, done.exception)
+    page = (tmp_path / "page" / "report.html").read_text("utf-8")
+    kept = json.loads(page.split('id="kinetruss-report">')[1].split("</script>")[0])
+    assert kept["worked"] and '"Infinity"' in page
+
+
 @pytest.mark.parametrize(
     ("fields", "said"),
     [

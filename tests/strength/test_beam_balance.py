@@ -86,3 +86,28 @@ def test_a_bend_in_space_has_the_forces_of_its_free_body() -> None:
             moment = np.hypot(float(here.torsion), np.linalg.norm(here.section_M))
             assert force == pytest.approx(P, rel=1e-9)
             assert moment == pytest.approx(float(np.linalg.norm(np.cross(arm, load))), abs=1e-7 * P * R)
+
+
+def test_a_soft_pendulum_is_in_balance_at_every_joint() -> None:
+    """Bent while it swings: no moment at the pin, the reaction there, and at nodes what one beam takes the other gives."""
+    model = kt.Model(
+        nodes={f"n{i}": (0.25 * i, 0) for i in range(5)},
+        fixed=["n0"],
+        beams={f"b{i}": (f"n{i}", f"n{i + 1}") for i in range(4)},
+        section=kt.Rectangle(width=0.02, height=0.01),
+        material=STEEL.with_(E=2e9),
+        gravity=(0, -9.81),
+    )
+    run = kt.dynamics.simulate(model, 0.4, samples=5, method=kt.EnergyMomentum(step=2e-4))
+    along = kt.strength.beams(model, run, stations=[0.0, 1.0])
+    size = float(np.abs(along.end_moment).max())
+    assert size > 0.3
+    reaction = run.forces.data.reaction.sum("support").values
+    assert along.end_force.sel(beam="b0", end="A").values == pytest.approx(reaction, abs=1e-9 * np.abs(reaction).max())
+    assert np.abs(along.end_moment.sel(beam="b0", end="A")).max() < 1e-9 * size
+    for i in range(3):
+        for name in ("end_force", "end_moment"):
+            one, two = (along[name].sel(beam=beam, end=end).values for beam, end in ((f"b{i}", "B"), (f"b{i + 1}", "A")))
+            assert one[1:] == pytest.approx(-two[1:], abs=1e-8 * np.abs(two[1:]).max())
+        first, second = (along.section_M.sel(beam=f"b{i + k}", station=1.0 - k).values for k in (0, 1))
+        assert first == pytest.approx(second, abs=1e-9 * size)

@@ -284,6 +284,8 @@ M7 = {"member": "M7", "angle": 0.0}
         ({"G": {"member": "M7", "part": "base"}}, r"sits on 'M7\.base', which has no section and no material\. Give"),
         ({"G": {"member": "M6", "part": "tube"}}, "is given, but 'M6' is a bar. Remove it."),
         ({"G": {"member": "M6", "at": 1.5}}, "must be at most 1|1.5"),
+        ({"G": {"member": "M6", "radius": "1 m"}}, r"gauges\.G\.radius: 1 m is not in the section of 'M6'\. Give"),
+        ({"G": {"member": "M6", "radius": "1 um"}}, r"is not in the section of 'M6'\. Give .* m to .* m"),
         ({"G": {"member": "M6", "at": 0.5, "distance": "1 mm"}}, "has both at and distance"),
         ({"G": {"member": "M6", "distance": "1 m"}}, r"1 m is beyond 'M6', which is 0\.9017 m long"),
         ({"G": {"member": "M6", "distance": "-1 mm"}}, "must not be negative"),
@@ -297,6 +299,20 @@ M7 = {"member": "M7", "angle": 0.0}
 def test_faulty_gauges(model, gauges, said):
     with pytest.raises(kt.ModelError, match=said):
         model.with_(gauges=gauges)
+
+
+def test_the_bars_of_a_beam_have_no_strain():
+    """The chord shows a beam and carries nothing: a gauge on it read 0 whatever the beam did."""
+    for name in ("b.chord", "B.B-B.d1"):
+        with pytest.raises(kt.ModelError, match="only holds or shows a beam or a body: it has no strain. Put it on a bar"):
+            kt.Model(
+                nodes={"A": (0, 0), "B": (1, 0)},
+                clamped=["A"],
+                beams={"b": ("A", "B")},
+                section=kt.Rod(diameter=0.02),
+                material="steel_s235",
+                gauges={"G": kt.Gauge(member=name, factor=2.0)},
+            )
 
 
 @pytest.mark.parametrize(

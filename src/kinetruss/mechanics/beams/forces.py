@@ -66,6 +66,48 @@ def section_forces(
     force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
     (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
     """
+    stress, slope = _deformed(found, x, x0, linear, given, v)
+    l = found.length[:, None]
+    frame = _frames(found, x0[None] if linear else x)
+    frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
+    # load along the beam in its axes as a cubic: coefficients c_m of xi^m
+    read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
+    q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
+    place = x0[None] if linear else x
+    ends = _by_nodes(found, stress, place, load, frame)
+    force_p, moment_p = ends[0][:, :, 0], ends[1][:, :, 0]
+    # the chord of a bent beam is shorter than the beam
+    at = place[:, found.nodes]
+    chord = np.linalg.norm(at[:, :, at.shape[2] // 2] - at[:, :, 0], axis=-1)[:, :, None, None]
+    every = np.append(xi, 1.0)[:, None]
+    once, twice = _integrals(q, every[:, 0])
+    once, twice = once * l[:, :, None], twice * l[:, :, None] * chord
+    force = -force_p[:, :, None] - once
+    turn_p, turn_q = _turning(found, load, frame)
+    grown = every**2 / 2
+    moment = l[:, :, None] * ((every - grown) * turn_p[:, :, None] + grown * turn_q[:, :, None]) - moment_p[:, :, None]
+    # equilibrium of the part before the section
+    arm = chord * every * force_p[:, :, None] + twice
+    moment += np.stack([np.zeros_like(arm[..., 0]), -arm[..., 2], arm[..., 1]], axis=-1)
+    # the second end is exact as well; what a load on a bent axis changes between them is spread evenly
+    moment += every * (ends[1][:, :, 1, None] - moment[:, :, -1:])
+    force, moment = force[:, :, :-1], moment[:, :, :-1]
+    if not linear:
+        force, moment = _on_the_curve(l, xi, slope, force_p, force, moment)
+    signs = np.array([-1.0, 1.0])[:, None]
+    return {
+        "force": force,
+        "moment": moment,
+        "frame": np.array(frame),
+        "force_ends": ends[0] * signs,
+        "moment_ends": ends[1] * signs,
+    }
+
+
+def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the rotations (times, k) of both ends from the chord; 0 of
+    beams that keep their shape, whose stresses are given.
+    """
     stress = beam_forces(found, x, x0, linear)
     EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
     # rotations from the chord, f_p and f_q
@@ -81,58 +123,27 @@ def section_forces(
     if given is not None:
         stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
         bent = np.isnan(given[..., 0]).astype(float)
-    l = found.length[:, None]
-    frame = _frames(found, x0[None] if linear else x)
-    frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
-    # load along the beam in its axes as a cubic: coefficients c_m of xi^m
-    read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
-    q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
-    # carried to the nodes: int q H1 ds, int q l H2 ds
-    nodal, couple, other = (_weighted(q, h) * l ** (1 if h == 0 else 2) for h in (0, 1, 3))
-    push, first, second = _by_nodes(found, np.stack(list(stress.values()), axis=-1), x0[None] if linear else x, frame)
-    turn_p, turn_q = _turning(found, load, frame)
-    force_p, moment_p = push - nodal, first + _across(couple) + l * (turn_p / 3 + turn_q / 6)
-    # the chord of a bent beam is shorter than the beam
-    at = x[:, found.nodes]
-    chord = l[None] if linear else np.linalg.norm(at[:, :, at.shape[2] // 2] - at[:, :, 0], axis=-1)[:, :, None]
-    s = chord[..., None] * xi[:, None]
-    once, twice = _integrals(q, xi)
-    once, twice = once * l[:, :, None], twice * l[:, :, None] ** 2
-    force = -force_p[:, :, None] - once
-    arm, spread = s * force_p[:, :, None], twice
-    grown = xi[:, None] ** 2 / 2
-    spun = (xi[:, None] - grown) * turn_p[:, :, None] + grown * turn_q[:, :, None]
-    moment = l[:, :, None] * spun - moment_p[:, :, None]
-    # equilibrium of the part before the section
-    moment[..., 2] += arm[..., 1] + spread[..., 1]
-    moment[..., 1] -= arm[..., 2] + spread[..., 2]
-    if not linear:
-        force, moment = _on_the_curve(
-            l, xi, {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}, force_p, force, moment
-        )
-    force_q = -force_p - _integrals(q, np.ones(1))[0][:, :, 0] * l
-    moment_q = second + _across(other) + l * (turn_p / 6 + turn_q / 3)
-    ends = {"force_ends": np.stack([-force_p, force_q], axis=2), "moment_ends": np.stack([-moment_p, moment_q], axis=2)}
-    return {"force": force, "moment": moment, "frame": np.array(frame), **ends}
+    turned = {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}
+    return np.stack(list(stress.values()), axis=-1), turned
 
 
-def _by_nodes(found: BeamElements, stress: Floats, x: Floats, frame: Floats) -> tuple[Floats, Floats, Floats]:
-    """Force of the first end, and moments of both ends, on beams, (times, k, 3), in their axes `frame`, by the
-    forces sum S B of the stresses (times, k, modes) at positions x.
+def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats) -> tuple[Floats, Floats]:
+    """Forces and moments of both ends on beams, (times, k, 2, 3), in their axes `frame`: forces sum S B of the stresses (times,
+    k, modes) at positions x, less what mass times load, m/s^2, puts on the same nodes.
     """
     v = found.nodes.shape[1]
     i, j = np.triu_indices(v, 1)
     at = x[:, found.nodes]
     pull = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
-    nodal = np.zeros((*pull.shape[:2], v, 3))
-    np.add.at(nodal, (slice(None), slice(None), i), -pull)
-    np.add.at(nodal, (slice(None), slice(None), j), pull)
-    summed = [nodal[:, :, : v // 2].sum(axis=2)]
+    nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
+    nodal += np.einsum("tkwc,wv->tkvc", pull, np.eye(v)[j] - np.eye(v)[i])
+    forces, moments = [], []
     for first in (0, v // 2):
         own = slice(first, first + v // 2)
-        summed.append(np.cross(at[:, :, own] - at[:, :, first : first + 1], nodal[:, :, own]).sum(axis=2))
-    push, one, two = (np.einsum("tkac,tkc->tka", frame, value) for value in summed)
-    return push, one, two
+        forces.append(nodal[:, :, own].sum(axis=2))
+        moments.append(np.cross(at[:, :, own] - at[:, :, first : first + 1], nodal[:, :, own]).sum(axis=2))
+    one, two = (np.einsum("tkac,tkec->tkea", frame, np.stack(values, axis=2)) for values in (forces, moments))
+    return one, two
 
 
 def _on_the_curve(l: Floats, xi: Floats, slope: Floats, push: Floats, force: Floats, moment: Floats) -> tuple[Floats, Floats]:
@@ -149,11 +160,6 @@ def _on_the_curve(l: Floats, xi: Floats, slope: Floats, push: Floats, force: Flo
     moment = moment + np.cross(at, np.broadcast_to(push[:, :, None], at.shape))
     along, about = (np.einsum("tksac,tksc->tksa", turned, one) for one in (force, moment))
     return along, about
-
-
-def _across(couple: Floats) -> Floats:
-    """The moment of a load across axis 1 whose first moment is `couple`."""
-    return np.stack([np.zeros_like(couple[..., 0]), couple[..., 2], -couple[..., 1]], axis=-1)
 
 
 def _turned(slope2: Floats, slope3: Floats) -> Floats:
@@ -175,13 +181,6 @@ def _turning(found: BeamElements, load: Floats, frame: Floats) -> tuple[Floats, 
         y, z = rates[:, :, 1], rates[:, :, 2] if rates.shape[2] == 3 else np.zeros_like(rates[:, :, 1])
         ends.append(np.stack([I3 * y[..., 2] - I2 * z[..., 1], I2 * z[..., 0], -I3 * y[..., 0]], axis=-1))
     return ends[0], ends[1]
-
-
-def _weighted(q: Floats, which: int) -> Floats:
-    """int q H ds/l over 0..1 of cubics q (times, k, 4, 3); which : 0 H1, 1 H2, 3 H4."""
-    xi, weight = np.polynomial.legendre.leggauss(4)
-    xi, weight = 0.5 * (1 + xi), 0.5 * weight
-    return np.einsum("g,gm,tkma->tka", weight * hermite(xi)[which], np.vander(xi, 4, increasing=True), q)
 
 
 def _integrals(q: Floats, xi: Floats) -> tuple[Floats, Floats]:

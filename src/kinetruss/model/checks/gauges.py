@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model.beams import CHORD
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
@@ -47,6 +48,10 @@ def _place(model: ModelData, name: str, gauge: Any) -> Iterator[Fault]:
         yield Fault(path, f"sits on the active member {gauge.member!r}, which has two rods.", "Say part: base, or part: tube.")
         return
     at = part_path(model, gauge)
+    if getattr(part, "brace", False) or (gauge.member in model.bars and gauge.member.removesuffix(CHORD) in model.beams):
+        message = f"sits on {gauge.member!r}, which only holds or shows a beam or a body: it has no strain."
+        yield Fault(path, message, "Put it on a bar. Stresses along beams: strength.beams.")
+        return
     if getattr(part, "body", None) is not None:
         message = f"sits on {gauge.member!r}, a planar body whose inside is not known."
         yield Fault(path, message, "Put it on a bar.", about=((*at, "body"),))
@@ -61,11 +66,23 @@ def _place(model: ModelData, name: str, gauge: Any) -> Iterator[Fault]:
     if gauge.radius is None and getattr(record, "kind", None) == "general":
         mend = "Give radius: its distance from the axis."
         yield Fault(path, "sits on a general section, whose surface is not known.", mend, about=about)
+    elif gauge.radius is not None and record is not None and not isinstance(record, str):
+        yield from _radius((*path, "radius"), gauge, record)
     if gauge.direction and (gauge.radius is not None or getattr(record, "kind", None) == "general"):
         mend = "Leave out radius, and use a round or rectangular section: shear is known on their surface only."
         yield Fault((*path, "direction"), "is given where the shear of the surface is not known.", mend, about=about)
     if gauge.distance is not None:
         yield from _distance(model, name, gauge, part)
+
+
+def _radius(path: Path, gauge: Any, section: Any) -> Iterator[Fault]:
+    """A distance from the axis at which there is no material."""
+    most = section.extreme_fibres[0] if section.round else math.hypot(*section.extreme_fibres)
+    least = getattr(section, "inner", 0.0) / 2
+    if not least * (1 - 1e-9) <= gauge.radius <= most * (1 + 1e-9):
+        between = f"up to {most:g} m" if not least else f"{least:g} m to {most:g} m"
+        mend = f"Give {between}, or leave it out for the surface."
+        yield Fault(path, f"{gauge.radius:g} m is not in the section of {_called(gauge)}.", mend)
 
 
 def _distance(model: ModelData, name: str, gauge: Any, part: Any) -> Iterator[Fault]:

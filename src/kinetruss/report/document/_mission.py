@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, counted, element
 from kinetruss.report.document._envelopes import envelopes
-from kinetruss.report.document._record import document_record, model_text
+from kinetruss.report.document._record import document_record, model_text, plain
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed
 from kinetruss.report.document.frame.short import summary_parts
@@ -57,7 +57,7 @@ def mission_html(run: MissionRun, front: Front) -> str:
         quiet=" · ".join(
             word for word in (f"Mission {run.name}", counted(run.good, "pair"), version, front.block.date) if word
         ),
-        record=record,
+        record=plain(record),
         foot=f"{title}, mission {run.name}{mark.upper()}",
         mark=mark,
     )

@@ -16,7 +16,7 @@ from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
 from kinetruss.report._page import Page
 from kinetruss.report.document._document import run_parts, run_record, short_parts
-from kinetruss.report.document._record import document_record
+from kinetruss.report.document._record import document_record, plain
 from kinetruss.report.document.frame import Columns, Part, framed, front_of
 from kinetruss.report.document.parts.words import cased, value_of
 from kinetruss.report.document.result.lines import governing_entry, result_lines
@@ -150,7 +150,7 @@ def _html(run: RunResult, sizing: Record, front: Front) -> str:
         parts,
         kicker="Report of a sizing",
         quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", front.block.date) if word),
-        record=record,
+        record=plain(record),
         foot=f"{title}, sizing",
     )
 
