@@ -139,7 +139,7 @@ class Desk:
             if self.drawing.state is self.saved and self.given is not None:
                 return self.given
             if found.model is None or not found.model.members:
-                raise InputError("The drawing is no model yet. Go back to it and mend what it lists.")
+                raise InputError("The drawing is no model yet: it needs nodes and bars, without faults.")
             return found.model
 
     def text(self) -> str:
