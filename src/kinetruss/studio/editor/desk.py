@@ -99,7 +99,12 @@ class Desk:
         """The record of a page that has just connected."""
         with self.lock:
             picture = self.keep.picture() if self.keep is not None else None
-            return self._state() | {"choices": choices(), "offer": self._offer(), "picture": picture, "running": self.results.running()}
+            return self._state() | {
+                "choices": choices(),
+                "offer": self._offer(),
+                "picture": picture,
+                "running": self.results.running(),
+            }
 
     def answer(self, text: str | bytes) -> Record:
         """The answer to one message; errors are records too, and change nothing."""
