@@ -173,3 +173,10 @@ def test_names_keep_apart_and_fingers_pick_several_on_a_phone(show, served):
         hand.settle()
     assert hand.js("[...draw.picked.nodes]") == hand.state()["nodes"][:3]
     assert hand.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_the_sliders_of_an_empty_drawing_lead_back_to_it(show, served):
+    shown = show(served.address.removesuffix("draw/"))
+    assert "it needs nodes and bars" in shown.page.locator(".failure").inner_text()
+    back = shown.page.get_by_role("link", name="Go to the drawing")
+    assert back.evaluate("(link) => link.href") == served.address

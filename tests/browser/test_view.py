@@ -419,3 +419,24 @@ def test_a_damaged_page_says_so(show, tmp_path, turn):
     shown = show(path)
     assert shown.page.locator("#kinetruss").get_attribute("data-state") == "failed"
     assert "cannot be shown" in shown.page.locator("#kinetruss").inner_text()
+
+
+def test_from_afar_bars_are_lines_of_their_colour_and_not_black(show, pages):
+    shown = show(pages["lift"])
+    solid = "[view.bars.rods, view.bars.balls, ...view.bars.rims.meshes].map((one) => one.visible)"
+    shown.drawn()
+    assert set(shown.js(solid)) == {True}
+    shown.page.add_style_tag(content=".names, .pane svg, .pane .name { display: none }")
+    shown.js("view.orbit(0, 0, 15)")
+    shown.drawn()
+    assert set(shown.js(solid)) == {False}
+    box = shown.page.locator(".pane canvas").first.bounding_box()
+    shown.js("(view.grid.visible = false, view.loads.group.visible = false, view.supports.mesh.visible = false, view.render())")
+    middle = {"x": box["x"] + box["width"] / 2 - 20, "y": box["y"] + box["height"] / 2 - 20, "width": 40, "height": 40}
+    image = np.asarray(Image.open(io.BytesIO(shown.page.screenshot(clip=middle))).convert("RGB")).astype(int)
+    drawn = image[np.abs(image - BACK).sum(axis=2) > 60]
+    assert len(drawn) > 3
+    assert (np.ptp(drawn, axis=1) > 30).mean() > 0.3  # coloured, where outlines are grey
+    shown.js("view.orbit(0, 0, 1 / 15)")
+    shown.drawn()
+    assert set(shown.js(solid)) == {True}

@@ -212,7 +212,8 @@ export class Live {
   fail(message) {
     window.kinetruss.failed = message;
     this.closed = true;
-    this.root.textContent = message;
+    const back = this.store && el("p", {}, el("a", { href: "draw/" }, "Go to the drawing"));
+    this.root.replaceChildren(el("div", { class: "failure" }, el("p", {}, message), back || ""));
     this.root.dataset.state = "failed";
   }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import secrets
 import socket
 from collections.abc import Callable
@@ -83,6 +84,8 @@ def serve(
             timeout_graceful_shutdown=2,
             proxy_headers=False,
         )
+        gc.collect()
+        gc.freeze()  # what is loaded stays: to look through it again takes as long as twenty edits
         if ready is not None:
             ready(f"http://{HOST}:{here}/{token}/{'draw/' if draw or model is None else ''}")
         uvicorn.Server(config).run(sockets=[listener])

@@ -92,7 +92,8 @@ export class Camera {
 
   /** The step of the grid, m. */
   get grid() {
-    return this.step || niceStep(PIXELS / this.scale) * (niceStep(PIXELS / this.scale) * this.scale < PIXELS * 0.6 ? 2 : 1);
+    const step = niceStep(PIXELS / this.scale);
+    return this.step || (step * this.scale < 0.6 * PIXELS ? niceStep(2.5 * step) : step);
   }
 
   /** The nearest point of the grid in the work plane, or in line with a node that is nearer. */

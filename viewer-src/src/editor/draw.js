@@ -282,7 +282,7 @@ export class Draw {
 
   fail(message) {
     this.closed = true;
-    this.root.textContent = message;
+    this.root.replaceChildren(el("div", { class: "failure" }, el("p", {}, message)));
     this.root.dataset.state = "failed";
   }
 

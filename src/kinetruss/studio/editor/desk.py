@@ -99,7 +99,12 @@ class Desk:
         """The record of a page that has just connected."""
         with self.lock:
             picture = self.keep.picture() if self.keep is not None else None
-            return self._state() | {"choices": choices(), "offer": self._offer(), "picture": picture, "running": self.results.running()}
+            return self._state() | {
+                "choices": choices(),
+                "offer": self._offer(),
+                "picture": picture,
+                "running": self.results.running(),
+            }
 
     def answer(self, text: str | bytes) -> Record:
         """The answer to one message; errors are records too, and change nothing."""
@@ -139,7 +144,7 @@ class Desk:
             if self.drawing.state is self.saved and self.given is not None:
                 return self.given
             if found.model is None or not found.model.members:
-                raise InputError("The drawing is no model yet. Go back to it and mend what it lists.")
+                raise InputError("The drawing is no model yet: it needs nodes and bars, without faults.")
             return found.model
 
     def text(self) -> str:

@@ -11,7 +11,7 @@ __all__ = ["loose_ends"]
 NEAR = 1e-6
 """Distance of a node from a bar, as a fraction of the size of the drawing, below which it lies on it."""
 
-MOST_PAIRS = 1_000_000
+MOST_PAIRS = 200_000
 """Largest number of pairs of a node and a member that are looked at."""
 
 LISTED = 4
@@ -36,17 +36,18 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
     for name, place in zip(names, np.round(x / near), strict=True):
         same.setdefault((place + 0.0).tobytes(), []).append(name)
     found = [f"{' and '.join(some)} are at the same place but are not joined." for some in same.values() if len(some) > 1]
-    ends = {name: [index[end] for end in pair] for name, pair in members.items()}
-    for name, (start, end) in ends.items():
-        along = x[end] - x[start]
-        square = float(along @ along)
-        if square <= near**2:
-            continue
-        share = (x - x[start]) @ along / square
-        apart = np.linalg.norm(x - x[start] - share[:, None] * along, axis=1)
-        inside = (apart < near) & (share * square**0.5 > near) & ((1 - share) * square**0.5 > near)
-        for k in np.flatnonzero(inside).tolist():
-            mend = f"To join them, draw two bars there instead of {name}."
-            found.append(f"{names[k]} lies on {name} but is not joined to it. {mend}")
+    labels, ends = list(members), np.array([[index[end] for end in pair] for pair in members.values()], int).reshape(-1, 2)
+    start, along = x[ends[:, 0]], x[ends[:, 1]] - x[ends[:, 0]]
+    square = (along**2).sum(axis=1)
+    long = np.flatnonzero(square > near**2)
+    start, along, size = start[long], along[long], square[long] ** 0.5
+    apart = x - start[:, None]
+    way = np.einsum("mnk,mk->mn", apart, along) / size[:, None]
+    off = np.linalg.norm(apart - (way / size[:, None])[..., None] * along[:, None], axis=2)
+    inside = (off < near) & (way > near) & (size[:, None] - way > near)
+    for member, node in np.argwhere(inside).tolist():
+        name = labels[long[member]]
+        mend = f"To join them, draw two bars there instead of {name}."
+        found.append(f"{names[node]} lies on {name} but is not joined to it. {mend}")
     rest = len(found) - LISTED
     return found[:LISTED] + ([f"{rest} more places where parts meet without being joined."] if rest > 0 else [])

@@ -105,7 +105,9 @@ def _needed(data: Data, name: str, analysis: str) -> dict[str, Any]:
         moving = [node for node in data["nodes"] if node not in fixed] or list(data["nodes"])
         return {"elastic": {"at": [f"{moving[-1]}.x"]}}
     if analysis == "mission":
-        moving = [other for other, one in runs.items() if other != name and _prescribed(one)] or list(data.get("trajectories") or {})
+        moving = [other for other, one in runs.items() if other != name and _prescribed(one)] or list(
+            data.get("trajectories") or {}
+        )
         if not moving:
             raise InputError("A mission does the motions of other runs. Make a run that moves the drives first: New run.")
         return {"motions": moving}

@@ -89,7 +89,9 @@ class Results:
                 raise InputError(f"The run {self.work.name!r} is being computed. Stop it, or wait for its end.")
             self.left = [one for one in self.left if one.answer is None]
             if len(self.left) >= LEFT:
-                raise InputError(f"Stopped runs are still busy ({len(self.left)}). Wait for the end of their step, then try again.")
+                raise InputError(
+                    f"Stopped runs are still busy ({len(self.left)}). Wait for the end of their step, then try again."
+                )
             work = self.work = Work(name, revision, total=model.runs[name].samples)
         work.thread = threading.Thread(target=self._do, args=(work, model), daemon=True)
         work.thread.start()
