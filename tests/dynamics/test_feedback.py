@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import kinetruss as kt
+from kinetruss.dynamics.linear.reached import not_reached
 from kinetruss.errors import InputError
 
 G = 9.81
@@ -206,3 +208,57 @@ def test_a_hinge_let_go_is_held_by_a_torque_in_a_simulation(drive):
     assert task.torque == pytest.approx(torque, rel=1e-9)
     run = kt.dynamics.simulate(rod, 0.5, samples=3, tasks=found.tasks(), user_force=found.user_force())
     np.testing.assert_allclose(run.motion.position.values[-1], run.motion.position.values[0], atol=1e-9)
+
+
+def masses(**stiffness):
+    """Masses of 1 kg on the x axis, each with a spring to a fixed node of its own (or none)."""
+    nodes, bars, fixed = {}, {}, {}
+    for k, (name, value) in enumerate(stiffness.items()):
+        nodes |= {f"{name}0": (0, k), name: {"at": (1, k), "mass": 1.0}}
+        fixed |= {f"{name}0": "xy", name: "y"}
+        if value:
+            bars[f"s{name}"] = kt.Bar(ends=(f"{name}0", name), kind="elastic", stiffness=value)
+    return kt.Model(nodes=nodes, bars=bars, fixed=fixed)
+
+
+def test_a_motion_that_no_input_reaches_stays_and_is_named():
+    """The reached mass has the gains that it has alone."""
+    alone = kt.dynamics.linearise(masses(A=9.0), inputs="A.x", dofs="A.x")
+    both = kt.dynamics.linearise(masses(A=9.0, B=25.0), inputs="A.x", dofs=("A.x", "B.x"))
+    wanted = kt.dynamics.feedback(alone, state_cost=1.0).gains.values[0]
+    found = kt.dynamics.feedback(both, state_cost=1.0)
+    assert_allclose(found.gains.sel(state=["A.x", "A.x'"]).values[0], wanted, rtol=1e-10)
+    assert_allclose(found.gains.sel(state=["B.x", "B.x'"]).values[0], 0, atol=1e-10)
+    assert (
+        found.message == "No input reaches the undamped motion of 5 rad/s: it stays, and the cost is that of all other motions."
+    )
+
+
+def test_of_two_equal_oscillators_under_one_force_their_difference_is_not_reached():
+    model = masses(A=9.0, B=9.0)
+    lin = kt.dynamics.linearise(model, inputs=("A.x", "B.x"), dofs=("A.x", "B.x"))
+    A, B = lin.A.values, lin.B.values @ [[1.0], [1.0]]
+    W, stay = not_reached(A, B)
+    states = list(lin.data["state"].values)
+    assert W.shape == (4, 2)
+    assert_allclose(np.sort(stay.imag), [-3, 3], atol=1e-12)
+    assert_allclose(W[states.index("A.x")], -W[states.index("B.x")], atol=1e-12)
+    assert_allclose(W.T @ B, 0, atol=1e-12)
+
+
+def test_a_free_mass_that_no_input_reaches_is_a_chain_of_two_equal_poles():
+    A, B = np.array([[0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0, 1], [0, 0, -4e6, 0]], float), np.array([[0], [0], [0], [1]], float)
+    W, stay = not_reached(A, B)
+    assert_allclose(stay, 0, atol=1e-12)
+    assert_allclose(np.abs(W[:2]).sum(axis=0), 1)
+    assert_allclose(W[2:], 0, atol=1e-12)
+    assert not_reached(A, np.array([[0], [1], [0], [1]], float))[0].shape[1] == 0
+
+
+def test_of_an_unstable_motion_that_no_input_reaches_there_is_no_feedback():
+    nodes = {"O": (0, 0), "P": {"at": (0, 1), "mass": 1.0}, "Q": (2, 0), "R": {"at": (3, 0), "mass": 1.0}}
+    bars = {"up": kt.Bar(ends=("O", "P"), mass=1.0), "s": kt.Bar(ends=("Q", "R"), kind="elastic", stiffness=4.0)}
+    model = kt.Model(nodes=nodes, bars=bars, fixed={"O": "xy", "Q": "xy", "R": "y"}, gravity=(0, -9.81))
+    lin = kt.dynamics.linearise(model, inputs="R.x", dofs=("P.x", "R.x"))
+    with pytest.raises(InputError, match="do not reach an unstable or free motion"):
+        kt.dynamics.feedback(lin, state_cost=1.0)

@@ -10,6 +10,7 @@ import xarray as xr
 
 from kinetruss.arrays import Shape, array_of
 from kinetruss.dynamics.linear.feedback_record import Feedback, held_input
+from kinetruss.dynamics.linear.reached import not_reached
 from kinetruss.dynamics.linear.record import Linearisation, chosen
 from kinetruss.errors import InputError
 from kinetruss.mechanics.configuration import number_of
@@ -58,6 +59,7 @@ def feedback(
 
     Notes
     -----
+    An undamped motion that no input reaches stays as it is; the cost is then that of all other motions, and `message` says so.
     Poles: Kautsky, Nichols & Van Dooren (1985), `scipy.signal.place_poles`. Least cost: the algebraic Riccati equation; of a
     sampled loop the discrete one, with the same cost over all time, forces standing still in between (Van Loan, IEEE Trans.
     Automatic Control 23 (1978) 395-404). Zero-order hold: the exact exponential of A over a period.
@@ -78,7 +80,8 @@ def feedback(
     if period is not None and not (np.isfinite(period) and period > 0):
         raise InputError(f"period is {period} s. Give a positive time, or None for continuous feedback.")
     A, B = lin.data["A"].values, lin.data["B"].sel(input=acting).values
-    cheapest = None if state_cost is None else _cheapest(lin, acting, A, B, state_cost, input_cost, period)
+    left, stay = not_reached(A, B) if state_cost is not None else (np.zeros((len(A), 0)), np.zeros(0, np.complex128))
+    cheapest = None if state_cost is None else _cheapest(lin, acting, (A, B, left), state_cost, input_cost, period)
     if period is not None:
         A, B = held_input(A, B, period)
     if cheapest is not None:
@@ -87,7 +90,7 @@ def feedback(
         G = _given(lin, acting, gains)
     else:
         G = _placed(A, B, poles or (), period)
-    return _record(lin, acting, G, A - B @ G, period)
+    return _record(lin, acting, G, A - B @ G, period, stay)
 
 
 def _given(lin: Linearisation, acting: list[str], gains: Any) -> NDArray[np.float64]:
@@ -132,28 +135,41 @@ def _placed(
 def _cheapest(
     lin: Linearisation,
     acting: list[str],
-    A: NDArray[np.float64],
-    B: NDArray[np.float64],
+    system: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]],
     state_cost: Any,
     input_cost: Any,
     period: float | None,
 ) -> NDArray[np.float64]:
-    from scipy.linalg import solve_continuous_are, solve_discrete_are
+    """Gains of least cost of the system A, B, less the motions W that no input reaches and that do not decay.
+
+    With z = W y + V x, where y' = W'A W y is not reached, u = -G V'z is of least cost for x' = V'A V x + V'B u.
+    """
+    from scipy.linalg import null_space, solve_continuous_are, solve_discrete_are
 
     Q = _state_cost(lin, state_cost)
     R = _input_cost(acting, input_cost)
+    A, B, W = system
+    poles, least = np.linalg.eigvals(W.T @ A @ W), np.sqrt(np.finfo(float).eps) * np.abs(np.linalg.eigvals(A)).max(initial=0)
+    if ((poles.real > least) | (np.abs(poles.imag) <= least)).any():  # W grows or moves away freely
+        raise _no_feedback()
+    V = null_space(W.T) if W.shape[1] else np.eye(len(A))
+    A, B, Q = V.T @ A @ V, V.T @ B, V.T @ Q @ V
     try:
         if period is None:
-            return np.asarray(np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R)))
+            return np.asarray(np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R)) @ V.T)
         Ad, Bd = held_input(A, B, period)
         Qd, Nd, Rd = _held_cost(A, B, Q, R, period)
         P = solve_discrete_are(Ad, Bd, Qd, Rd, s=Nd)
-        return np.asarray(np.linalg.solve(Rd + Bd.T @ P @ Bd, Bd.T @ P @ Ad + Nd.T))
+        return np.asarray(np.linalg.solve(Rd + Bd.T @ P @ Bd, Bd.T @ P @ Ad + Nd.T) @ V.T)
     except (np.linalg.LinAlgError, ValueError):
-        raise InputError(
-            "No feedback of least cost exists: the inputs do not reach an unstable or undamped motion, or its cost is zero. "
-            "Add inputs, or give every state a cost."
-        ) from None
+        raise _no_feedback() from None
+
+
+def _no_feedback() -> InputError:
+    return InputError(
+        "No feedback of least cost exists: the inputs do not reach an unstable or free motion, or an undamped motion has no "
+        "cost. Add inputs, or give every state a cost."
+    )
 
 
 def _held_cost(
@@ -206,7 +222,12 @@ def _square(cost: Any, size: int, name: str) -> NDArray[np.float64]:
 
 
 def _record(
-    lin: Linearisation, acting: list[str], G: NDArray[np.float64], closed: NDArray[np.float64], period: float | None
+    lin: Linearisation,
+    acting: list[str],
+    G: NDArray[np.float64],
+    closed: NDArray[np.float64],
+    period: float | None,
+    stay: NDArray[np.complex128],
 ) -> Feedback:
     roots = np.linalg.eigvals(closed)
     with np.errstate(divide="ignore"):
@@ -227,6 +248,9 @@ def _record(
     attrs = {"kind": "feedback", "period": 0.0 if period is None else float(period)}
     stable = bool(np.all(poles.real < 0))
     message = "" if stable else "The closed loop is not asymptotically stable: a pole is not in the left half-plane."
+    if len(stay):
+        rates = ", ".join(f"{rate:.4g}" for rate in sorted({round(abs(pole.imag), 9) for pole in stay}))
+        message = f"No input reaches the undamped motion of {rates} rad/s: it stays, and the cost is that of all other motions."
     return Feedback(
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         message=message,
