@@ -8,6 +8,7 @@ from scipy.optimize import minimize, minimize_scalar
 
 import kinetruss as kt
 from kinetruss.kinematics.objectives.bounded import bounded_least
+from kinetruss.library import cells
 
 BAYS = 10
 TOP, BASE = (f"B{BAYS}.N7", f"B{BAYS}.N9", f"B{BAYS}.N8"), ("B1.N1", "B1.N2", "B1.N3")
@@ -92,3 +93,36 @@ def test_ten_bays_stay_within_their_strokes_all_the_way_though_most_drives_end_t
     assert np.count_nonzero(np.abs(q[-1] - 1.4) < 1e-6) >= 10
     end = kt.kinematics.platform(mast, motion, TOP, base=BASE).isel(time=-1)
     assert np.degrees([end.beta, end.gamma]) == pytest.approx([40, 20], abs=1e-8)
+
+
+def test_beyond_a_fold_of_the_least_change_the_drives_next_to_those_before_go_on():
+    """The least change ends in a fold although the task can be done there; the path of the platform is as asked."""
+    arm6 = cells.stack(
+        [cells.double_octahedron(base=1.2 * 0.95**k, top=1.2 * 0.95 ** (k + 1), longeron=0.9 * 0.95**k) for k in range(6)]
+    )
+    rng = np.random.default_rng(3)
+    lengths = {name: length * (1 + 0.05 * rng.uniform(-1, 1)) for name, length in drawn(arm6).items()}
+    x = kt.kinematics.assemble(arm6, lengths)
+    bent = arm6.with_(
+        nodes={name: node.with_(at=tuple(at)) for (name, node), at in zip(arm6.nodes.items(), x.tolist(), strict=True)},
+        active={name: one.with_(length=None) for name, one in arm6.active.items()},
+    )
+    top = ("B6.N7", "B6.N9", "B6.N8")
+    place = np.mean([bent.nodes[name].at for name in top], axis=0)
+    moves = {"x": place[0] + 0.15, "roll": "5 deg", "pitch": "-8 deg", "yaw": "6 deg"}
+    task = kt.Docking(platform=top, moves=moves, duration=2.0)
+    motion = kt.kinematics.inverse(bent, task, samples=401)
+    assert motion.status.ok
+    assert "end in a fold after t = 1.48 s" in motion.message
+    q, t = motion.drive_position.values, motion.time.values
+    rate = (q[2:] - q[:-2]) / (t[2:] - t[:-2])[:, None]
+    assert rate == pytest.approx(motion.drive_velocity.values[1:-1], abs=2e-4)
+    s = t / 2.0
+    wanted = place[0] + 0.15 * s**3 * (10 + s * (6 * s - 15))
+    assert motion.position.sel(node=list(top), axis="x").mean("node").values == pytest.approx(wanted, abs=1e-10)
+
+
+def drawn(model):
+    """Lengths of the drives as drawn."""
+    ends = {name: model.members[name].ends for name in model.all_drives}
+    return {name: float(np.linalg.norm(np.subtract(model.nodes[a].at, model.nodes[b].at))) for name, (a, b) in ends.items()}

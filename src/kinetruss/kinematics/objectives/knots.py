@@ -20,19 +20,19 @@ from kinetruss.kinematics.targets.solve import MET, Problem, State
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["KNOTTED", "best_state", "knots_of", "reference_along"]
+__all__ = ["KNOTTED", "best_state", "knots_of", "nearest_along", "reference_along"]
 
 KNOTTED = ("least_effort", "conditioning")
-KNOTS = 9
-"""Knots of a motion."""
+KNOTS, CLOSER = 9, 33
+"""Knots of a motion, for objectives that take long and for others."""
 ROOM = 0.5
 """Largest change of a length without limits, in units of the shortest bar (of an angle: a quarter turn); a minimum beyond
 counts as none."""
 
 
-def knots_of(t: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Samples at which the objective is minimised."""
-    return np.unique(np.round(np.linspace(0, len(t) - 1, KNOTS)).astype(np.int64))
+def knots_of(t: NDArray[np.float64], count: int = KNOTS) -> NDArray[np.int64]:
+    """Samples at which drives are chosen."""
+    return np.unique(np.round(np.linspace(0, len(t) - 1, count)).astype(np.int64))
 
 
 def reference_along(
@@ -57,12 +57,30 @@ def reference_along(
         except InputError as error:
             raise InputError(f"At t = {t[k]:g} s: {error}") from None
         found.append(state)
-    values = np.stack([one.q for one in found])
+    return _curve(t, at, np.stack([one.q for one in found])), found[0]
+
+
+def nearest_along(given: Problem, t: NDArray[np.float64], parameters: Any, state: State) -> NDArray[np.float64] | None:
+    """Taylor coefficients (3, times, d) of a curve of drives each nearest to those before; None if one is not reached.
+
+    state : that meets the tasks at the start.
+    """
+    at, found = knots_of(t, CLOSER), [state.q]
+    for k in at[1:]:
+        state = replace(given, reference=state.q.copy()).reach(parameters[0, k], state, starts=1)
+        if state.far > MET * given.scale:
+            return None
+        found.append(state.q)
+    return _curve(t, at, np.stack(found))
+
+
+def _curve(t: NDArray[np.float64], at: NDArray[np.int64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Taylor coefficients (3, times, d) of the curve through values (knots, d) at the samples `at`."""
     if len(at) < 2:
-        return np.stack([values, 0 * values, 0 * values]), found[0]
+        return np.stack([values, 0 * values, 0 * values])
     # a curve that overshoots would take drives past their strokes
     curve = monotone(t[at], values)
-    return np.stack([curve(t), curve(t, 1), 0.5 * curve(t, 2)]), found[0]
+    return np.stack([curve(t), curve(t, 1), 0.5 * curve(t, 2)])
 
 
 def best_state(

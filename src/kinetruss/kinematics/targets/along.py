@@ -12,7 +12,7 @@ from kinetruss.kernels.tasks import track as warm
 from kinetruss.kinematics.limited.keep import INSTANTS, kept_within
 from kinetruss.kinematics.limited.report import reported
 from kinetruss.kinematics.limited.uses import Limits, limits_of
-from kinetruss.kinematics.objectives.knots import KNOTTED, reference_along
+from kinetruss.kinematics.objectives.knots import KNOTTED, nearest_along, reference_along
 from kinetruss.kinematics.path.follow import Swept, course_at
 from kinetruss.kinematics.path.in_between import REFINED, divided_into, halved
 from kinetruss.kinematics.path.motion import Course
@@ -32,6 +32,12 @@ RANK = 1e-7
 """Singular value of the derivatives of tasks, as a share of the largest, below which their drives cannot do one of them."""
 
 
+ONWARD = (
+    "The drives of least objective end in a fold after t = {:g} s, beyond which they would jump. Over the whole motion those "
+    "nearest to the ones shortly before are taken instead, so the same pose need not have the same drives."
+)
+FOLD = 1e-3
+"""Smallest singular value of the derivatives of tasks, as a share of the largest, above which drives can do all of them."""
 ALMOST = 1e-5
 """Distance of the nearest pose, as a share of the shortest bar, below which it is the end that is singular."""
 
@@ -85,23 +91,25 @@ def _why(given: Problem, choice: Any) -> str:
 def _swept(given: Problem, choice: Any, limits: Limits, readings: Any, t: NDArray[np.float64]) -> tuple[Swept, Any, str]:
     """The sweep along the drives that do the tasks at t (s,); drives; what is to be said."""
     parameters = parameters_of(given.tasks, readings, t)
-    state = first_state(given, parameters[0, 0], float(t[0]))
-    reference, objective = None, choice.objective
-    if objective in KNOTTED:
-        reference, state = reference_along(given, t, parameters, state, objective)
-        given = replace(given, reference=reference[0, 0].copy())
-        state = first_state(given, parameters[0, 0], float(t[0]), state)
-    if limits.moving and choice.within_rates:
-        reference = kept_within(given, limits, t, parameters, state, reference)
-        given = given if reference is None else replace(given, reference=reference[0, 0].copy())
-        state = first_state(given, parameters[0, 0], float(t[0]), state)
+    state, reference, onward = first_state(given, parameters[0, 0], float(t[0])), None, ""
+    if choice.objective in KNOTTED:
+        reference, state = reference_along(given, t, parameters, state, choice.objective)
+    given, state, reference = _begun(given, choice, limits, t, parameters, state, reference)
     reason, good, out = given.track(t, parameters, state, reference)
+    if reason != warm.DONE and choice.objective not in KNOTTED:
+        # the least change may end in a fold, beyond which other drives are nearer; those next to the drives before go on
+        other = nearest_along(given, t, parameters, state)
+        begun = None if other is None else _begun(given, choice, limits, t, parameters, state, other)
+        again = None if begun is None else begun[0].track(t, parameters, *begun[1:])
+        if begun is not None and again is not None and again[0] == warm.DONE:
+            onward = ONWARD.format(t[max(0, good - 1)])
+            (given, state, _), (reason, good, out) = begun, again
     d = len(given.reference)
     drives = tuple(np.ascontiguousarray(scale * out.z[k, :good, :d]) for k, scale in enumerate((1.0, 1.0, 2.0)))
     if good == 0:
         raise InputError(f"The motion cannot start (t = {t[0]:g} s): {_stuck(given, state, parameters[0, 0])}")
     found = followed(given.system, t[:good], drives, state.x)
-    notes = _limits_text(given, t, out.held[:good])
+    notes = f"{onward} {_limits_text(given, t, out.held[:good])}".strip()
     if len(found.x) < good or not found.status.ok:
         return found, drives, notes
     if reason == warm.DONE:
@@ -109,6 +117,20 @@ def _swept(given: Problem, choice: Any, limits: Limits, readings: Any, t: NDArra
     last = State(x=out.x[0, good - 1], q=drives[0][-1], s=out.z[0, good - 1, d:], miss=np.zeros(given.tape.tasks))
     status, why = _ended(given, last, parameters[0], t, good)
     return replace(found, status=status, message=f"{why} The motion is good up to t = {t[good - 1]:g} s."), drives, notes
+
+
+def _begun(
+    given: Problem, choice: Any, limits: Limits, t: NDArray[np.float64], parameters: Any, state: State, reference: Any
+) -> tuple[Problem, State, Any]:
+    """The problem, its first state and the curve (3, times, d) to be near to, from a first curve, or None."""
+    if reference is not None:
+        given = replace(given, reference=reference[0, 0].copy())
+        state = first_state(given, parameters[0, 0], float(t[0]), state)
+    if limits.moving and choice.within_rates:
+        reference = kept_within(given, limits, t, parameters, state, reference)
+        given = given if reference is None else replace(given, reference=reference[0, 0].copy())
+        state = first_state(given, parameters[0, 0], float(t[0]), state)
+    return given, state, reference
 
 
 def first_state(given: Problem, parameters: NDArray[np.float64], t: float, start: State | None = None) -> State:
@@ -213,6 +235,11 @@ def _ended(given: Problem, last: State, asked: Any, t: NDArray[np.float64], good
     if nearest.far > MET * given.scale:
         end = given.reach(final, nearest)
         return Status.OUT_OF_REACH, f"The task gets out of reach {when}. Of its end: {nearest_text(given, end, final)}"
+    if sizes[-1] > FOLD * sizes[0]:
+        return Status.SINGULAR, (
+            f"The drives of least objective end {when}: the task can be done there (singular values {sizes[-1]:.2g} to "
+            f"{sizes[0]:.2g}), but the next drives are a jump away. Hold some drives, give them limits, or start elsewhere."
+        )
     left, _, _ = np.linalg.svd(A)
     worst = given.tasks.labels[int(np.argmax(np.abs(left[:, -1])))]
     return Status.SINGULAR, (

@@ -223,6 +223,13 @@ def drives_of(system: System, plan: Plan, choice: Any, q: NDArray[np.float64]) -
     for at, d in system.coordinate_drive:
         flat[d] = at
     if twice := [name for d, name in enumerate(system.drives) if row[d] == -2]:
+        drive = system.model.all_drives[twice[0]]
+        ends = [system.node_index(one) for one in system.model.members[drive.bar].ends] if hasattr(drive, "bar") else []
+        if ends and system.prescribed.reshape(-1, 3)[ends, : system.dim].all():
+            raise InputError(
+                f"{twice[0]!r} joins two fixed nodes, so its length cannot change. Make it a bar (in a cell: leave it out of "
+                "`active`), or free one of its ends."
+            )
         raise InputError(
             f"{twice[0]!r} is held by other bars or drives too, so it cannot move alone. Release it, or hold less."
         )
