@@ -189,3 +189,36 @@ def test_moving_supports_are_refused():
     model = uneven_bars(support_motion={"B": kt.History(times=[0, 1], displacements=[(0.0, 0.0), (0.1, 0.0)])})
     with pytest.raises(kt.InputError, match="moving supports"):
         kt.runs.budget(model, ["a.force"], {"a.length": 1e-4}, samples=4)
+
+
+def test_names_with_dots_stand_for_members_nodes_and_records_of_chains():
+    mast = kt.library.vgt.double_octahedral(bays=2)
+    of = ["B2.N8.x", "B1.M6.force"]
+
+    def parameters(tolerances):
+        return kt.runs.budget(mast, of, tolerances, samples=10).data.parameter.values.tolist()
+
+    assert parameters({"B2.M7.length": 1e-4, "B1.M[1-3].length": 1e-4}) == [
+        f"{one}.length" for one in ("B2.M7", "B1.M1", "B1.M2", "B1.M3")
+    ]
+    assert parameters({"B1.N8.play": 1e-4})[0].startswith("B1.N8.play of B1.M")
+    assert parameters({"active.B2.M7.base.mass": 0.1}) == ["active.B2.M7.base.mass"]
+    assert parameters({"active.B2.*.base.mass": "1 %"}) == [f"active.B2.{one}.base.mass" for one in ("M7", "M9", "M11")]
+    with pytest.raises(kt.InputError, match=r"No member fits 'B7\.M7\.length'"):
+        parameters({"B7.M7.length": 1e-4})
+
+
+def test_bars_between_fixed_nodes_move_nothing():
+    """The battens on the ground: patterns, play and temperature leave them out; by name they are refused."""
+    tower = kt.library.cells.stack([kt.library.cells.prism(3, side=0.6, height=0.5)] * 2)
+    top = next(reversed(tower.nodes))
+    ground = [name for name, one in tower.bars.items() if all(node in tower.fixed for node in one.ends)]
+    found = kt.runs.budget(tower, f"{top}.z", {"*.length": "0.1 mm"}, samples=10)
+    assert len(ground) == 3
+    assert len(found.data.parameter) == len(tower.bars) - 3
+    # closed form: heated alike, the tower on its fixed feet grows as one whose feet move, but for its lowest bay
+    heated = kt.runs.budget(tower, f"{top}.z", {"temperature": 10.0}, expansion=1e-5, samples=10)
+    post = float(np.linalg.norm(np.subtract(tower.nodes["B1.N4"].at, tower.nodes["B1.N1"].at)))
+    assert heated.data.worst_case.item() == pytest.approx(2 * 1e-4 * post, rel=0.05)
+    with pytest.raises(kt.InputError, match="joins two fixed nodes, so an error of its length moves nothing. Leave it out."):
+        kt.runs.budget(tower, f"{top}.z", {f"{ground[0]}.length": 1e-4})

@@ -101,9 +101,7 @@ def test_beyond_a_fold_of_the_least_change_the_drives_next_to_those_before_go_on
         [cells.double_octahedron(base=1.2 * 0.95**k, top=1.2 * 0.95 ** (k + 1), longeron=0.9 * 0.95**k) for k in range(6)]
     )
     rng = np.random.default_rng(3)
-    lengths = {
-        name: length * (1 + 0.05 * rng.uniform(-1, 1)) for name, length in zip(arm6.all_drives, starts(arm6), strict=True)
-    }
+    lengths = {name: length * (1 + 0.05 * rng.uniform(-1, 1)) for name, length in drawn(arm6).items()}
     x = kt.kinematics.assemble(arm6, lengths)
     bent = arm6.with_(
         nodes={name: node.with_(at=tuple(at)) for (name, node), at in zip(arm6.nodes.items(), x.tolist(), strict=True)},

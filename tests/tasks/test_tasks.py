@@ -345,8 +345,42 @@ def test_random_poses_of_a_ten_bay_chain_are_reached_from_where_it_stands_straig
         (lambda: kt.Positioning(node="B3.N8", nodes=TOP), "one point"),
         (lambda: kt.Way(values=[1, 2], times=[0, 0]), "must increase"),
         (lambda: kt.Pointing(platform=TOP, at=(0, 0, 9), moves={"beta": 0.1}), "points at a place"),
+        (lambda: kt.Positioning(node="B1.N1", moves={"x": 1.0}), "'B1.N1' is fixed in x and cannot move there"),
+        (lambda: kt.Positioning(node="B1.N1", free=["x", "z"]), r"is fixed in y.*Give free: \[y\]"),
+        (lambda: kt.Gimbal(platform=TOP, moves={"beta": "5 cm"}), "is given as a length, but 'beta' is an angle"),
+        (lambda: kt.Positioning(nodes=TOP, moves={"x": ["1 m", "3 deg"]}), "is given as an angle, but 'x' is a length"),
+        (lambda: kt.Coordinates(moves={"B1.M7": kt.Way(values=["3 deg"])}), "is given as an angle, but 'B1.M7' is a length"),
+        (lambda: kt.Gimbal(platform=TOP, moves={"beta": kt.Way(values=[0, 0.1], end=3)}), "ends at 3 s, but the task at 1 s"),
+        (lambda: kt.Gimbal(platform=TOP, moves={"beta": kt.Way(values=[0, 0.1], times=[0, 4])}), "Give duration: 4"),
     ],
 )
 def test_faults_are_told_before_any_work(task, words):
     with pytest.raises(kt.ModelError, match=words):
         kt.kinematics.inverse(MAST, task())
+
+
+def test_functions_of_time_that_fail_are_named_with_the_instant():
+    task = kt.Gimbal(platform=TOP, moves={"beta": lambda t: 0.1 / (t - 0.0)})
+    with pytest.raises(kt.InputError, match="course of 'beta' fails at t = 0 s: ZeroDivisionError"):
+        kt.kinematics.inverse(MAST, task)
+
+
+def test_equal_division_needs_the_poses_of_all_bays():
+    cells = kt.library.cells
+    mast = cells.stack(
+        [cells.double_octahedron(base=1.2, top=1.1, longeron=0.9), cells.double_octahedron(base=1.1, longeron=0.9)]
+    )
+    task = kt.Gimbal(platform=("B2.N7", "B2.N9", "B2.N8"), moves={"beta": 0.1}, division="equal")
+    with pytest.raises(kt.InputError, match="'B1.M7' belongs to none"):
+        kt.kinematics.inverse(mast, task)
+
+
+def test_a_path_through_a_hole_of_the_reach_says_that_its_end_is_within_reach():
+    """An arm of 1 m and 0.7 m does not reach places nearer than 0.3 m to its root."""
+    arm = kt.Model(
+        nodes={"O": (0, 0), "E": (1, 0), "T": (1.0, 0.7)}, fixed=["O"],
+        bars={"upper": kt.Bar(ends=("O", "E"), mass=0), "fore": kt.Bar(ends=("E", "T"), mass=0)},
+        drives={"shoulder": kt.AngleDrive("upper"), "elbow": kt.AngleDrive("fore")},
+    )  # fmt: skip
+    with pytest.raises(kt.AnalysisError, match="though its end is within reach. Go round by way points"):
+        kt.kinematics.inverse(arm, kt.Positioning(node="T", moves={"x": -1.0, "y": -0.7}), samples=51)

@@ -234,6 +234,11 @@ def _ended(given: Problem, last: State, asked: Any, t: NDArray[np.float64], good
     nearest = given.reach(parameters, last)
     if nearest.far > MET * given.scale:
         end = given.reach(final, nearest)
+        if end.far <= MET * given.scale:
+            return Status.OUT_OF_REACH, (
+                f"The path gets out of reach {when}, though its end is within reach. Go round by way points, or leave a "
+                "coordinate free on the way."
+            )
         return Status.OUT_OF_REACH, f"The task gets out of reach {when}. Of its end: {nearest_text(given, end, final)}"
     if sizes[-1] > FOLD * sizes[0]:
         return Status.SINGULAR, (
@@ -267,6 +272,12 @@ def divided(system: System, targets: Any) -> tuple[Any, Gimbal | None]:
             raise InputError("An equal division of angles moves all drives, so it cannot be combined. Give it alone, or exact.")
         return targets, None
     poses = list(system.model.poses)
+    moved = {name for pose in system.model.poses.values() for name in pose.drives}
+    if other := [name for name in system.drives if name not in moved]:
+        raise InputError(
+            f"An equal division of angles moves bays by their poses, and {other[0]!r} belongs to none (a tapered bay has no "
+            "pose, for example). Give division: exact."
+        )
     given = problem(system, targets.with_(division="exact"), targets)
     start = dict(zip([one.name for one in given.tasks.asked], given.tasks.start(given.begin.x), strict=True))
     own = problem(

@@ -179,7 +179,13 @@ def _function(given: Callable[[Any], Any], name: str, duration: float, t: Floats
 
 
 def _called(given: Callable[[Any], Any], name: str, t: float) -> Any:
-    value = np.asarray(given(t), float)
+    try:
+        value = np.asarray(given(t), float)
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        raise InputError(
+            f"The course of {name!r} fails at t = {t:g} s: {type(error).__name__}: {error}. It must return a number, or value, "
+            "rate and second rate, over the whole motion."
+        ) from error
     if not np.all(np.isfinite(value)):
         raise InputError(f"The course of {name!r} is {value} at t = {t:g} s. It must be finite over the whole motion.")
     return value

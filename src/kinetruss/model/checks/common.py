@@ -9,7 +9,7 @@ from kinetruss.errors import Fault, shown
 from kinetruss.model._words import SECTIONS, nearest
 from kinetruss.shelves import shelf
 
-__all__ = ["a_bar", "components", "unknown"]
+__all__ = ["a_bar", "components", "other_quantity", "unknown"]
 
 # tables that may define a name of each kind
 _TABLES = {
@@ -54,3 +54,11 @@ def components(vector: Sequence[float] | None, dim: int, path: tuple[Any, ...]) 
 def a_bar(kind: str) -> str:
     """A bar of this kind in words: ``a cable``, ``an elastic bar``, ``a free bar``."""
     return "a cable" if kind == "cable" else f"{'an' if kind == 'elastic' else 'a'} {kind} bar"
+
+
+def other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
+    """A length where an angle is moved, or the other way round."""
+    what, wanted = (f"{'an' if one == 'angle' else 'a'} {one}" for one in (given, kind))
+    per = "/s" if field == "rates" else ""
+    mend = f"Write for example {('10 deg' if kind == 'angle' else '1.2 m') + per!r}."
+    return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)

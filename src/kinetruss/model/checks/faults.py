@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 from kinetruss.model.beams.faults import beam_faults
 from kinetruss.model.checks.bodies import body_faults, planar_body_faults
-from kinetruss.model.checks.common import a_bar, components, unknown
+from kinetruss.model.checks.common import a_bar, components, other_quantity, unknown
 from kinetruss.model.checks.continua import continuum_faults
 from kinetruss.model.checks.coordinates import coupling_faults, measured_faults, spring_faults
 from kinetruss.model.checks.gauges import gauge_faults
@@ -20,7 +20,6 @@ from kinetruss.model.checks.loads import load_faults
 from kinetruss.model.checks.simulation import (
     all_condition_faults,
     coordinate_kinds,
-    other_quantity,
     run_faults,
     value_faults,
     velocity_faults,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model._words import nearest
-from kinetruss.model.checks.common import components, unknown
+from kinetruss.model.checks.common import components, other_quantity, unknown
 from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.motion.drives import LengthDrive, turns
 from kinetruss.model.motion.inputs import PositionLoop
@@ -35,7 +35,6 @@ __all__ = [
     "condition_faults",
     "coordinate_kinds",
     "event_faults",
-    "other_quantity",
     "run_faults",
     "task_faults",
     "value_faults",
@@ -289,11 +288,3 @@ def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, .
             yield unknown("drive or pose coordinate", name, kinds, (*path, name))
         elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
             yield other_quantity((*path, name), path[-1] if path[-1] == "at" else "poses", quantity, kinds[name])
-
-
-def other_quantity(place: tuple[Any, ...], field: str, given: str, kind: str) -> Fault:
-    """A length where an angle is moved, or the other way round."""
-    what, wanted = (f"{'an' if one == 'angle' else 'a'} {one}" for one in (given, kind))
-    per = "/s" if field == "rates" else ""
-    mend = f"Write for example {('10 deg' if kind == 'angle' else '1.2 m') + per!r}."
-    return Fault(place, f"is given as {f'a rate of {given}' if per else what}, but {place[-1]!r} is {wanted}.", mend)

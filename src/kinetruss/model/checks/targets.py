@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.checks.common import unknown
-from kinetruss.model.motion.targets import TARGETS, Combined, Coordinates, Gimbal, Pointing
+from kinetruss.model.checks.common import other_quantity, unknown
+from kinetruss.model.motion.drives import turns
+from kinetruss.model.motion.targets import TARGETS, Combined, Coordinates, Gimbal, Pointing, Way
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
 __all__ = ["target_faults"]
 
 Place = tuple[Any, ...]
+ANGLES = ("beta", "gamma", "roll", "pitch", "yaw", "angle")
+"""Coordinates that are angles, by the end of their names."""
 SPATIAL = ("gimbal", "pointing", "reflecting")
 
 
@@ -78,10 +81,34 @@ def _single(model: ModelData, task: Any, path: Place) -> Iterator[Fault]:
         )
     if isinstance(task, Coordinates):
         yield from _coordinates(model, task, path)
+    for name, course in task.moves.items():
+        yield from _course(model, task, name, course, (*path, "moves", name))
+
+
+def _course(model: ModelData, task: Any, name: str, course: Any, path: Place) -> Iterator[Fault]:
+    """Values in units of another kind, and way points after the end."""
+    last = name.rpartition(".")[2]
+    drive = model.all_drives.get(name) if isinstance(task, Coordinates) else None
+    kind = "angle" if last in ANGLES or (drive is not None and turns(drive)) else "length"
+    values = course.values if isinstance(course, Way) else course if isinstance(course, tuple) else (course,)
+    other = [given for value in values if (given := getattr(value, "quantity", None)) not in (None, kind)]
+    if other:
+        yield other_quantity(path, "moves", other[0], kind)
+    if not isinstance(course, Way):
+        return
+    last_time = course.times[-1] if course.times is not None else course.end
+    if last_time is not None and last_time > task.duration * (1 + 1e-9):
+        yield Fault(
+            path,
+            f"ends at {last_time:g} s, but the task at {task.duration:g} s, so the last way point is not reached.",
+            f"Give duration: {last_time:g}, or earlier times.",
+        )
 
 
 def _group(model: ModelData, task: Any, field: str, names: Sequence[str], path: Place) -> Iterator[Fault]:
     """Nodes that are to carry a plane or a frame."""
+    if field == "node" and names:
+        yield from _held(model, task, names[0], (*path, field))
     if field in ("node", "line") or not names:
         return
     plain = task.kind == "positioning" and task.point is None
@@ -92,6 +119,16 @@ def _group(model: ModelData, task: Any, field: str, names: Sequence[str], path: 
         yield Fault((*path, field), f"has {len(names)} nodes; a platform has {least} at least.", "Name more.")
     elif field in ("platform", "nodes") and all(name in model.fixed and len(model.fixed[name]) == model.dim for name in names):
         yield Fault((*path, field), "all its nodes are fixed, so it cannot move.", "Name nodes that move.")
+
+
+def _held(model: ModelData, task: Any, node: str, path: Place) -> Iterator[Fault]:
+    """Coordinates of a node that supports hold."""
+    axes = [axis for axis in "xyz" if axis in model.fixed.get(node, "") and axis not in task.free]
+    if moved := [axis for axis in axes if axis in task.moves]:
+        yield Fault(path, f"{node!r} is fixed in {moved[0]} and cannot move there.", "Name a node that moves.")
+    elif axes:
+        text = f"{node!r} is fixed in {axes[0]}, so there is nothing for the drives to hold."
+        yield Fault(path, text, f"Give free: [{', '.join(axes)}].")
 
 
 def _coordinates(model: ModelData, task: Coordinates, path: Place) -> Iterator[Fault]:

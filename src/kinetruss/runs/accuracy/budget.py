@@ -261,7 +261,13 @@ class _Job:
         sampled = Sampled(drives=tuple(names), times=rows, value=value, rate=rate, acceleration=acceleration, space="lengths")
         system = compile(model)
         path = path_of(system, rows, sampled)
-        swept = sweep_path(system, path)
+        try:
+            swept = sweep_path(system, path)
+        except InputError as error:
+            raise InputError(
+                f"With the uncertain lengths driven: {error} A length that other bars hold too cannot change alone. "
+                "Leave it out."
+            ) from None
         if not swept.status.ok:
             raise AnalysisError(
                 "Within the tolerances the structure cannot be assembled. Give smaller tolerances, or another pose. "

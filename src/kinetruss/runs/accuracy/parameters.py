@@ -44,8 +44,10 @@ def parameters(model: Model, tolerances: Mapping[str, Any], expansion: float | N
         name, _, last = key.rpartition(".")
         if key == "temperature":
             found.append(_temperature(model, given, expansion))
-        elif last in ("length", "play") and "." not in name:
-            found += _lengths(model, key, given) if last == "length" else _play(model, key, given)
+        elif last == "length" and _names(model, name, model.members):
+            found += _lengths(model, key, given)
+        elif last == "play" and _names(model, name, model.nodes):
+            found += _play(model, key, given)
         else:
             found += _paths(model, key, given)
     names = [one.name for one in found]
@@ -54,6 +56,17 @@ def parameters(model: Model, tolerances: Mapping[str, Any], expansion: float | N
     if not found:
         raise InputError("No tolerance is given. Give for example tolerances={'M*.length': '0.1 mm'}.")
     return found
+
+
+def _names(model: Model, pattern: str, known: Mapping[str, Any]) -> bool:
+    """Whether a pattern is one of members or nodes, whose names may have dots, and no path of the model."""
+    return pattern.partition(".")[0] not in type(model).model_fields or any(fnmatchcase(name, pattern) for name in known)
+
+
+def _supported(model: Model, member: str) -> bool:
+    """Whether a member joins two fixed nodes, so that an error of its length moves nothing."""
+    axes = set("xyz"[: model.dim])
+    return all(axes <= set(model.fixed.get(node, "")) for node in model.members[member].ends)
 
 
 def driven_lengths(model: Model, chosen: list[Parameter]) -> tuple[Model, list[str | None]]:
@@ -89,8 +102,11 @@ def _lengths(model: Model, key: str, given: Any) -> list[Parameter]:
     fits = [name for name in model.members if fnmatchcase(name, pattern)]
     if not fits:
         raise InputError(f"No member fits {key!r}. {nearest(pattern, list(model.members))}".rstrip())
-    if "*" in pattern or "?" in pattern:
+    if any(mark in pattern for mark in "*?["):
         fits = [name for name in fits if getattr(model.members[name], "kind", "driven") in ("rigid", "driven")]
+        fits = [name for name in fits if not _supported(model, name)]
+    elif _supported(model, pattern):
+        raise InputError(f"{pattern!r} joins two fixed nodes, so an error of its length moves nothing. Leave it out.")
     return [Parameter(name=f"{name}.length", tolerance=tolerance, lengths=_one_length(model, name)) for name in fits]
 
 
@@ -104,7 +120,7 @@ def _play(model: Model, key: str, given: Any) -> list[Parameter]:
         Parameter(name=f"{node}.play of {name}", tolerance=tolerance, lengths=_one_length(model, name))
         for node in fits
         for name, member in model.members.items()
-        if node in member.ends
+        if node in member.ends and not _supported(model, name)
     ]
 
 
@@ -119,7 +135,7 @@ def _temperature(model: Model, given: Any, expansion: float | None) -> Parameter
         if share is None:
             raise InputError(f"{name!r} has no thermal expansion. Give its material one, or expansion=12e-6 (1/K).")
         length = member.length or float(np.linalg.norm(at[member.ends[1]] - at[member.ends[0]]))
-        kept = getattr(member, "kind", "driven") in ("rigid", "driven")
+        kept = getattr(member, "kind", "driven") in ("rigid", "driven") and not _supported(model, name)
         change.append(share * length if kept else 0.0)
     return Parameter(name="temperature", tolerance=tolerance, lengths=np.array(change))
 
@@ -141,17 +157,25 @@ def _paths(model: Model, key: str, given: Any) -> list[Parameter]:
 
 
 def _expanded(model: Model, keys: list[str]) -> list[list[str]]:
-    """The paths of a pattern: ``*`` stands for every name of a table."""
-    paths: list[tuple[list[str], Any]] = [([], model)]
-    for key in keys:
-        paths = [
-            ([*path, name], _entry(place, name))
-            for path, place in paths
-            for name in (
-                [one for one in place if fnmatchcase(one, key)] if isinstance(place, Mapping) and "*" in key else [key]
-            )
-        ]
-    return [path for path, _ in paths]
+    """The paths of a pattern: ``*`` stands for every name of a table; names may have dots."""
+    paths: list[tuple[list[str], Any, int]] = [([], model, 0)]
+    while open_ones := [one for one in paths if one[2] < len(keys)]:
+        path, place, k = open_ones[0]
+        names, taken = _named(place, keys[k:])
+        at = paths.index(open_ones[0])
+        paths[at : at + 1] = [([*path, name], _entry(place, name), k + taken) for name in names]
+    return [path for path, _, _ in paths]
+
+
+def _named(place: Any, keys: list[str]) -> tuple[list[str], int]:
+    """The names in a place that the first keys stand for, and how many keys these are."""
+    if isinstance(place, Mapping):
+        for taken in range(len(keys), 0, -1):
+            if found := [one for one in place if fnmatchcase(one, ".".join(keys[:taken]))]:
+                return found, taken
+        if "*" in keys[0]:
+            return [], 1
+    return [keys[0]], 1
 
 
 def _entry(place: Any, key: str) -> Any:
