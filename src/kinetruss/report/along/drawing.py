@@ -17,7 +17,7 @@ from kinetruss.report.pictures.style import BAND, INK, PRINT, QUIET, RC
 
 if TYPE_CHECKING:
     from kinetruss.report.along.chosen import Subject
-    from kinetruss.report.along.section_lines import Line
+    from kinetruss.report.along.sampled import Line
 
 __all__ = ["WIDTH", "drawn", "scales_of"]
 

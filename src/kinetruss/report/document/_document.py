@@ -145,12 +145,7 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Part("worked", "Worked calculations", calculations, shown(sheets)),
         Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
-        Part(
-            "strength",
-            "Strength",
-            "Every part by its governing rule" if record["strength"] else "Stresses",
-            [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)],
-        ),
+        Part("strength", "Strength", stressed, [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)]),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
         Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
         Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
