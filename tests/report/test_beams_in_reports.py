@@ -13,7 +13,7 @@ from frame_models import BEAMS, LOADS, NODES, SIDE, STEEL, G, portal
 from kinetruss import report
 from kinetruss.display import OVER
 from kinetruss.report.document.figure import loaded
-from kinetruss.report.document.figure.drawing import HALO, _lines
+from kinetruss.report.document.figure.drawing import HALO, lines_of_members
 from kinetruss.report.document.figure.drawing import drawn as figure_drawn
 from kinetruss.report.pictures.view import projected
 from reference.plane_frame import solve
@@ -68,7 +68,7 @@ def leaf(force: float) -> kt.runs.RunResult:
 def test_the_figure_draws_beams_along_their_bent_axes():
     run = leaf(6.0)
     figure = loaded(run, report.document_page(run).record)
-    lines = _lines(figure, projected(figure.position))
+    lines = lines_of_members(figure, projected(figure.position))
     assert set(lines) == set(run.model.beams)  # no chords
     one = lines["s1"]
     assert len(one) > 5
