@@ -7,16 +7,18 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 
 import kinetruss as kt
 from frame_models import BEAMS, LOADS, NODES, SIDE, STEEL, G, portal
 from kinetruss import report
-from kinetruss.display import OVER
+from kinetruss.display import DRIVEN, OVER
 from kinetruss.report.document.figure import loaded
 from kinetruss.report.document.figure.drawing import HALO, lines_of_members
 from kinetruss.report.document.figure.drawing import drawn as figure_drawn
 from kinetruss.report.pictures.view import projected
 from reference.plane_frame import solve
+from samples import fourbar
 
 
 def test_a_clamp_has_the_force_and_moment_of_the_stiffness_method():
@@ -90,6 +92,15 @@ def test_the_governing_member_is_red_only_over_its_capacity(force, over):
     assert (red in pens) is over
     assert (halo in pens) is not over
     assert ("in red" in figure.caption or "red, over" in figure.caption) is over
+
+
+def test_a_driven_member_that_governs_stays_green():
+    run = kt.run(fourbar(), "turn")
+    figure = loaded(run, report.document_page(run).record)
+    assert figure.governing[0] == "crank"
+    colours = [pen for ax in figure_drawn(figure).axes for drawn in ax.collections for pen in drawn.get_edgecolor()
+               if drawn.get_linewidth()[0] > 2]  # fmt: skip
+    assert {to_hex(pen) for pen in colours} == {DRIVEN, HALO}
 
 
 @pytest.mark.parametrize("analysis", ["statics.linear", "statics.equilibrium"])

@@ -117,8 +117,7 @@ def _members(ax: Any, figure: Loaded, points: Array, lines: Mapping[str, Array])
     if len(skin.nodes):
         faces = points[skin.nodes]
         ax.add_collection(PolyCollection(list(faces), facecolors=FACE, edgecolors="#8a8a8a60", linewidths=0.3))
-    turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    driven = [line for name, line in lines.items() if name in model.active or name in turned]
+    driven = [line for name, line in lines.items() if name in _driven(model)]
     ax.add_collection(LineCollection(list(lines.values()), colors=INK, linewidths=1.0, capstyle="round"))
     ax.add_collection(LineCollection(driven, colors=DRIVEN, linewidths=2.4, capstyle="round"))
     used = sorted({k for pair in _ends(figure).values() for k in pair})
@@ -128,6 +127,11 @@ def _members(ax: Any, figure: Loaded, points: Array, lines: Mapping[str, Array])
     for axis in hinged:
         place = points[[index[node] for node in axis]].mean(axis=0)
         ax.plot(*place, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
+
+
+def _driven(model: Model) -> set[str]:
+    """Bars and active members that a drive moves."""
+    return {*model.active, *(getattr(drive, "bar", "") for drive in model.all_drives.values())}
 
 
 def draw_supports(ax: Any, model: Model, points: Array) -> None:
@@ -154,7 +158,7 @@ def _governing(ax: Any, figure: Loaded, lines: Mapping[str, Array], labels: Labe
         ax.add_collection(LineCollection([line], colors=ALARM, linewidths=3.2, capstyle="round"))
     else:
         ax.add_collection(LineCollection([line], colors=HALO, linewidths=9.0, capstyle="round", zorder=0.5))
-        if name not in model.all_drives:
+        if bar not in _driven(model):
             ax.add_collection(LineCollection([line], colors=INK, linewidths=2.4, capstyle="round"))
     labels.put(words, _middle(line), ALARM if figure.over else INK, bold=True)
 
