@@ -102,7 +102,7 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
         when = f"in pose {run.motion.data['pose'].values[k]}"
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if governing:
-        mark = "red, over its capacity" if over else "with a broad band"
+        mark = "red, over its capacity" if over else "on a broad pale band"
         words.append(f"the governing part {mark} ({governing[1]})")
     if model.all_drives:
         words.append("driven members green")
