@@ -144,6 +144,21 @@ def report(path: Path) -> None:
         sheet.save(path)
 
 
+def diagrams(path: Path) -> None:
+    """Section forces along the beams of a portal frame under weight, wind and a load."""
+    frame = kt.Model(
+        nodes={"A": (0, 0), "B": (0, 3), "M": (2, 3), "C": (4, 3), "D": (4, 0)},
+        clamped=["A", "D"],
+        beams={"left": ("A", "B"), "top1": ("B", "M"), "top2": ("M", "C"), "right": ("D", "C")},
+        section=kt.Rectangle(width=0.1, height=0.1),
+        material=kt.library.materials.STEEL_S235,
+        gravity=(0, -9.81),
+        loads={"wind": kt.NodalForce(node="B", force=(4e3, 0)), "crane": kt.NodalForce(node="M", force=(0, -12e3))},
+        runs={"load": kt.Run(analysis="statics.linear")},
+    )
+    kt.report.diagrams(kt.run(frame), path, width="page")
+
+
 PICTURES: dict[str, Callable[[Path], None]] = {
     "shape": figure("shape"),
     "forces": figure("forces"),
@@ -156,6 +171,7 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "compare_drive": compare("drive", "actuator", "10kg"),
     "view": view,
     "report": report,
+    "diagrams": diagrams,
     **{f"example_{name}": lambda path, name=name: example(name, path) for name in EXAMPLE},
 }
 

@@ -9,7 +9,7 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.report.along.chosen import Subject, asked, diagrams_record, governing_diagrams
     from kinetruss.report.along.drawing import drawn, scales_of
-    from kinetruss.report.along.section_lines import Along, only, section_lines
+    from kinetruss.report.along.sampled import Along, only, section_lines
 
 __all__ = [
     "Along", "Subject", "asked", "diagrams_record", "drawn", "governing_diagrams", "only", "scales_of", "section_lines",
@@ -20,6 +20,6 @@ __getattr__, __dir__ = late(
     {
         "chosen": "Subject asked diagrams_record governing_diagrams",
         "drawing": "drawn scales_of",
-        "section_lines": "Along only section_lines",
+        "sampled": "Along only section_lines",
     },
 )

@@ -12,7 +12,7 @@ from kinetruss import strength
 from kinetruss.display import instant, quantity
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
-from kinetruss.report.along.section_lines import Along, only, section_lines
+from kinetruss.report.along.sampled import Along, only, section_lines
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult

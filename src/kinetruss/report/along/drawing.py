@@ -17,13 +17,13 @@ from kinetruss.report.pictures.style import BAND, INK, PRINT, QUIET, RC
 
 if TYPE_CHECKING:
     from kinetruss.report.along.chosen import Subject
-    from kinetruss.report.along.section_lines import Line
+    from kinetruss.report.along.sampled import Line
 
 __all__ = ["WIDTH", "drawn", "scales_of"]
 
 WIDTH = 6.9
 """Width on a page, inches."""
-NARROW, WIDE = 1.12, 2.3
+NARROW, WIDE = 1.12, 2.6
 """Least and largest width of a panel, inches."""
 TITLE, NAME, HIGH, FOOT = 0.24, 0.17, 0.62, 0.2
 """Heights of the title of a part, of the name of a panel, of its curve and of its axis, inches."""

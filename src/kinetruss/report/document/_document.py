@@ -11,7 +11,7 @@ from kinetruss.report._page import Page
 from kinetruss.report.along import diagrams_record, governing_diagrams
 from kinetruss.report.document._mission import mission_html
 from kinetruss.report.document._record import document_record, plain
-from kinetruss.report.document.figure import loaded_figure
+from kinetruss.report.document.figure import deflected_figure, loaded_figure
 from kinetruss.report.document.frame import Part, framed, front_of
 from kinetruss.report.document.frame.short import summary_parts
 from kinetruss.report.document.parts import demands as demands
@@ -132,6 +132,7 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
     drawn = _Drawn(run)
     changes = drawn.of("lengths") if _changes(run) else ()
     stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
+    deflected = deflected_figure(run, record)
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
         Part("result", "Result", "", [tiles(record), *warned(record)]),
@@ -145,19 +146,19 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Part("worked", "Worked calculations", calculations, shown(sheets)),
         Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
-        Part(
-            "strength",
-            "Strength",
-            "Every part by its governing rule" if record["strength"] else "Stresses",
-            [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)],
-        ),
+        Part("strength", "Strength", stressed, [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)]),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
         Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
         Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
         Part(
             "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]
         ),
-        Part("statics", "Displacements and stability", "The static analysis", parts.standing(run)),
+        Part(
+            "statics",
+            "Displacements and stability",
+            "The static analysis",
+            [*parts.standing(run), *deflected],
+        ),
         Part("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
         Part("checks", "Checks", "Checks that need no other program", parts.checked(run, record)),
         Part("method", "Method and sources", "", parts.method(run)),

@@ -48,7 +48,7 @@ def statics_record(run: RunResult) -> dict[str, Any] | None:
 def _case(run: RunResult, found: Result) -> dict[str, Any]:
     data = found.data
     fields: dict[str, Any] = {}
-    shift = _shift(run, found)
+    shift = shift_of(run, found)
     if shift is not None and shift.size:
         seen = [not run.model.nodes[str(name)].director for name in data["node"].values]  # without the frames of beams
         size = np.where(seen, np.linalg.norm(shift, axis=2), 0.0)
@@ -93,7 +93,7 @@ def _largest(values: Any) -> dict[str, Any]:
     }
 
 
-def _shift(run: RunResult, found: Result) -> Any:
+def shift_of(run: RunResult, found: Result) -> Any:
     """Displacements (samples, nodes, axes), m, from the model's own place."""
     if "displacement" in found.data:
         return found.data["displacement"].values

@@ -8,8 +8,11 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.report.document.figure.contents import Loaded, loaded
+    from kinetruss.report.document.figure.deflected import deflected_figure
     from kinetruss.report.document.figure.page_part import loaded_figure
 
-__all__ = ["Loaded", "loaded", "loaded_figure"]
+__all__ = ["Loaded", "deflected_figure", "loaded", "loaded_figure"]
 
-__getattr__, __dir__ = late(__name__, {"contents": "Loaded loaded", "page_part": "loaded_figure"})
+__getattr__, __dir__ = late(
+    __name__, {"contents": "Loaded loaded", "deflected": "deflected_figure", "page_part": "loaded_figure"}
+)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["Loaded", "loaded"]
+__all__ = ["Loaded", "loaded", "supports_of"]
 
 LEAST = 1e-9
 """Forces below this share of the largest are not drawn."""
@@ -86,7 +86,7 @@ def _sample(run: RunResult, entry: Mapping[str, Any]) -> int:
     return 0 if np.isnan(when) else int(np.abs(run.motion.data["time"].values - when).argmin())
 
 
-def _supports(model: Model) -> list[str]:
+def supports_of(model: Model) -> list[str]:
     """The marks of supports that the figure has."""
     ground = {name for name, one in model.clamped.items() if one == "ground"}
     axes = [axes for name, axes in model.fixed.items() if name not in ground and not model.nodes[name].director]
@@ -102,11 +102,11 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
         when = f"in pose {run.motion.data['pose'].values[k]}"
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if governing:
-        mark = "red, over its capacity" if over else "with a broad band"
+        mark = "red, over its capacity" if over else "on a broad pale band"
         words.append(f"the governing part {mark} ({governing[1]})")
     if model.all_drives:
         words.append("driven members green")
-    if held := _supports(model):
+    if held := supports_of(model):
         words.append(f"supports: {', '.join(held)}")
     if count:
         words.append("arrows: forces on nodes")

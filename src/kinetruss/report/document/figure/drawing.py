@@ -23,11 +23,12 @@ from kinetruss.report.pictures.view import projected
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.model import Model
     from kinetruss.report.document.figure.contents import Loaded
 
     Array = NDArray[np.float64]
 
-__all__ = ["drawn"]
+__all__ = ["WIDTH", "draw_supports", "drawn", "lines_of_members", "round_length", "seen"]
 
 FACE = "#dde3ea"
 HALO = "#f3d9a4"
@@ -47,9 +48,9 @@ ARROW = 0.13
 def drawn(figure: Loaded, tallest: float = TALLEST) -> Canvas:
     """A matplotlib figure, at most so high, inches."""
     points = projected(figure.position)
-    arrows, axes = _arrows(figure), _lines(figure, points)
+    arrows, axes = _arrows(figure), lines_of_members(figure, points)
     ends = [np.array([start, end]) for start, end, _ in arrows]
-    shown = np.concatenate([points[_seen(figure)], *axes.values(), *ends])
+    shown = np.concatenate([points[seen(figure.model)], *axes.values(), *ends])
     low, high = shown.min(axis=0), shown.max(axis=0)
     reach = float(np.max(high - low)) or 1.0
     low, high = low - 0.07 * reach, high + 0.07 * reach
@@ -68,8 +69,8 @@ def drawn(figure: Loaded, tallest: float = TALLEST) -> Canvas:
         ax.set_ylim(middle[1] - scale * height / 2, middle[1] + scale * height / 2)
         ax.set_axis_off()
         _members(ax, figure, points, axes)
-        _supports(ax, figure, points)
-        held = [k for k in _seen(figure) if list(figure.model.nodes)[k] in figure.model.fixed]
+        draw_supports(ax, figure.model, points)
+        held = [k for k in seen(figure.model) if list(figure.model.nodes)[k] in figure.model.fixed]
         labels = Labels(ax, scale, [*axes.values(), *ends], points[held])
         _governing(ax, figure, axes, labels)
         for start, end, words in arrows:
@@ -90,7 +91,7 @@ def _ends(figure: Loaded) -> dict[str, tuple[int, int]]:
     return {name: (index[a], index[b]) for name, (a, b) in shown.items()}
 
 
-def _lines(figure: Loaded, points: Array) -> dict[str, Array]:
+def lines_of_members(figure: Loaded, points: Array) -> dict[str, Array]:
     """Members and beams with their points (g, 2) on paper: elastic beams along their bent axes."""
     curves = curves_of(figure.model, figure.position)
     return {
@@ -99,9 +100,9 @@ def _lines(figure: Loaded, points: Array) -> dict[str, Array]:
     }
 
 
-def _seen(figure: Loaded) -> list[int]:
+def seen(model: Model) -> list[int]:
     """Indices of all nodes but those of the frames of beams."""
-    return [k for k, node in enumerate(figure.model.nodes.values()) if not node.director]
+    return [k for k, node in enumerate(model.nodes.values()) if not node.director]
 
 
 def _middle(line: Array) -> Array:
@@ -116,8 +117,7 @@ def _members(ax: Any, figure: Loaded, points: Array, lines: Mapping[str, Array])
     if len(skin.nodes):
         faces = points[skin.nodes]
         ax.add_collection(PolyCollection(list(faces), facecolors=FACE, edgecolors="#8a8a8a60", linewidths=0.3))
-    turned = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    driven = [line for name, line in lines.items() if name in model.active or name in turned]
+    driven = [line for name, line in lines.items() if name in _driven(model)]
     ax.add_collection(LineCollection(list(lines.values()), colors=INK, linewidths=1.0, capstyle="round"))
     ax.add_collection(LineCollection(driven, colors=DRIVEN, linewidths=2.4, capstyle="round"))
     used = sorted({k for pair in _ends(figure).values() for k in pair})
@@ -129,13 +129,19 @@ def _members(ax: Any, figure: Loaded, points: Array, lines: Mapping[str, Array])
         ax.plot(*place, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
 
 
-def _supports(ax: Any, figure: Loaded, points: Array) -> None:
-    names = list(figure.model.nodes)
-    for k in _seen(figure):
-        axes = figure.model.fixed.get(names[k], "")
-        clamped = figure.model.clamped.get(names[k]) == "ground"
+def _driven(model: Model) -> set[str]:
+    """Bars and active members that a drive moves."""
+    return {*model.active, *(getattr(drive, "bar", "") for drive in model.all_drives.values())}
+
+
+def draw_supports(ax: Any, model: Model, points: Array) -> None:
+    """Squares clamped, triangles held, circles guided."""
+    names = list(model.nodes)
+    for k in seen(model):
+        axes = model.fixed.get(names[k], "")
+        clamped = model.clamped.get(names[k]) == "ground"
         if axes or clamped:
-            marker = "s" if clamped else "^" if len(axes) == figure.model.dim else "o"
+            marker = "s" if clamped else "^" if len(axes) == model.dim else "o"
             ax.plot(*points[k], marker, color=INK, markersize=8, markerfacecolor="white", markeredgewidth=1.0)
 
 
@@ -152,7 +158,7 @@ def _governing(ax: Any, figure: Loaded, lines: Mapping[str, Array], labels: Labe
         ax.add_collection(LineCollection([line], colors=ALARM, linewidths=3.2, capstyle="round"))
     else:
         ax.add_collection(LineCollection([line], colors=HALO, linewidths=9.0, capstyle="round", zorder=0.5))
-        if name not in model.all_drives:
+        if bar not in _driven(model):
             ax.add_collection(LineCollection([line], colors=INK, linewidths=2.4, capstyle="round"))
     labels.put(words, _middle(line), ALARM if figure.over else INK, bold=True)
 
@@ -235,12 +241,12 @@ def _aside(canvas: Canvas, figure: Loaded, scale: float, height: float) -> None:
         pen = {"arrowstyle": "-|>", "color": QUIET, "linewidth": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9}
         ax.annotate("", tuple(start + arrow), tuple(start), arrowprops=pen)
         ax.text(0.56, 1.62, "g", fontsize=8, color=QUIET, va="center")
-    length = _round_length(0.85 * scale)
+    length = round_length(0.85 * scale)
     ax.plot([0.05, 0.05 + length / scale], [0.16, 0.16], color=QUIET, linewidth=2, solid_capstyle="butt")
     ax.text(0.05, 0.22, quantity(length, "m"), fontsize=7, color=QUIET, va="bottom")
 
 
-def _round_length(most: float) -> float:
+def round_length(most: float) -> float:
     """The largest of 1, 2 and 5 times a power of ten that is at most `most`."""
     power = 10 ** np.floor(np.log10(most))
     return float(power * max(step for step in (1, 2, 5) if step * power <= most * (1 + 1e-9)))

@@ -24,7 +24,8 @@ LARGEST = 300
 def mobility_record(model: Model) -> dict[str, Any] | None:
     """Degrees of freedom, mechanisms and states of self-stress of the model in its own pose; None for larger models.
 
-    ``elastic``: True if elastic bars, beams, membranes or solids hold it besides; ``elastic_as_rigid``: the same with elastic bars as rigid ones.
+    ``elastic``: True if elastic bars, beams, membranes or solids hold it besides; ``elastic_as_rigid``: the same with elastic
+    bars as rigid ones.
     """
     if len(model.nodes) > LARGEST:
         return None

@@ -42,12 +42,8 @@ def mobility(record: Record) -> list[Markup]:
     if held is not None:
         rows += [(f"elastic bars as rigid: {name}", words) for name, words in list(_counts(held, "bars"))[1:]]
     if found["elastic"]:
-        rows.append(
-            (
-                "meaning",
-                "elastic members, beams, membranes and solids fix no length: they hold the mechanisms of the rigid bars by stiffness",
-            )
-        )
+        words = "elastic members, beams, membranes and solids fix no length: their stiffness holds the mechanisms of rigid bars"
+        rows.append(("meaning", words))
     else:
         rows += [(f"mechanism {k + 1}", text) for k, text in enumerate(found["mechanisms"][:8])]
     rows += [(f"self-stress {k + 1}", text) for k, text in enumerate((held or found)["self_stress_states"][:8])]
