@@ -58,3 +58,13 @@ def test_faults_of_newcomers(change, answer):
 def test_a_short_package_lists_its_names():
     with pytest.raises(AttributeError, match="no attribute 'solve'. It has: .*at_poses"):
         _ = kt.statics.solve
+
+
+def test_the_shell_completes_commands_and_options():
+    """The line of docs/installation.md prints a script; with the words typed so far the program prints what may follow."""
+    typed = {"COMP_WORDS": "kinetruss re", "COMP_CWORD": "1"}
+    done = CliRunner().invoke(main, prog_name="kinetruss", env={"_KINETRUSS_COMPLETE": "bash_complete", **typed})
+    assert {line.partition(",")[2] for line in done.output.split()} == {"render", "report"}
+    typed = {"COMP_WORDS": "kinetruss run --res", "COMP_CWORD": "2"}
+    done = CliRunner().invoke(main, prog_name="kinetruss", env={"_KINETRUSS_COMPLETE": "bash_complete", **typed})
+    assert done.output.split() == ["plain,--resume"]
