@@ -84,7 +84,7 @@ def _records(hint: object) -> Iterator[type[Record]]:
 
 
 def _record(record: type[Record]) -> list[str]:
-    words = field_texts(record) | {"kind": "chooses this record"}
+    words = {"kind": "chooses this record"} | field_texts(record)
     lines = [
         f"### {record.__name__}",
         "",
