@@ -27,6 +27,7 @@ A name of a section, material, screw, gear, motor or amplifier refers to the mod
 def pages(made: Path) -> Iterator[tuple[str, str]]:
     """The one page."""
     lines = [INTRODUCTION]
+    shown: set[type[Record]] = set()
     hints = typing.get_type_hints(ModelData, include_extras=True)
     for table, field in ModelData.model_fields.items():
         if table == "kinetruss":
@@ -34,8 +35,12 @@ def pages(made: Path) -> Iterator[tuple[str, str]]:
         lines += [f"## {table}", "", field.description or "", ""]
         if (example := SOURCE["tables"].get(table)) and example["yaml"]:
             lines += _beside(table, example, made)
-        for record in dict.fromkeys(_records(hints[table])):
-            lines += _record(record)
+        own = list(dict.fromkeys(_records(hints[table])))
+        for record in own:
+            lines += _record(record) if record not in shown else []
+        if again := [f"[{one.__name__}](#{one.__name__.lower()})" for one in own if one in shown]:
+            lines += [f"Its records are described above: {', '.join(again)}.", ""]
+        shown |= set(own)
     yield "model_reference.md", "\n".join(lines)
 
 
@@ -79,7 +84,7 @@ def _records(hint: object) -> Iterator[type[Record]]:
 
 
 def _record(record: type[Record]) -> list[str]:
-    words = field_texts(record) | {"kind": "chooses this record"}
+    words = {"kind": "chooses this record"} | field_texts(record)
     lines = [
         f"### {record.__name__}",
         "",

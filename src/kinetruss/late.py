@@ -10,6 +10,9 @@ from typing import Any
 
 __all__ = ["late", "listed"]
 
+MOST = 16
+"""Largest number of names that a message lists."""
+
 
 def late(package: str, homes: Mapping[str, str], modules: str = "") -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """The `__getattr__` and the `__dir__` of a package.
@@ -33,6 +36,8 @@ def late(package: str, homes: Mapping[str, str], modules: str = "") -> tuple[Cal
         near = get_close_matches(name, sys.modules[package].__all__, n=1, cutoff=0.75)
         places = [f"{package}.{module}.{name}" for module in modules.split() if name in _exported(f"{package}.{module}")]
         found = places or near
+        if not found and len(public := [one for one in sys.modules[package].__all__ if one not in own]) <= MOST:
+            return f". It has: {', '.join(public)}"
         return f". Did you mean {found[0]!r}?" if found else ""
 
     return find, listed(package)

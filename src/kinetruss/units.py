@@ -76,6 +76,10 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
 }
 
 
+_MINUS = ("\N{MINUS SIGN}", "\N{EN DASH}", "\N{EM DASH}", "\N{NON-BREAKING HYPHEN}", "\N{HYPHEN}")
+"""Characters that word processors put in place of a minus."""
+
+
 class Quantity(NamedTuple):
     """The quantity of a field: its SI unit as shown in messages, and the accepted dimensions."""
 
@@ -298,6 +302,8 @@ def _parse_text(text: str, quantity: str) -> float:
     if match is None:
         if _NOT_FINITE.fullmatch(text.strip()):
             raise UnitError(f"{shown(text)} is not a finite {quantity}. Give a finite number.")
+        if text.strip()[:1] in _MINUS and NUMBER.match(plain := "-" + text.strip()[1:]):
+            raise UnitError(f"{shown(text)} is not {_a(quantity)}: its minus is another character. Write {shown(plain)}.")
         raise UnitError(f"{shown(text)} is not {_a(quantity)}: no number in front. {_example(quantity)}")
     number, unit = float(match[0]), text.strip()[match.end() :].strip()
     if unit.startswith(","):

@@ -6,7 +6,7 @@ import click
 
 from kinetruss import __version__
 from kinetruss.cli._compile import compile_kernels
-from kinetruss.cli._verb import HELP
+from kinetruss.cli._verb import HELP, Group
 from kinetruss.cli._verify import verify
 from kinetruss.cli.models.check import check
 from kinetruss.cli.models.examples import examples
@@ -53,7 +53,7 @@ kinetruss computes mechanisms, parallel robots and adaptive structures made of b
 """
 
 
-@click.group(context_settings=HELP, epilog=EPILOG, invoke_without_command=True)
+@click.group(cls=Group, context_settings=HELP, epilog=EPILOG, invoke_without_command=True)
 @click.version_option(__version__, "--version", prog_name="kinetruss")
 @click.pass_context
 def main(context: click.Context) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import warnings
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +14,64 @@ import click
 from kinetruss.cli._codes import INTERRUPTED
 from kinetruss.errors import InputError, KinetrussError, ModelError
 
-__all__ = ["FILE", "FOLDER", "HELP", "Verb", "fault_record", "instant", "json_option", "max_size_option", "print_json", "size"]
+__all__ = [
+    "FILE",
+    "FOLDER",
+    "HELP",
+    "PLACE",
+    "Group",
+    "Verb",
+    "fault_record",
+    "instant",
+    "json_option",
+    "max_size_option",
+    "print_json",
+    "size",
+]
 
 HELP = {"help_option_names": ["-h", "--help"]}
+RUNS = "The analyses of a model are its runs: kinetruss run MODEL -o OUT."
+OTHER = {
+    "help": "Write kinetruss -h, or kinetruss COMMAND -h.",
+    "version": "Write kinetruss --version.",
+    "simulate": RUNS, "solve": RUNS, "analyse": RUNS, "analyze": RUNS, "dynamics": RUNS, "kinematics": RUNS, "statics": RUNS,
+    "show": "Write kinetruss view MODEL, or kinetruss picture MODEL -o FILE.",
+    "draw": "Write kinetruss studio, or kinetruss picture MODEL -o FILE.",
+    "edit": "Write kinetruss studio MODEL.", "gui": "Write kinetruss studio.", "open": "Write kinetruss view MODEL.",
+    "init": "Write kinetruss new NAME.", "create": "Write kinetruss new NAME.",
+    "convert": "Write kinetruss import, or kinetruss export.",
+    "validate": "Write kinetruss check MODEL.", "lint": "Write kinetruss check MODEL.", "test": "Write kinetruss verify.",
+}  # fmt: skip
+"""Words that are no commands -> what to write."""
 FILE = click.Path(path_type=Path)  # the reader of a model file reports its faults better
 FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
+
+
+class Place(click.Path):
+    """A file or folder that is there."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path; an error with the most similar name beside it."""
+        path = Path(value)
+        if not path.exists() and path.parent.is_dir():
+            beside = [str(path.parent / one.name) for one in path.parent.iterdir() if not one.name.startswith(".")]
+            near = [one for one in beside if Path(one).stem == path.name] or get_close_matches(str(path), beside, n=1)
+            if near:
+                self.fail(f"{self.name.title()} {str(path)!r} does not exist. Did you mean {near[0]!r}?", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+PLACE = Place(exists=True, path_type=Path)
+
+
+class Group(click.Group):
+    """The commands; of a word that is none it says which to take."""
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
+        """The command of the first word."""
+        if args and args[0] in OTHER and self.get_command(ctx, args[0]) is None:
+            raise click.UsageError(f"No such command {args[0]!r}. {OTHER[args[0]]}", ctx)
+        return super().resolve_command(ctx, args)
 
 
 class Verb(click.Command):

@@ -13,12 +13,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from pydantic import ValidationError
+from kinetruss.units import NUMBER
 
 __all__ = ["SECTIONS", "faults_of", "nearest"]
 
 Path = tuple[str | int, ...]
 _LONGEST = 200  # characters of a name
 _APART = 0.2  # names less similar than the most similar one by more than this are not offered
+_PART = 3
+"""Least number of characters of a part of a name that is offered."""
 _OFFERED = 500  # largest number of faults for which a similar name is searched
 _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
@@ -67,12 +70,22 @@ def nearest(name: object, known: Iterable[object]) -> str:
     """
     names = [str(k) for k in known]
     wanted = name if isinstance(name, str) else shown(name)
+    if same := [name for name in names if name.lower() == wanted.lower() and name != wanted]:
+        return f"Did you mean {', '.join(map(shown, same[:3]))}?"
     near = get_close_matches(wanted[:_LONGEST], names, n=3, cutoff=0.5)
+    if not near and len(wanted) >= _PART:
+        near = [name for name in names if wanted.lower() in name.lower()][:3]
     if near:
         best = _alike(wanted, near[0])
         near = [name for name in near if _alike(wanted, name) > best - _APART]
         return f"Did you mean {', '.join(map(shown, near))}?"
     return f"There are: {', '.join(map(one_line, names[:12])) or 'none'}{', ...' if len(names) > 12 else ''}."
+
+
+def _numeric(given: Any) -> bool:
+    """True for a list with a number, or a text that starts like one."""
+    entries = given if isinstance(given, (list, tuple)) else (given,)
+    return any(isinstance(one, (int, float)) or NUMBER.match(str(one)) for one in entries)
 
 
 def _alike(one: str, other: str) -> float:
@@ -141,7 +154,7 @@ def _worded(kind: str, given: Any, context: Any) -> tuple[str, str] | None:
         bound = "at least" if kind == "too_short" else "at most"
         mend = f"Give {bound} {limit}."
         if kind == "too_long" and not isinstance(given, dict):
-            mend += " A decimal comma splits a number in two."
+            mend += " A decimal comma splits a number in two." * _numeric(given)
         return f"has {_entries(context['actual_length'] or len(given))}; expected {bound} {limit}.", mend
     for rule, words in (("greater_than_equal", "at least"), ("less_than_equal", "at most")):
         if kind == rule:
@@ -205,7 +218,7 @@ def _records(record: type, loc: Path) -> list[Any]:
 
 
 def _fields(record: type, loc: Path) -> list[str]:
-    return [name for one in _records(record, loc) for name in one.model_fields]
+    return list(dict.fromkeys(name for one in _records(record, loc) for name in one.model_fields))
 
 
 def _kinds(record: type, loc: Path) -> list[str]:

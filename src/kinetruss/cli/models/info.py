@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.errors import one_line
 
 __all__ = ["info"]
@@ -21,7 +21,7 @@ Examples:
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
+@click.argument("what", metavar="MODEL|OUT", type=PLACE)
 @click.option(
     "--joints", is_flag=True, help="Print the force on every member at both ends, and every support force, at one instant."
 )

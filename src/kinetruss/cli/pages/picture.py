@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 
 __all__ = ["picture", "width"]
 
@@ -34,7 +34,7 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
+@click.argument("what", metavar="MODEL|OUT", type=PLACE)
 @click.option(
     "-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path), help="A .pdf, .svg or .png file."
 )

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from kinetruss.cli._progress import bar
-from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 
 __all__ = ["render"]
 
@@ -42,7 +42,7 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("what", metavar="MODEL|OUT", type=click.Path(exists=True, path_type=Path))
+@click.argument("what", metavar="MODEL|OUT", type=PLACE)
 @click.option(
     "-o",
     "--output",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, PLACE, Verb, json_option, max_size_option, print_json
 from kinetruss.cli.pages.browser import browsed
 from kinetruss.cli.runs.run_folders import opened_run
 
@@ -26,8 +26,6 @@ Examples:
   kinetruss view runs/slew -o slew.html --no-open
   kinetruss view bay.yaml --modes
 """
-
-PLACE = click.Path(exists=True, path_type=Path)
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)

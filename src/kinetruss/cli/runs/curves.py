@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import click
+
+from kinetruss.cli._verb import PLACE
 
 __all__ = ["curves_of_runs"]
 
@@ -16,7 +17,7 @@ STATION = "Place along the member, 0 to 1 from its first end (default: the large
 def curves_of_runs(*, quantity: str, member: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """OUT..., --quantity, --member, --case and --station, with the command's own help for the first two."""
     given = (
-        click.argument("out", type=click.Path(exists=True, path_type=Path), nargs=-1, required=True),
+        click.argument("out", type=PLACE, nargs=-1, required=True),
         click.option("--quantity", multiple=True, help=quantity),
         click.option("--member", multiple=True, help=member),
         click.option("--case", help="Load case (default: the first)."),

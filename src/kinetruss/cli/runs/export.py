@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, instant, json_option, max_size_option, print_json
+from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.cli.runs.run_folders import opened_run
 from kinetruss.errors import InputError
 
@@ -31,7 +31,7 @@ Examples:
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("out", metavar="OUT|MODEL", type=click.Path(exists=True, path_type=Path))
+@click.argument("out", metavar="OUT|MODEL", type=PLACE)
 @click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
 @click.option(
     "--group", multiple=True, metavar="GROUP", help="Tables: only motion, forces, sections, verdict or demand (may repeat)."

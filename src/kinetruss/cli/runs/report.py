@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kinetruss.cli._verb import HELP, Verb, json_option, print_json
+from kinetruss.cli._verb import HELP, PLACE, Verb, json_option, print_json
 from kinetruss.cli.pages.browser import browsed
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def _title_block(command: Callable[..., None]) -> Callable[..., None]:
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("run", metavar="RUN", type=click.Path(exists=True, path_type=Path))
+@click.argument("run", metavar="RUN", type=PLACE)
 @click.option(
     "-o",
     "--output",

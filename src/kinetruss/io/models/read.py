@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kinetruss.errors import Fault, ModelError, shown
+from kinetruss.errors import Fault, InputError, ModelError, shown
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.io.formats.tree import Tree, locate, plain, refuse
 from kinetruss.io.formats.yaml import parse
@@ -53,6 +53,8 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
     >>> model.nodes["B"].at
     (0.5, 0.0)
     """
+    if isinstance(path, Mapping):
+        raise InputError("A mapping is no file. Make the model of it: kt.Model(**data).")
     path = Path(path)
     try:
         tree, faults = _parsed(path, max_size)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -139,7 +139,20 @@ def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str 
         name = ".".join(rest[:count])
         if name in known:
             return name, rest[count:]
-    raise ModelError([Fault((*before, rest[0]), f"{rest[0]!r} is not known here.", nearest(rest[0], known))])
+    places = [] if before else list(_places(here, ".".join(rest)))
+    mend = f"Did you mean {', '.join(places[:3])}?" if places else nearest(rest[0], known)
+    raise ModelError([Fault((*before, rest[0]), f"{rest[0]!r} is not known here.", mend)])
+
+
+def _places(here: Any, end: str, path: str = "") -> Iterator[str]:
+    """Paths in a model that end with a text."""
+    entries = {name: getattr(here, name) for name in type(here).model_fields} if isinstance(here, Record) else here
+    if isinstance(entries, Mapping):
+        for name, one in entries.items():
+            whole = f"{path}.{name}".lstrip(".")
+            if whole.endswith(f".{end}"):
+                yield whole
+            yield from _places(one, end, whole)
 
 
 def _changed(here: Any, changes: Any) -> Any:

@@ -55,6 +55,9 @@ def read_sizing(file: str | Path) -> dict[str, Any]:
     'lower_longerons'
     """
     path = Path(file)
+    if path.suffix in (".yaml", ".yml"):
+        out = f"runs/{path.stem}"
+        raise InputError(f"{path} is a model, not a run. Run it first: kinetruss run {path} -o {out}; kinetruss report {out}")
     try:
         found = json.loads(path.read_text("utf-8"))
     except (OSError, ValueError) as error:
