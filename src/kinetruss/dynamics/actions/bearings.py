@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.actions.hinges import hinges_of
-from kinetruss.dynamics.actions.records import Action, Instants, couple_on_ends
+from kinetruss.dynamics.actions.records import Action, Instants, across_bars, couple_on_ends, cross
 from kinetruss.errors import InputError
 from kinetruss.mechanics import kept
 from kinetruss.model.hubs import is_grounded, seat_of
@@ -65,6 +65,14 @@ class Seat(NamedTuple):
     turn: Turn | None
 
 
+class Sides(NamedTuple):
+    """The members that bearings rub which are not hinges: seat, member, and 1 of its member or -1 of the other, (k,) each."""
+
+    seat: NDArray[np.int64]
+    member: NDArray[np.int64]
+    sign: NDArray[np.float64]
+
+
 @kept()
 def seats_of(system: System) -> tuple[Seat, ...]:
     """The bearings of a model."""
@@ -76,6 +84,28 @@ def seats_of(system: System) -> tuple[Seat, ...]:
         turn = _turn(system, bearing.node, bearing.member)
         found.append(Seat(name, index[member], end, index.get(other, -1), other_end, arm, bearing.slip, turn))
     return tuple(found)
+
+
+@kept()
+def _sides(system: System) -> Sides:
+    """The sides of all bearings, in the order of the bearings."""
+    found = [
+        (k, i, sign)
+        for k, seat in enumerate(seats_of(system))
+        for i, sign in ((seat.member, 1.0), (seat.other, -1.0))
+        if seat.turn is None and i >= 0
+    ]
+    seat, member, sign = (np.array([one[c] for one in found]) for c in range(3))
+    return Sides(seat.astype(np.int64), member.astype(np.int64), sign.astype(float))
+
+
+@kept()
+def _turning_pairs(system: System) -> tuple[NDArray[np.float64], tuple[tuple[int, Turn], ...]]:
+    """How the rates of sides add up to those of bearings (bearings, sides), and the hinges."""
+    sides, seats = _sides(system), seats_of(system)
+    sums = np.zeros((len(seats), len(sides.seat)))
+    sums[sides.seat, np.arange(len(sides.seat))] = sides.sign
+    return sums, tuple((k, seat.turn) for k, seat in enumerate(seats) if seat.turn is not None)
 
 
 def _turn(system: System, hub: str, member: str) -> Turn | None:
@@ -119,7 +149,7 @@ def _hinge_rate(x: NDArray[np.float64], v: NDArray[np.float64], turn: Turn) -> N
         # the foot of the node on the axis moves with the axis: v_foot = v_joint + s (v_axis - v_joint)
         s = np.einsum("tc,tc->t", x[:, node] - x[:, turn.joint], base) / np.einsum("tc,tc->t", base, base)
         foot = v[:, turn.joint] + s[:, None] * (v[:, turn.axis] - v[:, turn.joint])
-        rate = np.einsum("tc,tc->t", np.cross(r, v[:, node] - foot), a) / np.einsum("tc,tc->t", r, r)
+        rate = np.einsum("tc,tc->t", cross(r, v[:, node] - foot), a) / np.einsum("tc,tc->t", r, r)
         found += (sign * rate)[:, None] * a
     return found
 
@@ -131,8 +161,8 @@ def _on_hinge(
     worth, C x r/r^2, and the couple on the hub (t, 3), N m: the opposite of the moment of both.
     """
     _, r = _across(x, turn, turn.far)
-    force = np.cross(couple, r) / np.einsum("tc,tc->t", r, r)[:, None]
-    return force, -np.cross(x[:, turn.far] - x[:, turn.joint], force)
+    force = cross(couple, r) / np.einsum("tc,tc->t", r, r)[:, None]
+    return force, -cross(x[:, turn.far] - x[:, turn.joint], force)
 
 
 def _spread(x: NDArray[np.float64], nodes: tuple[int, ...], couple: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -140,7 +170,7 @@ def _spread(x: NDArray[np.float64], nodes: tuple[int, ...], couple: NDArray[np.f
     r = x[:, list(nodes)]
     r = r - r.mean(axis=1, keepdims=True)
     G = np.einsum("tkc,tkc->t", r, r)[:, None, None] * np.eye(3) - np.einsum("tki,tkj->tij", r, r)
-    return np.asarray(np.cross(np.linalg.solve(G, couple[:, :, None])[:, None, :, 0], r))
+    return np.asarray(cross(np.linalg.solve(G, couple[:, :, None])[:, None, :, 0], r))
 
 
 def friction_on_hub(here: Instants, hub: str) -> list[tuple[int, NDArray[np.float64]]]:
@@ -163,15 +193,12 @@ def friction_on_arms(system: System, x: NDArray[np.float64], couple: NDArray[np.
 
 def relative_rates(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
     """Turning rate of the member of each bearing less that of the other part, (t, bearings, 3) rad/s; x, v (t, n, 3)."""
-    found = np.zeros((len(x), len(seats_of(system)), 3))
-    for k, seat in enumerate(seats_of(system)):
-        if seat.turn is not None:
-            found[:, k] = _hinge_rate(x, v, seat.turn)
-            continue
-        found[:, k] = _turning(system, x, v, seat.member)
-        if seat.other >= 0:
-            found[:, k] -= _turning(system, x, v, seat.other)
-    return found
+    (sums, turns), member = _turning_pairs(system), _sides(system).member
+    d, rate = (y[:, system.q[member]] - y[:, system.p[member]] for y in (x, v))
+    found = sums @ (cross(d, rate) / np.einsum("tkc,tkc->tk", d, d)[:, :, None])
+    for k, turn in turns:
+        found[:, k] = _hinge_rate(x, v, turn)
+    return np.asarray(found)
 
 
 def friction_directions(system: System, states: States) -> NDArray[np.float64]:
@@ -187,21 +214,16 @@ def couples_on_ends(
     system: System, x: NDArray[np.float64], couple: NDArray[np.float64]
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Nodes (k,) and forces (t, k, 3), N, equivalent to the couples (t, bearings, 3), N m, on the members of bearings."""
-    nodes, forces = [], []
-    for k, seat in enumerate(seats_of(system)):
-        if seat.turn is not None:
-            push, on_hub = _on_hinge(x, seat.turn, couple[:, k])
-            nodes += [seat.turn.far, seat.turn.joint, *seat.turn.carriers]
-            forces += [push, -push]
-            if seat.turn.carriers:
-                forces += list(_spread(x, seat.turn.carriers, on_hub).swapaxes(0, 1))
-            continue
-        for i, sign in ((seat.member, 1.0), (seat.other, -1.0)):
-            if i >= 0:
-                ends = couple_on_ends(system, x, i, sign * couple[:, k])
-                nodes += [system.p[i], system.q[i]]
-                forces += [ends[:, 0], ends[:, 1]]
-    return np.array(nodes, np.int64), np.stack(forces, axis=1)
+    sides = _sides(system)
+    push = across_bars(system, x, sides.member, couple[:, sides.seat] * sides.sign[:, None])
+    nodes, forces = [system.p[sides.member], system.q[sides.member]], [-push, push]
+    for k, turn in _turning_pairs(system)[1]:
+        on_member, on_hub = _on_hinge(x, turn, couple[:, k])
+        nodes.append(np.array([turn.far, turn.joint, *turn.carriers]))
+        forces.append(np.stack([on_member, -on_member], axis=1))
+        if turn.carriers:
+            forces.append(_spread(x, turn.carriers, on_hub))
+    return np.concatenate(nodes), np.concatenate(forces, axis=1)
 
 
 def actions_of_bearings(system: System) -> Iterator[Action]:
@@ -213,24 +235,29 @@ def actions_of_bearings(system: System) -> Iterator[Action]:
             for sign, place in ((1.0, tip), (-1.0, 1 - tip)):  # enters the arm at its tip, and the centre holds it
                 worth = partial(_rubbed_arm, k, seat.turn, sign)
                 yield Action(source=seat.name, kind="bearing", member=seat.turn.arm, worth=worth, place=float(place))
-            continue
-        for i, end, sign in ((seat.member, seat.end, 1.0), (seat.other, seat.other_end, -1.0)):
-            if i >= 0:
-                yield Action(source=seat.name, kind="bearing", member=i, worth=partial(_rubbed, k, i, sign), place=float(end))
+    for n, (k, i, sign) in enumerate(zip(*_sides(system), strict=True)):
+        seat = seats_of(system)[k]
+        end = seat.end if sign > 0 else seat.other_end
+        yield Action(source=seat.name, kind="bearing", member=int(i), worth=partial(_rubbed, n), place=float(end))
 
 
-def _rubbed(k: int, i: int, sign: float, here: Instants) -> NDArray[np.float64]:
-    """Forces at the ends of bar i, (t, 2, 3) N, equivalent to the couple of bearing k; none at rest."""
+def _rubbed(n: int, here: Instants) -> NDArray[np.float64]:
+    """Forces at the ends of the bar of side n, (t, 2, 3) N, equivalent to the couple of its bearing; none at rest."""
     if here.carried is None or not here.carried.couple.shape[1]:
         return np.zeros((len(here.x), 2, 3))
-    return couple_on_ends(here.system, here.x, i, sign * here.carried.couple[:, k])
+    if "bearings" not in here.found:
+        sides = _sides(here.system)
+        couple = here.carried.couple[:, sides.seat] * sides.sign[:, None]
+        push = across_bars(here.system, here.x, sides.member, couple)
+        here.found["bearings"] = np.stack([-push, push], axis=2)
+    return here.found["bearings"][:, n]
 
 
 def _rubbed_member(k: int, seat: Seat, here: Instants) -> NDArray[np.float64]:
     """Forces at the ends of the member of a hinge, (t, 2, 3) N, that the couple of bearing k is worth."""
     found = np.zeros((len(here.x), 2, 3))
     if seat.turn is not None and here.carried is not None and here.carried.couple.shape[1]:
-        push = _on_hinge(here.x, seat.turn, here.carried.couple[:, k])[0]
+        push = _rubbed_hinge(k, seat.turn, here, here.carried.couple)[0]
         found[:, 1 - seat.end], found[:, seat.end] = push, -push
     return found
 
@@ -239,13 +266,14 @@ def _rubbed_arm(k: int, turn: Turn, sign: float, here: Instants) -> NDArray[np.f
     """Forces at the ends of the arm of a hinge, (t, 2, 3) N, worth the part across it of what bearing k does to the hub."""
     if here.carried is None or not here.carried.couple.shape[1]:
         return np.zeros((len(here.x), 2, 3))
-    return couple_on_ends(here.system, here.x, turn.arm, sign * _on_hinge(here.x, turn, here.carried.couple[:, k])[1])
+    return couple_on_ends(here.system, here.x, turn.arm, sign * _rubbed_hinge(k, turn, here, here.carried.couple)[1])
 
 
-def _turning(system: System, x: NDArray[np.float64], v: NDArray[np.float64], i: int) -> NDArray[np.float64]:
-    """Turning rate of bar i across its axis, d x d'/L^2, (t, 3) rad/s."""
-    d, rate = (y[:, system.q[i]] - y[:, system.p[i]] for y in (x, v))
-    return np.asarray(np.cross(d, rate) / np.einsum("tc,tc->t", d, d)[:, None])
+def _rubbed_hinge(k: int, turn: Turn, here: Instants, couple: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What `_on_hinge` gives for bearing k, (2, t, 3); couple (t, bearings, 3), N m."""
+    if f"bearing {k}" not in here.found:
+        here.found[f"bearing {k}"] = np.stack(_on_hinge(here.x, turn, couple[:, k]))
+    return here.found[f"bearing {k}"]
 
 
 def refuse_bearings(model: Model, what: str) -> None:

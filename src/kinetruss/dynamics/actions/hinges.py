@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.dynamics.actions.bars_between import Bars, bars_of
-from kinetruss.dynamics.actions.records import Action, CarriedBy, Instants, couple_on_ends
+from kinetruss.dynamics.actions.records import Action, CarriedBy, Instants, couple_on_ends, cross
 from kinetruss.mechanics import kept
 from kinetruss.model.hubs import Pivot, pivots_of
 
@@ -91,14 +91,22 @@ def couples_at_hinges(
 
 def couple_of_hinge(here: Instants, k: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Force (t, 3), N, and couple about the joint (t, 3), N m, that the bars of hinge k exert on the hub."""
-    force, couple = np.zeros((2, len(here.x), 3))
     if here.carried is None:
-        return force * np.nan, couple * np.nan
+        return np.full((len(here.x), 3), np.nan), np.full((len(here.x), 3), np.nan)
+    if f"hinge {k}" not in here.found:
+        here.found[f"hinge {k}"] = np.stack(_couple_of_hinge(here, here.carried.tension, k))
+    force, couple = here.found[f"hinge {k}"]
+    return force, couple
+
+
+def _couple_of_hinge(here: Instants, tensions: NDArray[np.float64], k: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """`couple_of_hinge` from the tensions (t, members), N, of truss bars."""
+    force, couple = np.zeros((2, len(here.x), 3))
     system, pivot = here.system, hinges_of(here.system)[k]
     group = {system.node_index(node) for node in (pivot.tip, *pivot.nodes)}
     joint = here.x[:, system.node_index(pivot.tip)]
     for n, i in enumerate(_bars(system, bars_of(system), pivot)):
-        tension = here.carried.tension[:, i]
+        tension = tensions[:, i]
         if not pivot.steady:  # a positive force of the coupling lengthens the first bar and shortens the second
             tension = here.amounts["coupling", pivot.coupling] * (1.0 if n else -1.0)
         d = here.along(i)
@@ -106,7 +114,7 @@ def couple_of_hinge(here: Instants, k: int) -> tuple[NDArray[np.float64], NDArra
         for node, sign in ((system.p[i], 1.0), (system.q[i], -1.0)):
             if int(node) in group:
                 force += sign * push
-                couple += np.cross(here.x[:, node] - joint, sign * push)
+                couple += cross(here.x[:, node] - joint, sign * push)
     return force, couple
 
 

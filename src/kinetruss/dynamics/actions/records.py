@@ -10,14 +10,13 @@ together with its actions.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from kinetruss.kernels.structure.pins import pin_torques
-from kinetruss.mechanics import ends_of
 from kinetruss.mechanics.assembly import pins_of, structure_of
 
 if TYPE_CHECKING:
@@ -26,7 +25,18 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.mechanics.assembly import Loads
 
-__all__ = ["GIVEN", "Acting", "Action", "CarriedBy", "Instants", "NotOnBars", "couple_on_ends", "evaluate"]
+__all__ = [
+    "GIVEN",
+    "Acting",
+    "Action",
+    "CarriedBy",
+    "Instants",
+    "NotOnBars",
+    "across_bars",
+    "couple_on_ends",
+    "cross",
+    "evaluate",
+]
 
 
 GIVEN = ("load", "body", "friction", "spring", "hub", "bearing", "couple", "hinge")
@@ -49,6 +59,7 @@ class Instants:
 
     amounts : of drives, couplings and springs, ``("drive", name)`` to (t,) N or N m. loads : nodal forces, those on bodies too.
     carried : the forces that load the arms of hubs; without them the actions on arms are NaN, and bearings do not rub.
+    found : what several actions have in common, by name.
     """
 
     system: System
@@ -59,6 +70,7 @@ class Instants:
     amounts: dict[tuple[str, str], NDArray[np.float64]]
     loads: Loads | None = None
     carried: CarriedBy | None = None
+    found: dict[str, NDArray[np.float64]] = field(default_factory=dict)
 
     def along(self, i: int) -> NDArray[np.float64]:
         """From end A of member i to its end B, (t, 3) m."""
@@ -123,30 +135,40 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
     worth, place = np.zeros((count, len(actions), 2, 3)), np.empty((count, len(actions)))
     couple = np.zeros((count, len(actions), 3))
     for k, action in enumerate(actions):
-        ends = worth[:, k]
-        ends[:] = action.worth(here)
+        worth[:, k] = action.worth(here)
         if action.place is None:
             place[:, k] = np.nan
         else:
             place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
         if action.torque is not None:
             couple[:, k, 2] = action.torque(here)
-        elif action.place is not None:
-            lever = ends[:, 1] - place[:, k, None] * (ends[:, 0] + ends[:, 1])
-            _cross(here.along(action.member), lever, couple[:, k])
+    levers = np.array([k for k, one in enumerate(actions) if one.torque is None and one.place is not None], np.int64)
+    if len(levers):
+        member, ends = np.array([actions[k].member for k in levers]), worth[:, levers]
+        d = here.x[:, here.system.q[member]] - here.x[:, here.system.p[member]]
+        couple[:, levers] = cross(d, ends[:, :, 1] - place[:, levers, None] * (ends[:, :, 0] + ends[:, :, 1]))
     return Acting(worth=worth, place=place, couple=couple)
 
 
 def couple_on_ends(system: System, x: NDArray[np.float64], i: int, couple: NDArray[np.float64]) -> NDArray[np.float64]:
     """f_B = C x u/L and f_A = -f_B, (t, 2, 3) N, of the part of a couple C (t, 3) across bar i."""
-    _, L, u = ends_of(system, x, i)
     found = np.empty((len(x), 2, 3))
-    _cross(couple, u / L[:, None], found[:, 1])
+    found[:, 1] = across_bars(system, x, np.array([i]), couple[:, None])[:, 0]
     np.negative(found[:, 1], out=found[:, 0])
     return found
 
 
-def _cross(a: NDArray[np.float64], b: NDArray[np.float64], out: NDArray[np.float64]) -> None:
-    """Fill out (t, 3) with a x b; of a few hundred vectors numpy.cross takes three times as long."""
+def across_bars(
+    system: System, x: NDArray[np.float64], members: NDArray[np.int64], couple: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """f_B = C x u/L, (t, k, 3) N, of the parts of couples C (t, k, 3) across bars; members (k,)."""
+    d = x[:, system.q[members]] - x[:, system.p[members]]
+    return cross(couple, d / np.einsum("tkc,tkc->tk", d, d)[:, :, None])
+
+
+def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """a x b (t, k, 3); of a few hundred vectors numpy.cross takes three times as long."""
+    found = np.empty_like(b)
     for c, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        out[:, c] = a[:, i] * b[:, j] - a[:, j] * b[:, i]
+        found[..., c] = a[..., i] * b[..., j] - a[..., j] * b[..., i]
+    return found

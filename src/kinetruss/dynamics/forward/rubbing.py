@@ -15,7 +15,7 @@ import numpy as np
 
 from kinetruss.dynamics.actions import couples_on_ends, relative_rates, seats_of
 from kinetruss.dynamics.assembly.user import UserForce
-from kinetruss.dynamics.prescribed.bearings import jammed, rubbing
+from kinetruss.dynamics.prescribed.bearings import jammed, with_friction_of
 from kinetruss.dynamics.prescribed.free import applied, take_sum_forces
 from kinetruss.dynamics.prescribed.tables import Read, carried
 from kinetruss.errors import InputError
@@ -179,7 +179,7 @@ class Rubbing(UserForce):
         states = States(at, np.broadcast_to(v, a.shape).copy(), a)
         loads = case_loads(system, np.full(count, t), self._case).at(at)
         loads = with_forces(system, loads, np.broadcast_to(given, a.shape))
-        solved = solved_along(system, rubbing(system, loads, places, couple), states, N)
+        solved = solved_along(system, with_friction_of(loads, node, extra), states, N)
         read = _read(system, states)
         joint = carried(system, read, loads, solved | {"bearing": couple}, False)[0].joint_force
         R = np.stack([joint[:, seat.member, seat.end] for seat in seats], axis=1)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.mechanics.assembly import Loads
 
-__all__ = ["jammed", "rubbing", "with_friction"]
+__all__ = ["jammed", "rubbing", "with_friction", "with_friction_of"]
 
 CLOSE = 1e-12
 """Change of the couples that counts as none, relative to the largest."""
@@ -81,7 +81,11 @@ def jammed(worst: str) -> AnalysisError:
 
 def rubbing(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
     """Loads and the nodal forces of couples of friction."""
-    nodes, forces = couples_on_ends(system, x, couple)
+    return with_friction_of(loads, *couples_on_ends(system, x, couple))
+
+
+def with_friction_of(loads: Loads, nodes: NDArray[np.int64], forces: NDArray[np.float64]) -> Loads:
+    """Loads and nodal forces (times, k, 3), N, of friction on nodes (k,)."""
     return replace(
         loads,
         loads=(*loads.loads, *("friction" for _ in nodes)),
