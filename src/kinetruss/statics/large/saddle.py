@@ -189,9 +189,17 @@ def modes(K: Any, J: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 def null_basis(J: Any) -> NDArray[np.float64]:
     """Orthonormal basis (f, k) of the changes that J (rows, f) allows."""
-    from scipy.linalg import null_space
+    from scipy.linalg import svd
 
-    return np.asarray(null_space(J.toarray(), rcond=RANK_TOLERANCE)) if J.shape[0] else np.eye(J.shape[1])
+    if not J.shape[0]:
+        return np.eye(J.shape[1])
+    dense = J.toarray()
+    try:
+        _, sizes, right = svd(dense)
+    except np.linalg.LinAlgError:  # divide and conquer does not always converge
+        _, sizes, right = svd(dense, lapack_driver="gesvd")
+    rank = int(np.sum(sizes > RANK_TOLERANCE * sizes.max(initial=0.0)))
+    return np.asarray(right[rank:].T)
 
 
 def inertia(K: Any, J: Any) -> tuple[int, int]:
