@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -384,3 +386,13 @@ def test_a_path_through_a_hole_of_the_reach_says_that_its_end_is_within_reach():
     )  # fmt: skip
     with pytest.raises(kt.AnalysisError, match="though its end is within reach. Go round by way points"):
         kt.kinematics.inverse(arm, kt.Positioning(node="T", moves={"x": -1.0, "y": -0.7}), samples=51)
+
+
+def test_a_task_whose_bars_do_not_close_is_refused(tmp_path):
+    """A crane with longerons a million times too long: its drawing and its lengths do not agree to any digit."""
+    text = (Path(kt.library.__file__).parent / "examples" / "space_crane.yaml").read_text()
+    file = tmp_path / "crane.yaml"
+    file.write_text(text.replace("longeron: 1.8 m", "longeron: 1800000 m"))
+    task = kt.Positioning(node="B5.N8", moves={"z": 4.8}, duration=60.0)
+    with pytest.raises(kt.KinetrussError, match=r"cannot start \(t = 0 s\): the bars do not close"):
+        kt.kinematics.inverse(kt.read(file), task, samples=11)

@@ -24,6 +24,7 @@ from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, mass_matrix, material_stiffness
 from kinetruss.mechanics.beams import mode_stiffness
+from kinetruss.mechanics.constraints import null_basis
 from kinetruss.mechanics.freedom import flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces
@@ -183,12 +184,12 @@ def modes_of(
     ------
     InputError : a structure that is not stiff: a mechanism, or buckled.
     """
-    from scipy.linalg import LinAlgError, eigh, null_space
+    from scipy.linalg import LinAlgError, eigh
 
     hard = here.f == 0
     K, M = elastic_stiffness(here) + here.K.toarray(), here.M.toarray()
     K = 0.5 * (K + K.T)
-    Z = null_space(here.G[np.flatnonzero(hard)].toarray()) if np.any(hard) else None
+    Z = null_basis(here.G[np.flatnonzero(hard)]) if np.any(hard) else None
     n = len(K) if Z is None else Z.shape[1]
     if not n:
         raise InputError("Nothing can move: every member is inextensible. Give members a section and a material.")

@@ -16,6 +16,7 @@ import numpy as np
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.limits import hold
 from kinetruss.mechanics import compile, constraint_jacobian
+from kinetruss.mechanics.constraints import null_basis
 from kinetruss.model import Model
 
 if TYPE_CHECKING:
@@ -51,14 +52,12 @@ def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
     """
     system = compile(model)
     hold(x.size, "The motions of the model", "Export a smaller part.", most=MOST, of="coordinates")
-    from scipy.linalg import null_space
-
     rows = (system.row_drive < 0) & (system.row_kind == LENGTH)
     place = {name: k for k, name in enumerate(model.nodes)}
     moved = [3 * place[one.node] + "xyz".index(one.axis) for one in model.drives.values() if one.kind == "coordinate"]
     free = np.union1d(system.free, np.array(moved, dtype=int))
     J = constraint_jacobian(system, x)[:, free][rows]
-    modes = null_space(J.toarray(), rcond=1e-10) if J.shape[0] else np.eye(len(free))
+    modes = null_basis(J, 1e-10)
     V = np.zeros((modes.shape[1], x.size))
     V[:, free] = modes.T
     V = V.reshape(len(V), len(x), 3)

@@ -89,7 +89,7 @@ def workspace(plan: Plan) -> Workspace:
         np.empty((n, 3)),
         np.empty((plan.term_kind.size, 10)),
         np.empty((n, width)),
-        np.empty(n + 1, np.int64),
+        np.zeros(n + 1, np.int64),  # within bounds also where nothing was factored
         new_order(n if width > SMALL else 0, width),
         np.ones(plan.ptr.size),
         np.zeros(plan.ptr.size, np.int64),

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from scipy.linalg import null_space, qr
+from scipy.linalg import qr
 
 from kinetruss.errors import InputError
 from kinetruss.kinematics.rates.jacobian import state_of
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian
+from kinetruss.mechanics.constraints import null_basis
 from kinetruss.mechanics.freedom import Coordinate, chosen_dofs, coordinate_values, derivatives_of, flat_positions, released
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
@@ -111,7 +112,7 @@ def _on_motions(
     system: System, candidates: list[Coordinate], x: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """P (candidates, freedoms): rows of unit size on the possible motions; the rows S (candidates, 3 n) and their r."""
-    T = null_space(constraint_jacobian(system, x)[:, system.free].toarray(), rcond=RANK_TOLERANCE)
+    T = null_basis(constraint_jacobian(system, x)[:, system.free])
     if not T.shape[1]:
         raise InputError("Nothing can move here: rigid bars and held drives fix all nodes.")
     found = derivatives_of(system, candidates, x)

@@ -17,7 +17,7 @@ from kinetruss.kinematics.path.follow import Swept, course_at
 from kinetruss.kinematics.path.in_between import REFINED, divided_into, halved
 from kinetruss.kinematics.path.motion import Course
 from kinetruss.kinematics.targets.courses import parameters_of
-from kinetruss.kinematics.targets.solve import MET, Problem, State, followed, problem
+from kinetruss.kinematics.targets.solve import MET, OPEN, Problem, State, followed, problem
 from kinetruss.mechanics import System
 from kinetruss.mechanics.configuration import shortest
 from kinetruss.model import Combined, Coordinates, Gimbal, Way
@@ -141,6 +141,8 @@ def first_state(given: Problem, parameters: NDArray[np.float64], t: float, start
     InputError : out of reach, or tasks of which the drives cannot do one to first order.
     """
     state, names = start or given.begin, [asked.name for asked in given.tasks.asked]
+    if not given.closes(state, parameters):
+        raise InputError(f"The motion cannot start (t = {t:g} s): {OPEN}")
     c, A = given.linear(state, parameters)
     beyond = np.any((state.q < given.drives.lower - 1e-9) | (state.q > given.drives.upper + 1e-9))
     if np.abs(c).max() > 1e-12 * given.scale or beyond or np.any(given.reference != state.q):

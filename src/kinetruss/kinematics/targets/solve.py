@@ -31,12 +31,16 @@ if TYPE_CHECKING:
     from kinetruss.kernels.structure.plan import Plan
     from kinetruss.kernels.tasks.tape import Tape
 
-__all__ = ["Problem", "State", "problem", "strokes"]
+__all__ = ["OPEN", "Problem", "State", "problem", "strokes"]
 
 CLOSE = 1e-2
 """Change of drives, in units of the shortest bar, or rad, up to which positions follow without continuation."""
 MET = 1e-8
 """Largest miss of a task that counts as met, as a fraction of the shortest bar."""
+OPEN = (
+    "the bars do not close at the drives from which the task starts: lengths do not fit each other, or the position is "
+    "singular. Check the lengths of the model (`kinetruss check`), or start from another position."
+)
 SAME = 1e-5
 """Difference of misses, as a fraction of the shortest bar, up to which two poses out of reach count as equally near."""
 
@@ -94,6 +98,10 @@ class Problem:
         cold.linear(self.plan, self.drives, self.tape, room, self.scale)
         return room.r[len(state.q) :].copy(), room.A.copy()
 
+    def closes(self, state: State, parameters: NDArray[np.float64]) -> bool:
+        """Whether the bars close at the drives of a state, at a position where they also fix its rates."""
+        return bool(cold.linear(self.plan, self.drives, self.tape, self.room(state, parameters), self.scale))
+
     def room(self, state: State, parameters: NDArray[np.float64]) -> Room:
         """Room for kernels, with a state and parameters in it."""
         room = room_of(self.plan, self.tape, len(state.x), len(state.q), len(parameters))
@@ -122,7 +130,9 @@ class Problem:
         room = self.room(start, parameters)
         cold.reach(self.plan, self.drives, self.tape, room, self.scale)
         found = State(x=room.x[0].copy(), q=room.q[0].copy(), s=room.s[0].copy(), miss=start.miss)
-        return replace(found, miss=self.linear(found, parameters)[0])
+        room = self.room(found, parameters)
+        closed = cold.linear(self.plan, self.drives, self.tape, room, self.scale)
+        return replace(found, miss=room.r[len(found.q) :].copy() if closed else np.full(len(found.miss), np.inf))
 
     def linears(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> NDArray[np.float64]:
         """Derivatives (k, m, d) of the tasks by the drives at drives q (k, d) near those of a state."""

@@ -11,6 +11,7 @@ from scipy.sparse import csc_array, csr_array, vstack
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, constraint_curvature, constraint_jacobian, kept
+from kinetruss.mechanics.constraints.basis import null_basis
 from kinetruss.mechanics.constraints.derivatives import Derivatives, held_rows
 from kinetruss.mechanics.constraints.factors import factors_of
 from kinetruss.mechanics.constraints.moves import moves_text
@@ -196,12 +197,12 @@ def independent(J: Any) -> NDArray[np.int64]:
 
 def _picked(system: System, J: Any, wanted: int) -> list[Coordinate]:
     """Free node coordinates that fix the configuration best: pivots of a basis of the null space."""
-    from scipy.linalg import null_space, qr
+    from scipy.linalg import qr
 
     if J.shape[0] == 0:
         chosen = np.arange(len(system.free))
     else:
-        _, order = qr(null_space(J.toarray(), rcond=RANK_TOLERANCE).T, mode="r", pivoting=True)
+        _, order = qr(null_basis(J).T, mode="r", pivoting=True)
         chosen = np.sort(order[:wanted])
     flats = system.free[chosen]
     return [Coordinate(f"{system.nodes[flat // 3]}.{'xyz'[flat % 3]}", "node", int(flat)) for flat in flats]

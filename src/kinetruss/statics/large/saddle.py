@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
 from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, constraint_jacobian, rearrange
-from kinetruss.mechanics.constraints import SYMMETRIC, factors_of
+from kinetruss.mechanics.constraints import SYMMETRIC, factors_of, null_basis
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,7 +28,6 @@ __all__ = [
     "dense_solver",
     "inertia",
     "modes",
-    "null_basis",
     "rows_of",
     "sparse_solver",
     "steady_solver",
@@ -185,21 +184,6 @@ def modes(K: Any, J: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     H = Z.T @ (K @ Z)
     values, vectors = eigh(0.5 * (H + H.T))
     return values, Z @ vectors
-
-
-def null_basis(J: Any) -> NDArray[np.float64]:
-    """Orthonormal basis (f, k) of the changes that J (rows, f) allows."""
-    from scipy.linalg import svd
-
-    if not J.shape[0]:
-        return np.eye(J.shape[1])
-    dense = J.toarray()
-    try:
-        _, sizes, right = svd(dense)
-    except np.linalg.LinAlgError:  # divide and conquer does not always converge
-        _, sizes, right = svd(dense, lapack_driver="gesvd")
-    rank = int(np.sum(sizes > RANK_TOLERANCE * sizes.max(initial=0.0)))
-    return np.asarray(right[rank:].T)
 
 
 def inertia(K: Any, J: Any) -> tuple[int, int]:

@@ -22,11 +22,12 @@ from kinetruss.mechanics.assembly import (
     sum_stiffness,
     tangents,
 )
+from kinetruss.mechanics.constraints import null_basis
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.statics.large.equilibrium import must_begin
 from kinetruss.statics.large.path import scaled_force, without
-from kinetruss.statics.large.saddle import Saddle, null_basis, rows_of
+from kinetruss.statics.large.saddle import Saddle, rows_of
 from kinetruss.statics.large.search import SearchResult, find_equilibrium
 
 if TYPE_CHECKING:
