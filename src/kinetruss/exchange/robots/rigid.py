@@ -58,9 +58,9 @@ def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
     free = np.union1d(system.free, np.array(moved, dtype=int))
     J = constraint_jacobian(system, x)[:, free][rows]
     modes = null_basis(J, 1e-10)
-    V = np.zeros((modes.shape[1], x.size))
-    V[:, free] = modes.T
-    V = V.reshape(len(V), len(x), 3)
+    flat = np.zeros((modes.shape[1], x.size))
+    flat[:, free] = modes.T
+    V = flat.reshape(len(flat), len(x), 3)
     pairs = _pairs(model, system)
     parts = [Rigid("ground", "ground", _still(V))]
     taken = [set(parts[0].nodes)]
