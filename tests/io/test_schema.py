@@ -38,6 +38,16 @@ def test_shipped_file_is_up_to_date():
     assert schema_file().read_text(encoding="utf-8") == text, "write io.schema() into io.schema_file() again"
 
 
+def test_every_field_of_every_record_is_described():
+    fields = {
+        f"{name}.{field}": one
+        for name, record in schema()["$defs"].items()
+        for field, one in record.get("properties", {}).items()
+    }
+    assert len(fields) > 400
+    assert [name for name, one in fields.items() if not one.get("description") and not name.endswith(".kind")] == []
+
+
 @pytest.mark.parametrize("name", kt.library.example_files())
 def test_examples(name):
     assert list(JUDGE.iter_errors(raw(kt.library.example_files()[name][0]))) == []

@@ -52,7 +52,7 @@ def contents(model: ModelData) -> str:
 
 
 def field_texts(record: type[Any]) -> dict[str, str]:
-    """What the docstring of a record says of each field, as the schema and the model reference show it.
+    """What the docstrings of a record and of those that it extends say of each field, as the schema and the reference show it.
 
     >>> import kinetruss as kt
     >>> field_texts(kt.Rod)
@@ -61,7 +61,8 @@ def field_texts(record: type[Any]) -> dict[str, str]:
     names = "|".join(record.model_fields)
     field = re.compile(rf"(?:^|(?<=[.;\n] )|(?<=\n)|(?<= ))((?:{names})(?:, (?:{names}))*) : ")
     found: dict[str, str] = {}
-    for block in re.split(r"\n[ \t]*\n", record.__doc__ or ""):
+    said = [kind.__dict__.get("__doc__") or "" for kind in reversed(record.__mro__)]
+    for block in re.split(r"\n[ \t]*\n", "\n\n".join(said)):
         parts = field.split(re.sub(r"\s*\n\s+", " ", re.sub(r"\n(?=[^\n]*? : )", "\n", block)).strip())
         for key, text in zip(parts[1::2], parts[2::2], strict=True):
             found |= dict.fromkeys(key.split(", "), text.strip())

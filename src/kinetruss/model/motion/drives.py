@@ -149,7 +149,10 @@ Drive = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive, Field
 
 
 class OffsetCoordinate(Record):
-    """Distance (m) of a node from the line of two others in the plane, positive to the left of first -> second."""
+    """Distance (m) of a node from the line of two others in the plane, positive to the left of first -> second.
+
+    line : two nodes on the line. point : the node whose distance it is.
+    """
 
     kind: Literal["offset"] = "offset"
     line: tuple[Name, Name]
@@ -160,6 +163,8 @@ class CosineCoordinate(Record):
     """Cosine of the angle that a scalar node holds, with a phase (rad) added: cos(x + phase); a number.
 
     With -90 degrees of phase it is the sine.
+
+    node : the scalar node.
     """
 
     kind: Literal["cosine"] = "cosine"

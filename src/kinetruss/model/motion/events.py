@@ -18,6 +18,7 @@ class Event(Record):
     """The instant at which a length (of a member, m), a coordinate (``NODE.x``, m) or a mean axial force (of a member, N)
     arrives at a value.
 
+    length : of this member, m. coordinate : ``NODE.x``, m. force : mean axial one of this member, N. Give one of them.
     direction : from below (``rising``), from above (``falling``) or ``both``. A quantity that touches its value and turns back
         counts once; one that has this value at the start does not count. stop : end the run there; False only records the
         event.

@@ -40,6 +40,9 @@ class StepInput(Record):
     """A constant voltage (V), current (A) or torque of the motor (N m) from `start` on, until `end`; nothing before and after.
 
     A torque of the motor, here and in other inputs, is the current that produces it; the amplifier is bypassed.
+
+    voltage : V, of the amplifier where there is one. current : A. torque : of the motor, N m. Give one of them.
+    end : s; by default it never ends.
     """
 
     kind: Literal["step"] = "step"
@@ -58,7 +61,10 @@ class StepInput(Record):
 
 
 class ExponentialInput(Record):
-    """A voltage, current or torque from a first value to a last one: last + (first - last) exp(-t/time_constant)."""
+    """A voltage, current or torque from a first value to a last one: last + (first - last) exp(-t/time_constant).
+
+    voltage, current, torque : first and last value, V, A or N m; give one of them.
+    """
 
     kind: Literal["exponential"] = "exponential"
     voltage: tuple[SignedVoltage, SignedVoltage] | None = None
@@ -73,7 +79,10 @@ class ExponentialInput(Record):
 
 
 class SineInput(Record):
-    """A voltage, current or torque of this amplitude times sin(2 pi t/period + phase)."""
+    """A voltage, current or torque of this amplitude times sin(2 pi t/period + phase).
+
+    voltage, current, torque : amplitude, V, A or N m; give one of them.
+    """
 
     kind: Literal["sine"] = "sine"
     voltage: SignedVoltage | None = None
@@ -89,7 +98,11 @@ class SineInput(Record):
 
 
 class TableInput(Record):
-    """A table of voltages, currents or torques at times (s): linear between, constant outside."""
+    """A table of voltages, currents or torques at times (s): linear between, constant outside.
+
+    times : s, increasing.
+    voltages, currents, torques : at these times, V, A or N m; give one of them.
+    """
 
     kind: Literal["table"] = "table"
     times: Annotated[tuple[Time, ...], Field(min_length=2), Series]
@@ -114,6 +127,8 @@ class PositionLoop(Record):
     constant outside. The loop is w^2/(s^2 + 2 zeta w s + w^2) with w = `settling_factor`/(zeta `settling_time`); with the
     inductance of the winding, times p/(s + p) with p = `third_pole` w. 4 is the usual factor (2 %); Lacy's (1991) programme
     has damping 0.8 and factor 6.
+
+    target : wanted length or angle, m or rad. times : of a table of targets, s. targets : at these times, m or rad.
     """
 
     kind: Literal["position_loop"] = "position_loop"

@@ -21,8 +21,7 @@ class DOP853(Record):
 
     rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : largest number of steps,
         accepted and rejected. first_step : s; found from the equations by default. step : s, all steps alike and no error
-            control, to study
-    convergence.
+        control, to study convergence. solver : of accelerations and forces; the fastest by default.
 
     Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993, section II.10.
     """
@@ -39,7 +38,7 @@ class DOP853(Record):
 class EnergyMomentum(Record):
     """Implicit midpoint rule with discrete gradients: fixed steps (s) that keep energy and momentum. For long and stiff runs.
 
-    tolerance : of the equations of a step, relative.
+    tolerance : of the equations of a step, relative. solver : of the equations; the fastest by default.
 
     Source: O. Gonzalez, Physica D 132 (1999) 165-174.
     """
@@ -59,7 +58,7 @@ class GeneralizedAlpha(Record):
     """Implicit method with numerical damping of high frequencies; fixed steps (s).
 
     rho : spectral radius at infinite frequency, 0 to 1: the amplitude of the highest frequencies that remains after a step.
-        tolerance : of the equations of a step, relative.
+        tolerance : of the equations of a step, relative. solver : of the equations; the fastest by default.
 
     Source: J. Chung, G. M. Hulbert, Journal of Applied Mechanics 60 (1993) 371-375.
     """
@@ -87,6 +86,7 @@ class Radau(Record):
 
     rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). max_steps : at most. first_step : s;
     found from the equations by default. step : s, all steps alike and no error control, to study convergence.
+    solver : of accelerations and forces; the fastest by default.
 
     Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., 1996, section IV.8.
     """
@@ -103,7 +103,7 @@ class Radau(Record):
 class Rattle(Record):
     """RATTLE: leapfrog with constraints on positions and velocities; fixed steps (s), symplectic.
 
-    tolerance : of the constraints of a step, relative.
+    tolerance : of the constraints of a step, relative. solver : of the equations; the fastest by default.
 
     Source: H. C. Andersen, Journal of Computational Physics 52 (1983) 24-34.
     """
@@ -124,8 +124,8 @@ class Taylor(Record):
 
     rtol, atol : relative and absolute tolerance of coordinates and velocities (m, m/s). order : of the series of the
     velocities; chosen from rtol by default. max_steps : largest number of steps. first_step : s; the scale of time of the
-    first series, found
-    from the equations by default. step : s, all steps alike and no error control, to study convergence.
+    first series, found from the equations by default. step : s, all steps alike and no error control, to study convergence.
+    solver : of accelerations and forces; the fastest by default.
 
     Rigid, driven and elastic bars of constant mass, planar bodies, angle drives, supports that move, given forces. Not for
     active members, cables, hinges, couplings and springs, loads that turn with bodies, membranes,

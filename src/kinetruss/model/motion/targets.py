@@ -106,8 +106,10 @@ returns the value, or value, rate and second rate."""
 
 
 class Circle(Record):
-    """A path of the point of a task: from where it starts about the axis through `centre`, `turns` times, and `rise` (m) along
-    the axis: an arc, a circle, a helix.
+    """A path of the point of a task, from where it starts: an arc, a circle, a helix.
+
+    centre : a point on its axis, m. axis : direction that the turns are about, right-handed.
+    turns : about the axis; negative ones go the other way. rise : along the axis over the whole path, m.
     """
 
     kind: Literal["circle"] = "circle"
@@ -125,8 +127,9 @@ class _Resolved(Record):
     weights : of drives in the objective, 1 by default. hold : drives that stand still.
     within_stroke : drives keep to their `limits`.
     rate, acceleration : largest magnitudes, of all drives or by name, m/s or rad/s, m/s^2 or rad/s^2; the largest speed of a
-        motor limits the rate too. Redundant drives are chosen so that all keep them; within_rates : False leaves them where
-        the objective wants them. force : largest drive force at rest, N or N m. The motion says which limit is not kept.
+        motor limits the rate too. The motion says which limit is not kept.
+    force : largest drive force at rest, of all drives or by name, N or N m.
+    within_rates : redundant drives are chosen so that all keep these limits; False leaves them where the objective wants them.
     """
 
     objective: Objective = "least_change"
@@ -142,8 +145,9 @@ class _Resolved(Record):
 class _Task(_Resolved):
     """Timing and coordinates that all tasks have.
 
-    moves : coordinate -> where it goes (see `Course`); those not named stay as they are at the start. free : coordinates
-    that may do anything. duration, law, ramp, dwell : of moves that have no timing of their own (see `Way`).
+    moves : coordinate -> where it goes (see `Course`); those not named stay as they are at the start.
+    free : coordinates that may do anything. duration : s, of moves that have no timing of their own (see `Way`).
+    law, ramp : of each leg of such moves (see `Way`). dwell : rest at their inner way points, s.
     """
 
     COORDINATES: ClassVar[tuple[str, ...]] = ()
@@ -176,6 +180,7 @@ class Gimbal(_Task):
     division : ``exact``: the angles reach their ends; ``even``: they do, and every bay of the chain of poses turns by the same
         angles at its own height; ``equal``: every bay turns by an equal share of the angles (Lacy, 1991, chapter 6), which
         reaches other angles: the message says which.
+    platform : nodes of the plane, at least three. base : nodes of the plane from which the angles count.
     """
 
     COORDINATES = ("beta", "gamma")
@@ -186,8 +191,11 @@ class Gimbal(_Task):
 
 
 class Positioning(_Task):
-    """Place ``x``, ``y``, ``z`` (m) of a point: of a `node`, of the centroid of `nodes`, or of a `point` (m, in the model's own
-    configuration) fixed in the platform of `nodes`. path : a closed form for all of them.
+    """Place ``x``, ``y``, ``z`` (m) of a point: a `node`, the centroid of `nodes`, or a `point` of the platform of `nodes`.
+
+    node : the point. nodes : their centroid is the point, or they carry it.
+    point : fixed in the platform of `nodes`, m, in the model's own configuration.
+    path : a `Circle` of the point, in place of `moves`.
     """
 
     COORDINATES = ("x", "y", "z")
@@ -212,6 +220,9 @@ class Reflecting(_Task):
 
     With coordinates ``source.x`` ... ``target.z`` these points move too. The direction is two coordinates; with the place
     free in one of its three directions there are four.
+
+    platform : nodes of the mirror, at least three. source : where the light comes from, m. target : where it goes, m.
+    path : a `Circle` of the centroid, in place of moves of its place.
     """
 
     COORDINATES = ("x", "y", "z", "source.x", "source.y", "source.z", "target.x", "target.y", "target.z")
@@ -226,7 +237,9 @@ class Docking(_Task):
     """Place ``x``, ``y``, ``z`` (m) and turns ``roll``, ``pitch``, ``yaw`` (rad; R = Rz(yaw) Ry(pitch) Rx(roll)) of a frame
     fixed in `platform`; as `kinematics.pose` measures them. In the plane ``x``, ``y``, ``yaw``.
 
+    platform : nodes that carry the frame.
     frame : origin and axes in the model's own configuration; by default the centroid and the global axes.
+    path : a `Circle` of the origin, in place of moves of its place.
     """
 
     COORDINATES = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -241,6 +254,9 @@ class Pointing(_Task):
 
     It points at the place `at` (m), which moves with ``x``, ``y``, ``z``; without one it has the angles ``beta``, ``gamma`` of
     `Gimbal` in the global axes: the direction (-sin gamma, -sin beta cos gamma, cos beta cos gamma).
+
+    platform : nodes whose plane has the normal, at least three. line : from the first node to the second.
+    at : the place that it points at, m.
     """
 
     COORDINATES = ("beta", "gamma", "x", "y", "z")
@@ -286,6 +302,8 @@ _Single = Annotated[_One | _Trajectory, Field(discriminator="kind")]
 class Combined(_Resolved):
     """Several tasks at once, each with its own timing; the duration is the longest. Drives are chosen for all together, by the
     objective given here.
+
+    tasks : tasks, and trajectories of coordinates, without an objective of their own.
     """
 
     kind: Literal["combined"] = "combined"

@@ -34,6 +34,8 @@ class GivenForce(Record):
     of any gear; for a torque of its motor, use an input with `torque` (`StepInput`). For an active member with screw and
     motor, a torque is that of its motor: it acts through the gear and the friction of the screw, within the limits of the
     motor.
+
+    force : constant, N. torque : constant, N m. times : of a table, s. forces, torques : at these times, N or N m.
     """
 
     _positional: ClassVar = ("force",)

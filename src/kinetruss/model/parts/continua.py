@@ -57,6 +57,9 @@ class Orthotropic(Record):
 
     nu12 is minus the strain along 2 over that along 1 under tension along 1; nu21 = nu12 E2/E1. Plane stress needs only E1,
     E2, nu12 and G12.
+
+    E1, E2, E3 : moduli along the axes 1, 2, 3, Pa. G12, G13, G23 : shear moduli, Pa. nu12, nu13, nu23 : ratios.
+    source : where the values come from.
     """
 
     E1: Stress

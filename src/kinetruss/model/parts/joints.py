@@ -52,7 +52,10 @@ Names = Annotated[tuple[Name, ...], Series]
 
 
 class Hinge(Record):
-    """An angle at a joint: about the axis (two nodes, in the plane one) from node `start` to node `end`."""
+    """An angle at a joint.
+
+    axis : two nodes of the axis, in the plane one. start, end : nodes from which and to which the angle counts.
+    """
 
     axis: Annotated[tuple[Name, ...], Field(min_length=1, max_length=2), Series]
     start: Name

@@ -152,9 +152,10 @@ class PointMass(Record):
 
 
 class Part(Record):
-    """One rod of an active member: length (m), mass (kg, by default density x area x length), section, material.
+    """One rod of an active member.
 
-    masses : clamped on it besides its own.
+    length : m. mass : kg, by default density x area x length. section, material : records or names of the library.
+    rotary_inertia : count the rotary inertia of the finite diameter. masses : clamped on it besides its own.
     """
 
     length: PositiveLength
