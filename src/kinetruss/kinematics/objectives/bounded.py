@@ -37,10 +37,10 @@ def bounded_least(
             continue
         slope = g + B @ p
         factors = np.linalg.lstsq(A[:, free].T, slope[free], rcond=None)[0]
-        pull = side * (slope - A.T @ factors)
-        if pull[let_go := int(np.argmax(pull))] <= LITTLE * max(1e-300, float(np.abs(g).max())):
+        multiplier = side * (slope - A.T @ factors)  # of bounds: positive where the objective falls inwards
+        if multiplier[released := int(np.argmax(multiplier))] <= LITTLE * max(1e-300, float(np.abs(g).max())):
             return p
-        side[let_go] = 0
+        side[released] = 0
     return p
 
 

@@ -134,9 +134,9 @@ def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, fram
     v = found.nodes.shape[1]
     i, j = np.triu_indices(v, 1)
     at = x[:, found.nodes]
-    pull = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
+    pair = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
     nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
-    nodal += np.einsum("tkwc,wv->tkvc", pull, np.eye(v)[j] - np.eye(v)[i])
+    nodal += np.einsum("tkwc,wv->tkvc", pair, np.eye(v)[j] - np.eye(v)[i])
     forces, moments = [], []
     for first in (0, v // 2):
         own = slice(first, first + v // 2)

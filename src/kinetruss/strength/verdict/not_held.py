@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from kinetruss.dynamics import NotOnBars, not_on_bars
+from kinetruss.errors import few
 from kinetruss.model import BodyCouple, Model
 from kinetruss.model.hubs import hub_of
 from kinetruss.strength.members.parts import parts_of
@@ -37,15 +38,15 @@ def screws_not_held(model: Model, cases: Iterable[str]) -> list[str]:
     if model.dim == 2 or not model.hubs:
         return []
     every = {name: load.member for name, load in model.loads.items() if isinstance(load, BodyCouple) and load.member}
-    told = [{every[name] for name in _loads_of(model, case) if name in every} for case in cases]
+    given = [{every[name] for name in _loads_of(model, case) if name in every} for case in cases]
     names = [
         name
         for name, one in model.active.items()
-        if one.screw is not None and any(hub_of(model, end, name) for end in one.ends) and not all(name in own for own in told)
+        if one.screw is not None and any(hub_of(model, end, name) for end in one.ends) and not all(name in own for own in given)
     ]
     screws = "screw" if len(names) == 1 else "screws"
     sentence = (
-        f"Not held: the torque of the {screws} of {_listed(names)} about the axis, which twists base, tube and arms of "
+        f"Not held: the torque of the {screws} of {few(names, MOST)} about the axis, which twists base, tube and arms of "
         "hubs; actuators.screw_couples gives it as loads."
     )
     return [sentence] if names else []
@@ -59,8 +60,8 @@ def _loads_of(model: Model, case: str) -> Iterable[str]:
 def sentences(found: tuple[NotOnBars, ...]) -> list[str]:
     """One sentence for each: the action, its nodes, and the members that it may bend."""
     return [
-        f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {_listed(one.nodes)} and not on one bar; "
-        f"it may bend {_listed(one.members)}."
+        f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {few(one.nodes, MOST)} and not on one bar; "
+        f"it may bend {few(one.members, MOST)}."
         for one in found
     ]
 
@@ -73,9 +74,4 @@ def add_to_notes(
         by = list(dict.fromkeys(f"{one.kind} {one.source!r}" for one in found if member in one.members))
         for rule in (0, 2) if by else ():
             if said[i, rule] or utilisation[i, rule] == utilisation[i, rule]:
-                said[i, rule] = "; ".join(filter(None, (said[i, rule], f"without bending by {_listed(by)}")))
-
-
-def _listed(names: Iterable[str]) -> str:
-    names = list(names)
-    return ", ".join(names[:MOST]) + (f" and {len(names) - MOST} more" if len(names) > MOST else "")
+                said[i, rule] = "; ".join(filter(None, (said[i, rule], f"without bending by {few(by, MOST)}")))
