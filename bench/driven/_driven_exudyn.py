@@ -11,10 +11,10 @@ import time
 import exudyn as exu
 import numpy as np
 from _case import DURATION, STEPS, changes, course, driven, times, truss
+from _exudyn import options_of
 from exudyn import itemInterface
 
 VERSION = exu.__version__
-DENSE = 30  # unknowns up to which its own dense solver is the faster one
 
 
 def settings(case: str, n: int) -> list[dict]:
@@ -28,7 +28,8 @@ def prepare(case: str, n: int, setting: dict):
     container = exu.SystemContainer()
     system = container.AddSystem()
     objects = _assembled(system, bars)
-    options = _options(system.systemData.SystemSize())
+    options = options_of(STEPS, DURATION, system.systemData.SystemSize(), radius=0.8)
+    options.timeIntegration.generalizedAlpha.computeInitialAccelerations = True
     moved = driven(bars)
     lengths = bars.lengths[moved] + course(times())[0][:, None] * changes(bars)[moved]
     tension = np.empty((STEPS + 1, len(bars.ends)))
@@ -79,20 +80,3 @@ def _assembled(system, bars) -> list[int]:
     ]
     system.Assemble()
     return objects
-
-
-def _options(unknowns: int):
-    options = exu.SimulationSettings()
-    march = options.timeIntegration
-    march.numberOfSteps, march.endTime, march.verboseMode = STEPS, DURATION, 0
-    march.generalizedAlpha.spectralRadius = 0.8
-    march.generalizedAlpha.computeInitialAccelerations = True
-    march.newton.useModifiedNewton = True
-    march.newton.relativeTolerance, march.newton.absoluteTolerance = 1e-9, 1e-11
-    options.solutionSettings.writeSolutionToFile = False
-    options.solutionSettings.sensorsStoreAndWriteFiles = False
-    options.solutionSettings.solutionInformation = ""
-    options.solutionSettings.solverInformationFileName = ""
-    options.linearSolverType = exu.LinearSolverType.EXUdense if unknowns <= DENSE else exu.LinearSolverType.EigenSparse
-    options.displayStatistics = options.displayComputationTime = False
-    return options

@@ -38,7 +38,7 @@ def prepare(case: str, n: int, setting: dict):
         read, t_end = _nodes(system, bars), bars.t_end
     system.Assemble()
     steps = setting["steps"]
-    options = _options(steps, t_end, system.systemData.SystemSize())
+    options = options_of(steps, t_end, system.systemData.SystemSize())
 
     def run():
         solver = exu.MainSolverImplicitSecondOrder()
@@ -55,11 +55,12 @@ def prepare(case: str, n: int, setting: dict):
     return run
 
 
-def _options(steps: int, t_end: float, unknowns: int):
+def options_of(steps: int, t_end: float, unknowns: int, radius: float = 0.9):
+    """Settings of generalised alpha with a spectral radius, without output."""
     options = exu.SimulationSettings()
     march = options.timeIntegration
     march.numberOfSteps, march.endTime, march.verboseMode = steps, t_end, 0
-    march.generalizedAlpha.spectralRadius = 0.9
+    march.generalizedAlpha.spectralRadius = radius
     march.newton.useModifiedNewton = True
     march.newton.relativeTolerance, march.newton.absoluteTolerance = 1e-9, 1e-11
     options.solutionSettings.writeSolutionToFile = False
