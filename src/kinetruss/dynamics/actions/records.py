@@ -70,7 +70,7 @@ class Instants:
     amounts: dict[tuple[str, str], NDArray[np.float64]]
     loads: Loads | None = None
     carried: CarriedBy | None = None
-    found: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    found: dict[str, NDArray[np.float64]] = field(default_factory=dict, init=False)
 
     def along(self, i: int) -> NDArray[np.float64]:
         """From end A of member i to its end B, (t, 3) m."""
