@@ -88,12 +88,49 @@ def bases() -> dict[str, Any]:
         drives={"turn": kt.HingeDrive(axis=("A", "B"), start="D", end="C")},
         runs={"go": kt.Run(trajectory=kt.Quintic(moves={"turn": ("90 deg", "400 deg")}, duration=2.0), samples=11)},
     )  # fmt: skip
+    models |= _with_inner_parts()
     with tempfile.TemporaryDirectory() as folder:
         for name, model in models.items():
             if len(model.members) < 80:
                 file = kt.write(model, Path(folder) / "model.yaml")
                 found[f"{name}, written out"] = yaml.load(file.read_text("utf-8"), yaml.BaseLoader)
     return found
+
+
+def _with_inner_parts() -> dict[str, kt.Model]:
+    """Models with nodes and bars of their own: of hubs, beams, clamps and hinges."""
+    matter: dict[str, Any] = {"section": kt.Rod(diameter=0.02), "material": "steel_s235"}
+    four_bar = kt.Model(
+        nodes={"A": (0, 0), "B": (0.05, 0.15), "C": (0.75, 0.45), "D": (0.9, 0)}, fixed=["A", "D"],
+        bars={"crank": ("A", "B"), "coupler": ("B", "C"), "rocker": ("C", "D")},
+        hubs={
+            "B": kt.Hub(arms={"coupler": (0.03, 0.04)}, clamped=["crank"]),
+            "C": kt.Hub(arms={"coupler": "40 mm"}, clamped=["rocker"]), "D": kt.Hub(reach=0.025),
+        },
+        **matter,
+    )  # fmt: skip
+    tripod = kt.Model(
+        nodes={"A": (0, 0, 0), "B": (1, 0, 0), "C": (0.5, 0.8, 0), "D": (0.5, 0.3, 0.8)}, fixed=["A", "B", "C"],
+        bars={"a": ("A", "D"), "b": ("B", "D"), "c": kt.Bar(ends=("C", "D"), kind="driven")},
+        hubs={"D": kt.Hub(reach=0.05, hinges={"a": (-0.8, 0.5, 0)}), "A": kt.Hub(arms={"a": "30 mm"})},
+        loads={"m": kt.BodyCouple(body="D.hub", moment=(0, 0, 1), member="b")}, **matter,
+    )  # fmt: skip
+    frame = kt.Model(
+        nodes={"A": (0, 0, 0), "B": (1, 0, 0), "C": (1, 1, 0), "D": (1, 1, 1), "E": (2, 1, 1)},
+        clamped=["A"], fixed=["E"], bodies={"box": kt.Body(nodes=("C", "D", "B"), mass=1.0)}, bars={"t": ("A", "D")},
+        beams={
+            "b": ("A", "B"), "c": kt.Beam(ends=("B", "C"), hinges={"B": (0, 0, 1)}),
+            "d": kt.Beam(ends=("C", "D"), kind="rigid"),
+            "e": kt.Beam(ends=("D", "E"), release=["D", "E"]),
+        },
+        loads={"m": kt.BodyCouple(body="B", moment=(0, 0, 1))}, **matter,
+    )  # fmt: skip
+    crane = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0.5), "C": (2, 1), "D": (0, -1), "E": (3, 1)}, fixed=["A", "D"], clamped={"C": "box"},
+        bodies={"box": kt.Body(nodes=("C", "E"), mass=1.0)}, beams={"ab": ("A", "B"), "bc": ("B", "C")},
+        bars={"ram": kt.Bar(ends=("D", "B"), kind="driven")}, **matter,
+    )  # fmt: skip
+    return {"hubs": four_bar, "hub in space": tripod, "frame": frame, "crane": crane}
 
 
 def vocabulary(trees: list[Any]) -> list[str]:

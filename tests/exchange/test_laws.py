@@ -59,7 +59,7 @@ def test_couplings_springs_and_tendons_against_mujoco(tmp_path):
     assert set(found.model.couplings) == {"gears", "coupling_11"}
     assert set(found.model.springs) == {"h1.spring", "h2.spring", "s.spring", "band.spring", "stay.spring"}
     lost = [one.what for one in found.left_out if one.what != "geom"]
-    assert sorted(lost) == ["fixed", "joint equality"]
+    assert sorted(lost) == ["contact", "fixed", "joint equality"]
     assert found.model.drives["h1"].gear == kt.Gear(ratio=5)
     force, given = moved(found.model, {"h1": (0.0, 0.4)}, found.offsets)
     agree(force, MujocoTree(path, ["h1"]).torques(*given))
@@ -119,9 +119,21 @@ def test_faults_of_followers(tmp_path, old, new, message):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('joint1="s"', 'joint1="t"', "joint1: no joint called 't'"),
-        ('joint1="s" joint2="h1"', 'joint1="s" joint2="s"', "couples a joint with itself"),
-        ('<site site="eye"/>', '<site site="eyes"/>', "no site called 'eyes'.*Did you mean 'eye'"),
+        (
+            'joint1="s"',
+            'joint1="t"',
+            r"geared.xml:11:1: <joint>: MuJoCo .* refuses it: unknown element 't' in equality constraint",
+        ),
+        (
+            'joint1="s" joint2="h1"',
+            'joint1="s" joint2="s"',
+            r"geared.xml:11:1: <joint>: MuJoCo .* refuses it: element 's' is repeated",
+        ),
+        (
+            '<site site="eye"/>',
+            '<site site="eyes"/>',
+            r"geared.xml:12:1: <site>: MuJoCo .* refuses it: site 'eyes' not found.*Did you mean 'eye'",
+        ),
         ("parts/classes.xml", "parts/class.xml", r"geared.xml:2:1: <include>: file 'parts/class.xml' is not there"),
         ("parts/classes.xml", "../classes.xml", "is outside the folder of the model"),
         ("parts/classes.xml", "geared.xml", "a second time"),

@@ -9,9 +9,11 @@ import ezdxf
 import meshio
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from compas.datastructures import Graph, Mesh
 
 import kinetruss as kt
+from kinetruss.cli import main
 
 PLACES = {"A": (0.0, 0.0), "B": (1.0, 0.0), "C": (0.5, 0.8)}
 
@@ -85,6 +87,67 @@ def test_dxf_blocks_curves_and_crossings(tmp_path):
     assert "give --arcs N" in next(one.why for one in plain.left_out if one.what == "ARC")
     with pytest.raises(kt.InputError, match="arcs is 2. Give 3 to 360"):
         kt.exchange.read(path, arcs=2)
+
+
+def test_dxf_what_is_hidden(tmp_path):
+    """Layers that are off or frozen, in blocks too, and invisible entities are left out and named, or taken on request."""
+    document = ezdxf.new("R2010", units=6)
+    space, layers = document.modelspace(), document.layers
+    layers.add("Off").off()
+    layers.add("ice").freeze()
+    block = document.blocks.new("FRAME")
+    block.add_line((0, 0), (1, 0))  # on the layer of the insertion
+    block.add_line((0, 0), (0, 1), dxfattribs={"layer": "web"})
+    block.add_line((1, 0), (0, 1), dxfattribs={"layer": "ICE"})
+    block.add_line((1, 0), (1, 1), dxfattribs={"invisible": 1})
+    space.add_line((0, 5), (1, 5), dxfattribs={"layer": "seen"})
+    space.add_line((0, 6), (1, 6), dxfattribs={"layer": "OFF"})
+    space.add_point((0, 5), dxfattribs={"layer": "ice"})
+    space.add_blockref("FRAME", (0, 0), dxfattribs={"layer": "seen"})
+    space.add_blockref("FRAME", (10, 0), dxfattribs={"layer": "off"})  # its lines on other layers are seen
+    space.add_blockref("FRAME", (20, 0), dxfattribs={"layer": "ice"})  # nothing of it is
+    space.add_blockref("FRAME", (30, 0), dxfattribs={"layer": "seen", "invisible": 1})
+    path = tmp_path / "hidden.dxf"
+    document.saveas(path)
+    found = kt.exchange.read(path)
+    assert list(found.model.bars) == ["seen.1", "seen.2", "web.1", "web.2"]
+    why = [one.why.split(";")[0] for one in found.left_out]
+    assert sorted(why) == sorted(
+        ["its layer 'OFF' is off", "its layer 'off' is off"]
+        + 2 * ["its layer 'ice' is frozen", "its layer 'ICE' is frozen"]
+        + 3 * ["it is invisible"]
+    )
+    whole = kt.exchange.read(path, hidden=True)
+    assert len(whole.model.bars) == 18
+    assert [one.what for one in whole.left_out] == ["POINT"]
+    out = tmp_path / "hidden.yaml"
+    assert CliRunner().invoke(main, ["import", str(path), "--hidden", "-o", str(out)]).exit_code == 0
+    assert len(kt.read(out).bars) == 18
+    for line in list(space.query("LINE[layer=='seen']")) + list(space.query("INSERT")):
+        space.delete_entity(line)
+    document.saveas(path)
+    with pytest.raises(kt.ModelError, match="no lines .* but LINE, POINT. Some are hidden: take them with --hidden"):
+        kt.exchange.read(path)
+
+
+def test_damaged_dxf(tmp_path):
+    """What ezdxf can repair is read, and a note says what was wrong."""
+    path = tmp_path / "mast.dxf"
+    text = drawing(path).read_text()
+    begin = text.index("ENTITIES")
+    line = text.index("LWPOLYLINE", begin)
+    whole = kt.exchange.read(path)
+    assert not any("damaged" in note for note in whole.notes)
+    for damaged in (text[:-300], text.replace("ENDSEC", "ENDSEX"), text[:line] + text[text.index("\n", line + 20) + 1 :]):
+        path.write_text(damaged)
+        found = kt.exchange.read(path)
+        assert [note for note in found.notes if note.startswith("the file is damaged (") and "Lines may be missing" in note]
+        assert found.model.bars.keys() <= whole.model.bars.keys()
+        assert "chord.1" in found.model.bars
+    for nothing in (text[: begin + 12], "no drawing\n" * 9):
+        path.write_text(nothing)
+        with pytest.raises(kt.ModelError, match="is no whole DXF file"):
+            kt.exchange.read(path)
 
 
 def test_a_six_bar_sketched_in_cad(tmp_path):
@@ -220,3 +283,68 @@ def test_unknown_suffix_and_option(tmp_path):
         kt.exchange.read(tmp_path / "a.step")
     with pytest.raises(kt.InputError, match=r"a \.dxf file has no option 'closures'"):
         kt.exchange.read(tmp_path / "a.dxf", closures="b.yaml")
+
+
+class Pavilion(Mesh):
+    """A mesh of a user's own module, which the reader cannot import."""
+
+
+class Frame(Graph):
+    """Likewise of a graph."""
+
+
+class Tower(Frame):
+    """Two steps away from it."""
+
+
+def test_compas_classes_of_other_packages(tmp_path):
+    """They are known by the classes from which they are derived; what is derived from others is left out and named."""
+    graph = Tower()
+    for key, (x, y) in PLACES.items():
+        graph.add_node(key, x=x, y=y, z=0)
+    graph.add_edge("A", "B")
+    graph.add_edge("B", "C")
+    mesh = Pavilion.from_vertices_and_faces([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
+    for one, bars in ((graph, 2), (mesh, 4)):
+        compas.json_dump(one, tmp_path / "own.json")
+        assert "inheritance" in (tmp_path / "own.json").read_text()
+        assert len(kt.exchange.read(tmp_path / "own.json").model.bars) == bars
+    other = {"dtype": "a.b/Field", "inheritance": ["compas.datastructures/Datastructure"], "data": {"vertex": {}, "face": {}}}
+    (tmp_path / "own.json").write_text(compas.json_dumps([other]))
+    with pytest.raises(kt.ModelError, match="holds 0 graphs"):
+        kt.exchange.read(tmp_path / "own.json")
+
+
+OLD = {
+    "attributes": {"name": "shell"}, "dva": {"x": 0.0, "y": 0.0, "z": 0.0, "is_anchor": False}, "dea": {}, "dfa": {},
+    "vertex": {"0": {"is_anchor": True}, "1": {"x": 2.0}, "2": {"x": 2.0, "y": 1.0}, "3": {"y": 1.0, "z": 0.0}},
+    "face": {"0": [0, 1, 2], "1": [0, 2, 3]}, "facedata": {}, "edgedata": {}, "max_vertex": 3, "max_face": 1,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("wrapped", [
+    lambda data: data,
+    lambda data: {"dtype": "compas.datastructures/Mesh", "value": data},
+    lambda data: {"compas": "1.17.4", "datatype": "compas.datastructures.Mesh", "data": data},
+    lambda data: {"dtype": "my.shells/Shell", "value": data, "guid": "0"},
+    lambda data: [{"dtype": "compas.geometry/Point", "value": [0, 0, 0]}, {"mesh": data}],
+    lambda data: data | {"face": {"0": {"0": "1", "1": "2", "2": "0"}, "1": {"0": "2", "2": "3", "3": "0"}}},
+    lambda data: data | {"face": {"0": ["0", "1", "2", "0"], "1": ["0", "2", "3", "0"]}, "edge": {}, "halfedge": {}},
+], ids=["bare", "value", "datatype", "own class", "in a list", "corner to corner", "closed faces"])  # fmt: skip
+def test_meshes_of_compas_1(tmp_path, wrapped):
+    """All the forms in which they were saved give the same five sides and one support."""
+    path = tmp_path / "old.json"
+    path.write_text(compas.json_dumps(wrapped(OLD)))
+    found = kt.exchange.read(path, unit="mm")
+    assert sorted(found.model.bars) == ["n0-n1", "n1-n2", "n2-n0", "n2-n3", "n3-n0"]
+    assert dict(found.model.fixed) == {"n0": "xy"}
+    assert found.model.nodes["n2"].at == (0.002, 0.001)
+
+
+@pytest.mark.parametrize("table", ["node", "vertex"])
+def test_networks_of_compas_1(tmp_path, table):
+    data = {"dna": {"x": 1.0}, "dva": {"x": 1.0}, table: {"0": {}, "1": {"y": 1.0}}, "edge": {"0": {"1": {}}, "1": {}}}
+    (tmp_path / "old.json").write_text(compas.json_dumps({"dtype": "compas.datastructures/Network", "value": data}))
+    found = kt.exchange.read(tmp_path / "old.json").model
+    assert list(found.bars) == ["n0-n1"]
+    assert [node.at for node in found.nodes.values()] == [(1.0, 0.0), (1.0, 1.0)]

@@ -77,7 +77,7 @@ GEARED = """<mujoco><compiler angle="radian"/><worldbody><body name="a">
 <actuator><motor name="m" joint="j" gear="{gear}" ctrlrange="-1 1"/></actuator></mujoco>"""
 
 
-@pytest.mark.parametrize(("gear", "ratio"), [("20 0 0", 20.0), ("-20", None), ("20 1", None), ("0", None)])
+@pytest.mark.parametrize(("gear", "ratio"), [("20 0 0", 20.0), ("-20", None), ("20 1", 20.0), ("0", None)])
 def test_gears_of_hinges(tmp_path, gear, ratio):
     path = tmp_path / "geared.xml"
     path.write_text(GEARED.format(gear=gear))

@@ -22,10 +22,11 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, **options: Any) -> Impor
         ``.json`` (COMPAS); ``.vtu``, ``.vtk``, ``.msh``, ``.inp`` and other meshes (meshio).
     max_size : bytes; a larger file is refused before it is read.
     options : of the format. Robots: ``closures`` (file beside a URDF), ``at`` (joint -> value, rad or m, of the pose),
-        ``floating`` (the base of a URDF is not fixed). DXF: ``unit`` (of a drawing that names none), ``tolerance`` (m, of nodes
-        that are one), patterns of layers ``active`` (bars whose length changes), ``motor`` (bars that motors turn), ``fixed``
-        (marks of supports) and ``skip``, ``arcs`` (bars of a whole turn of a curve). CSV: ``members`` (path), ``fixed`` (names
-        of nodes). COMPAS: ``unit``, ``fixed``. Meshes: these, ``material``, ``thickness``.
+        ``floating`` (the base of a URDF is not fixed), ``progress`` (called with bodies done and all bodies). DXF: ``unit`` (of
+        a drawing that names none), ``tolerance`` (m, of nodes that are one), patterns of layers ``active`` (bars whose length
+        changes), ``motor`` (bars that motors turn), ``fixed`` (marks of supports) and ``skip``, ``arcs`` (bars of a whole turn
+        of a curve). CSV: ``members`` (path), ``fixed`` (names of nodes). COMPAS: ``unit``, ``fixed``. Meshes: these,
+        ``material``, ``thickness``.
 
     Returns
     -------

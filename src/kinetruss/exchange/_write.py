@@ -115,7 +115,7 @@ def _at(model: Model, run: Any, index: int | None) -> _Pose:
 
 
 def _mjcf(what: Any, path: Path, time: float | None, overwrite: bool) -> Written:
-    from kinetruss.exchange.robots import robot_of_model
+    from kinetruss.exchange.robots.of_model import robot_of_model
     from kinetruss.exchange.writers.mjcf import mjcf_text
 
     pose, target = _pose(what, time), _free(path, overwrite)
@@ -127,7 +127,7 @@ def _mjcf(what: Any, path: Path, time: float | None, overwrite: bool) -> Written
 
 
 def _urdf(what: Any, path: Path, time: float | None, overwrite: bool) -> Written:
-    from kinetruss.exchange.robots import robot_of_model
+    from kinetruss.exchange.robots.of_model import robot_of_model
     from kinetruss.exchange.writers.urdf import urdf_texts
 
     pose, target, beside = _pose(what, time), _free(path, overwrite), _free(path.with_suffix(".closures.yaml"), overwrite)

@@ -29,14 +29,14 @@ class Reader:
         return function(path, **options)
 
 
-_ROBOT = Reader("robot_formats.robot_files", "robot", ("closures", "at", "floating"))
+_ROBOT = Reader("robot_formats.robot_files", "robot", ("closures", "at", "floating", "progress"))
 _MESH = Reader("mesh_files", "mesh_file", ("unit", "fixed", "thickness", "material"))
 
 READERS: Mapping[str, Reader] = {
     ".urdf": _ROBOT,
     ".xml": _ROBOT,
     ".mjcf": _ROBOT,
-    ".dxf": Reader("dxf", "dxf", ("unit", "tolerance", "active", "fixed", "motor", "skip", "arcs")),
+    ".dxf": Reader("dxf", "dxf", ("unit", "tolerance", "active", "fixed", "motor", "skip", "arcs", "hidden")),
     ".csv": Reader("tables", "tables", ("members", "fixed")),
     ".json": Reader("compas", "compas", ("unit", "fixed")),
     **dict.fromkeys((".vtu", ".vtk", ".msh", ".inp", ".xdmf", ".obj", ".ply", ".stl", ".bdf", ".mesh"), _MESH),

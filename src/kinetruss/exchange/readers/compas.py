@@ -1,8 +1,14 @@
-"""A model from a graph or mesh of COMPAS, as its JSON files hold them: nodes and edges become nodes and bars."""
+"""A model from a graph or mesh of COMPAS, as its JSON files hold them: nodes and edges become nodes and bars.
+
+A file of COMPAS 2 holds ``dtype``, ``data`` and ``inheritance``, the classes from which that of ``dtype`` is derived. One of
+COMPAS 1 holds ``dtype`` and ``value``, or ``datatype`` and ``data``, or the bare data; defaults of attributes are ``dva`` and
+``dna``; the faces of old meshes may be tables from each corner to the next; old networks have vertices.
+"""
 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -26,6 +32,30 @@ SUPPORTS = ("is_support", "is_anchor", "is_fixed")
 def compas(path: Path, *, max_size: int, unit: str = "m", fixed: Sequence[str] = ()) -> Imported:
     """The model of the one graph, network or mesh in a file of COMPAS. unit : of its lengths, which the file does not name."""
     return _File(path, max_size).imported(length_of(unit, "unit"), fixed)
+
+
+def _classes(record: Mapping[str, Any]) -> list[str]:
+    """The class of a record and those from which it is derived, nearest first; none of a table without a class."""
+    own = record.get("dtype", record.get("datatype"))
+    if own is None:
+        return []
+    more = record.get("inheritance")
+    return [str(one) for one in (own, *(more if isinstance(more, list) else []))]
+
+
+def _kind(record: Mapping[str, Any]) -> str:
+    """``graph``, ``mesh``, or nothing. Without a class, or with one that does not say, the tables of its data decide."""
+    classes = _classes(record)
+    for name in (re.split(r"[/.]", one)[-1] for one in classes):
+        if name in (*GRAPHS, *MESHES):
+            return "mesh" if name in MESHES else "graph"
+    data = (record.get("data", record.get("value")) if classes else record) or {}
+    if "inheritance" in record or not isinstance(data, dict) or "cell" in data:
+        return ""
+    tables = {word for word in ("node", "vertex", "edge", "face") if isinstance(data.get(word), dict)}
+    if {"vertex", "face"} <= tables and (data["face"] or not data.get("edge")):
+        return "mesh"
+    return "graph" if "edge" in tables and tables & {"node", "vertex"} else ""
 
 
 class _File:
@@ -58,11 +88,12 @@ class _File:
             mend = "Save one Graph, Network or Mesh in a file: compas.json_dump(graph, path)."
             raise self.fault((), f"holds {len(found)} graphs, networks and meshes.", mend)
         record, where = found[0]
-        kind = str(record["dtype"]).rsplit("/", 1)[-1]
-        data = self.table(record.get("data"), *where, "data")
-        table = "node" if kind in GRAPHS else "vertex"
-        places, name_of, supports = self._nodes(data, table, (*where, "data"), scale)
-        pairs = self._edges(data, (*where, "data")) if kind in GRAPHS else self._sides(data, (*where, "data"))
+        within = next((word for word in ("data", "value") if word in record), "") if _classes(record) else ""
+        where = (*where, within) if within else where
+        data = self.table(record[within] if within else record, *where)
+        table = "node" if "node" in data else "vertex"
+        places, name_of, supports = self._nodes(data, table, where, scale)
+        pairs = self._sides(data, where) if _kind(record) == "mesh" else self._edges(data, where)
         bars: dict[str, Bar] = {}
         for a, b, place in pairs:
             for key in (a, b):
@@ -81,12 +112,11 @@ class _File:
 
     def _structures(self, value: Any, where: tuple[str, ...]) -> Iterator[tuple[Mapping[str, Any], tuple[str, ...]]]:
         """Graphs and meshes in lists and tables."""
-        if isinstance(value, dict) and "dtype" in value:
-            if str(value["dtype"]).rsplit("/", 1)[-1] in (*GRAPHS, *MESHES):
-                yield value, where
-            else:
-                place = ".".join(where) or "root"
-                self.left.append(LeftOut(shown(value["dtype"]), f"{self.path}: {place}", "is no graph or mesh"))
+        if isinstance(value, dict) and _kind(value):
+            yield value, where
+        elif isinstance(value, dict) and _classes(value):
+            place = ".".join(where) or "root"
+            self.left.append(LeftOut(shown(_classes(value)[0]), f"{self.path}: {place}", "is no graph or mesh"))
         elif isinstance(value, dict):
             for key, one in value.items():
                 yield from self._structures(one, (*where, key))
@@ -98,7 +128,8 @@ class _File:
         self, data: Mapping[str, Any], table: str, where: tuple[str, ...], scale: float
     ) -> tuple[dict[str, Any], dict[str, str], list[str]]:
         """Places (3,) m by name, names by the key in the file, names of supports."""
-        default = {"x": 0.0, "y": 0.0, "z": 0.0} | dict(self.table(data.get(f"default_{table}_attributes", {}), *where))
+        given_defaults = data.get(f"default_{table}_attributes") or data.get("dna" if table == "node" else "dva") or {}
+        default = {"x": 0.0, "y": 0.0, "z": 0.0} | dict(self.table(given_defaults, *where))
         places: dict[str, Any] = {}
         names: dict[str, str] = {}
         supports, others = [], set[str]()
@@ -134,13 +165,17 @@ class _File:
     def _sides(self, data: Mapping[str, Any], where: tuple[str, ...]) -> Iterator[tuple[str, str, tuple[str, ...]]]:
         """Sides of the faces of a mesh, each once."""
         seen = set[frozenset[str]]()
-        faces = self.table(data.get("face"), *where, "face")
+        faces = self.table(data.get("face") or {}, *where, "face")
         for face, corners in faces.items():
-            if not isinstance(corners, list) or len(corners) < 2 or not all(isinstance(c, (int, str)) for c in corners):
+            if isinstance(corners, dict):  # corner -> the next one
+                sides = [(a, str(b)) for a, b in corners.items()]
+            elif isinstance(corners, list) and len(corners) > 1 and all(isinstance(c, (int, str)) for c in corners):
+                keys = [str(one) for one in corners]
+                sides = list(zip(keys, [*keys[1:], keys[0]], strict=True))
+            else:
                 raise self.fault((*where, "face", face), f"is {shown(corners)}; expected corners.", "Give a list of vertices.")
-            keys = [str(one) for one in corners]
-            for a, b in zip(keys, [*keys[1:], keys[0]], strict=True):
-                if frozenset((a, b)) not in seen:
+            for a, b in sides:
+                if a != b and frozenset((a, b)) not in seen:
                     seen.add(frozenset((a, b)))
                     yield a, b, (*where, "face", face)
         if faces:

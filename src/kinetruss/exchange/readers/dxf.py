@@ -39,6 +39,8 @@ LABEL = 0.25
 CURVES = ("ARC", "CIRCLE", "ELLIPSE", "SPLINE")
 MOST_ARCS, DEEPEST = 360, 8
 """Bars of a whole turn of a curve, blocks within each other."""
+TAKEN = "--hidden takes it"
+MOST_REPAIRS = 5
 BROKEN = (
     ArithmeticError, AssertionError, AttributeError, LookupError, OSError, RuntimeError, StopIteration, TypeError, ValueError,
     struct.error,
@@ -51,11 +53,15 @@ class _Drawing:
     """Lines with layer and place in the file, places of supports, texts; in the unit of the drawing.
 
     arcs : straight bars of a whole turn of a curve; 0: curves are left out. skip : patterns of layers that are left out.
+    unseen : layer in lower case -> ``frozen`` or ``off``; empty if what is hidden is taken too (`hidden`).
     """
 
     path: Path
     arcs: int = 0
     skip: Sequence[str] = ()
+    hidden: bool = False
+    unseen: dict[str, str] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
     lines: list[tuple[str, Any, Any, str]] = field(default_factory=list)
     supports: list[tuple[Any, str]] = field(default_factory=list)
     texts: list[tuple[Any, str, str]] = field(default_factory=list)
@@ -69,7 +75,7 @@ class _Drawing:
 
 def dxf(
     path: Path, *, max_size: int, unit: str | None = None, tolerance: str | float | None = None, active: Sequence[str] = (),
-    fixed: Sequence[str] = (), motor: Sequence[str] = (), skip: Sequence[str] = (), arcs: int = 0,
+    fixed: Sequence[str] = (), motor: Sequence[str] = (), skip: Sequence[str] = (), arcs: int = 0, hidden: bool = False,
 ) -> Imported:  # fmt: skip
     """The model of the lines and polylines in the model space of a drawing, and in the blocks that are inserted there.
 
@@ -81,11 +87,15 @@ def dxf(
     """
     if arcs and not 3 <= arcs <= MOST_ARCS:
         raise InputError(f"arcs is {arcs}. Give 3 to {MOST_ARCS} bars for a whole turn, or leave it out.")
-    drawing, code = _drawn(path, max_size, fixed or FIXED, skip, arcs)
+    drawing, code = _drawn(path, max_size, fixed or FIXED, skip, arcs, hidden)
     scale, notes = _scale(drawing, code, unit)
+    notes = drawing.notes + notes
     if not drawing.lines:
         kinds = ", ".join(dict.fromkeys(one.what for one in drawing.left)) or "nothing"
-        raise drawing.fault(f"has no lines in its model space, but {kinds}.", "Draw members as LINE, LWPOLYLINE or POLYLINE.")
+        mend = "Draw members as LINE, LWPOLYLINE or POLYLINE."
+        if any(one.why.endswith(TAKEN) for one in drawing.left):
+            mend = "Some are hidden: take them with --hidden (hidden=True)."
+        raise drawing.fault(f"has no lines in its model space, but {kinds}.", mend)
     ends = np.array([point for _, a, b, _ in drawing.lines for point in (a, b)]) * scale
     size = float(np.ptp(ends, axis=0).max())
     near = NEAR * size if tolerance is None else length_of(tolerance, "tolerance")
@@ -109,10 +119,12 @@ def dxf(
     return Imported(model=model, source=str(path), left_out=drawing.left, notes=notes)
 
 
-def _drawn(path: Path, max_size: int, fixed: Sequence[str], skip: Sequence[str], arcs: int) -> tuple[_Drawing, int]:
-    """The drawing, and the number of its unit."""
+def _drawn(
+    path: Path, max_size: int, fixed: Sequence[str], skip: Sequence[str], arcs: int, hidden: bool
+) -> tuple[_Drawing, int]:
+    """The drawing, and the number of its unit. A file that ezdxf does not read is repaired as far as it can be."""
     ezdxf = needed("ezdxf", "exchange")
-    drawing = _Drawing(path, arcs, skip)
+    drawing = _Drawing(path, arcs, skip, hidden)
     if not path.is_file():
         raise drawing.fault("there is no such file.", "Check the name.")
     if path.stat().st_size > max_size:
@@ -121,16 +133,40 @@ def _drawn(path: Path, max_size: int, fixed: Sequence[str], skip: Sequence[str],
     logger = logging.getLogger("ezdxf")
     logger.addHandler(said)
     try:
-        document = ezdxf.readfile(path)
-        for entity in document.modelspace():
-            _take(drawing, entity, fixed)
-        return drawing, int(document.header.get("$INSUNITS", 0))
-    except (*BROKEN, ezdxf.DXFError) as error:
-        words = " ".join(str(error).split()) or type(error).__name__
-        raise drawing.fault(f"is no whole DXF file: {words}.", "Save it again as DXF.") from None
+        try:
+            return _collected(drawing, ezdxf.readfile(path), fixed)
+        except (*BROKEN, ezdxf.DXFError) as error:
+            words = " ".join(str(error).split()).rstrip(".") or type(error).__name__
+        try:
+            document, audit = needed("ezdxf.recover", "exchange").readfile(path)
+            drawing = _Drawing(path, arcs, skip, hidden, notes=[_repaired(words, audit)])
+            if len(document.modelspace()):
+                return _collected(drawing, document, fixed)
+        except (*BROKEN, ezdxf.DXFError):
+            pass
+        raise drawing.fault(f"is no whole DXF file: {words}.", "Save it again as DXF.")
     finally:
         logger.removeHandler(said)
         drawing.left += [LeftOut("remark of ezdxf", str(path), text) for text in said.texts]
+
+
+def _repaired(words: str, audit: Any) -> str:
+    """The note on a file that was repaired."""
+    texts = list(dict.fromkeys(" ".join(one.message.split()).rstrip(".") for one in (*audit.errors, *audit.fixes)))
+    more = f"; and {len(texts) - MOST_REPAIRS} more" if len(texts) > MOST_REPAIRS else ""
+    listed = "; ".join(texts[:MOST_REPAIRS]) + more if texts else "it names no single repair"
+    return f"the file is damaged ({words}); ezdxf repaired it: {listed}. Lines may be missing: compare with the drawing"
+
+
+def _collected(drawing: _Drawing, document: Any, fixed: Sequence[str]) -> tuple[_Drawing, int]:
+    """The drawing with all entities of the model space of a document, and the number of its unit."""
+    if not drawing.hidden:
+        for layer in document.layers:
+            if layer.is_frozen() or layer.is_off():
+                drawing.unseen[str(layer.dxf.name).lower()] = "frozen" if layer.is_frozen() else "off"
+    for entity in document.modelspace():
+        _take(drawing, entity, fixed)
+    return drawing, int(document.header.get("$INSUNITS", 0))
 
 
 class _Said(logging.Handler):
@@ -152,7 +188,12 @@ def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[st
     if within is not None:
         where = f"{within[1]}, {kind}"
         layer = within[0] if layer == "0" else layer  # entities of a block on layer 0 are on that of the insertion
-    if matches(layer, drawing.skip):
+    state = drawing.unseen.get(layer.lower(), "")
+    if not drawing.hidden and entity.dxf.get("invisible", 0):
+        drawing.left.append(LeftOut(kind, where, f"it is invisible; {TAKEN}"))
+    elif state == "frozen" or (state and kind != "INSERT"):  # of an insertion on a layer that is off, other layers are seen
+        drawing.left.append(LeftOut(kind, where, f"its layer {shown(layer)} is {state}; {TAKEN}"))
+    elif matches(layer, drawing.skip):
         drawing.left.append(LeftOut(kind, where, "its layer is skipped"))
     elif kind in ("POINT", "CIRCLE", "INSERT") and matches(layer, fixed):
         place = entity.dxf.insert if kind == "INSERT" else entity.dxf.center if kind == "CIRCLE" else entity.dxf.location

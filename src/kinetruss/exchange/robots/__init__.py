@@ -1,8 +1,7 @@
-"""Robots as other programs describe them, and models made of them."""
+"""Robots as other programs describe them, and models made of them. `of_model` makes a robot of a model."""
 
 from kinetruss.exchange.robots.assemble import Assembled, assemble
 from kinetruss.exchange.robots.closing import Posed, closed
-from kinetruss.exchange.robots.of_model import robot_of_model
 from kinetruss.exchange.robots.records import (
     Closure,
     DrivenLength,
@@ -24,5 +23,5 @@ from kinetruss.exchange.robots.sliders import with_sliders
 __all__ = [
     "Assembled", "Closure", "DrivenLength", "JointCoupling", "JointKind", "LeftOut", "Link", "Pivot", "Posed", "Robot",
     "RobotOfModel", "Span",
-    "assemble", "closed", "matrix_quaternion", "placement", "quaternion_matrix", "robot_of_model", "turn_about", "with_sliders",
+    "assemble", "closed", "matrix_quaternion", "placement", "quaternion_matrix", "turn_about", "with_sliders",
 ]  # fmt: skip

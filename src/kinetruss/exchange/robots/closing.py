@@ -1,18 +1,21 @@
 """The pose of a robot in which its loops are closed, and which conditions of its closures are independent.
 
 Frames follow from the values of the joints along the tree. Closures are solved by Gauss-Newton steps of least length with the
-geometric Jacobian; the joints with drives stay where the file has them if the others can close the loops. Couplings of joints
-are further conditions: the sum of factor times value, minus what it stays at.
+geometric Jacobian. Joints whose values were asked for and joints with drives stay where they are if the others can close the
+loops; what moves is told. Couplings of joints are further conditions: the sum of factor times value, minus what it stays at.
+A tree without couplings has nothing to close.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import counted
 from kinetruss.errors import InputError
 from kinetruss.exchange.robots.records import COLUMNS, Closure, JointCoupling, Pivot, Robot, placement, turn_about
 
@@ -31,6 +34,11 @@ NEARLY = 1e-5
 INDEPENDENT = 1e-9
 """Smallest singular value, relative to the largest, that counts as independent."""
 
+SHORT = 0.1
+"""Step of an asked value on the way from the pose of the file, rad, or as a multiple of the size of the robot."""
+MOVED = 1e-9
+"""Change of a joint that is told, rad or m."""
+
 State = dict[str, Any]
 """Name of a joint -> (4, 4) motion, or the value of a revolute or prismatic one."""
 
@@ -42,6 +50,7 @@ class Posed:
     frames : (4, 4) of each link. values : of revolute and prismatic joints, rad, m. gap : largest that is left, m or rad.
     freedoms : of the joints and closures together, by rank. redundant : closure -> number of its conditions that the
         joints and the closures before it imply. implied : couplings that the joints, closures and couplings before imply.
+    moved : what closing the loops did to joints that were asked to be elsewhere, and to driven ones, in words.
     """
 
     robot: Robot
@@ -51,6 +60,7 @@ class Posed:
     freedoms: int
     redundant: Mapping[str, int]
     implied: Sequence[str] = ()
+    moved: Sequence[str] = ()
 
 
 def closed(robot: Robot) -> Posed:
@@ -60,26 +70,93 @@ def closed(robot: Robot) -> Posed:
     ------
     InputError : loops that no values of the joints close.
     """
-    frames = frames_of(robot, _values(robot, at_home=True))
+    single = {pivot.name for pivot in robot.pivots if COLUMNS[pivot.kind] == 1}
+    asked = {pivot.name for pivot in robot.pivots if pivot.start is not None and pivot.name in single}
     state = _values(robot)
+    if not robot.closures and not robot.couplings:
+        values = {name: float(state[name]) for name in single}
+        freedoms = sum(COLUMNS[pivot.kind] for pivot in robot.pivots)
+        return Posed(robot=robot, frames=frames_of(robot, state), values=values, gap=0.0, freedoms=freedoms, redundant={})
+    frames = frames_of(robot, _values(robot, at_home=True))
     robot = replace(robot, closures=[_defined(one, frames) for one in robot.closures])
     size = _size(robot, frames)
-    idle = [pivot for pivot in robot.pivots if pivot.drive is None]
-    best: tuple[float, State] | None = None
-    for moving in (idle, list(robot.pivots)):
-        gap, found = _solve(robot, dict(state), moving, size)
-        if best is None or gap < best[0]:
-            best = gap, found
-        if best[0] <= CLOSED * 10:
-            break
-    gap, state = best if best is not None else (0.0, state)
+    gap, found = _nearest(robot, state, size, asked)
     if gap > NEARLY:
-        raise _open(robot, state, size)
-    frames = frames_of(robot, state)
+        raise _open(robot, found, size)
+    frames = frames_of(robot, found)
     freedoms, redundant, implied = _independent(robot, frames, size)
-    single = {pivot.name: float(state[pivot.name]) for pivot in robot.pivots if COLUMNS[pivot.kind] == 1}
-    left = 0.0 if gap <= CLOSED * 10 else gap * size
-    return Posed(robot=robot, frames=frames, values=single, gap=left, freedoms=freedoms, redundant=redundant, implied=implied)
+    return Posed(
+        robot=robot,
+        frames=frames,
+        values={name: float(found[name]) for name in single},
+        gap=0.0 if gap <= CLOSED * 10 else gap * size,
+        freedoms=freedoms,
+        redundant=redundant,
+        implied=implied,
+        moved=_moved(robot, state, found, asked),
+    )
+
+
+def _nearest(robot: Robot, state: State, size: float, asked: set[str]) -> tuple[float, State]:
+    """The closed pose in which asked values are kept if possible: on the way there from the pose of the file, or at once."""
+    kept = [pivot for pivot in robot.pivots if pivot.name not in asked]
+    stages = [pivot for pivot in kept if pivot.drive is None], kept
+    if asked and (found := _along(robot, state, stages, size, asked)) is not None:
+        return found
+    found = _closest(robot, state, stages, size)
+    return _closest(robot, state, [list(robot.pivots)], size) if asked and found[0] > NEARLY else found
+
+
+def _closest(robot: Robot, state: State, stages: Sequence[Sequence[Pivot]], size: float) -> tuple[float, State]:
+    """The state with the least gap if one set of joints moves, or the next if that does not close the loops."""
+    found: list[tuple[float, State]] = []
+    for moving in stages:
+        found.append(_solve(robot, dict(state), moving, size))
+        if found[-1][0] <= CLOSED * 10:
+            break
+    return min(found, key=lambda one: one[0])
+
+
+def _along(
+    robot: Robot, state: State, stages: Sequence[Sequence[Pivot]], size: float, asked: set[str]
+) -> tuple[float, State] | None:
+    """The closed pose at asked values, reached in short steps from that of the file; None if the way ends before."""
+    unit = {pivot.name: size if pivot.kind == "prismatic" else 1.0 for pivot in robot.pivots}
+    start = _values(robot, at_home=True)
+    gap, now = _closest(robot, start, stages, size)
+    way = {name: float(state[name]) - float(now[name]) for name in asked}
+    steps = math.ceil(max(abs(by) / unit[name] for name, by in way.items()) / SHORT)
+    if gap > NEARLY or steps > STEPS:
+        return None
+    begin = {name: float(now[name]) for name in asked}
+    for k in range(1, steps + 1):
+        share = k / steps
+        gap, now = _closest(robot, now | {name: begin[name] + share * by for name, by in way.items()}, stages, size)
+        if gap > NEARLY:
+            return None
+    return gap, now | {name: state[name] for name in asked}
+
+
+def _moved(robot: Robot, state: State, found: State, asked: set[str]) -> list[str]:
+    lines: list[str] = []
+    others: dict[str, float] = {}
+    for pivot in robot.pivots:
+        if COLUMNS[pivot.kind] != 1:
+            continue
+        old, new = float(state[pivot.name]), float(found[pivot.name])
+        unit = "m" if pivot.kind == "prismatic" else "rad"
+        if abs(new - old) <= MOVED:
+            continue
+        if pivot.name in asked or pivot.drive is not None:
+            was = "was asked to be at" if pivot.name in asked else "is drawn at"
+            text = f"joint {pivot.name} {was} {old:.6g} {unit} and is at {new:.6g} {unit} ({new - old:+.3g})"
+            lines.append(f"{text}: there the other joints were not found to close the loops")
+        else:
+            others[f"{pivot.name} by {new - old:+.3g} {unit}"] = abs(new - old)
+    if others:
+        count = counted(len(others), "joint")
+        lines.append(f"closing the loops moved {count} without drives, most of all {max(others, key=others.__getitem__)}")
+    return lines
 
 
 def _values(robot: Robot, *, at_home: bool = False) -> State:
@@ -262,20 +339,27 @@ def _advance(robot: Robot, state: State, step: Any, size: float, columns: set[st
 
 
 def _independent(robot: Robot, frames: Mapping[str, Any], size: float) -> tuple[int, dict[str, int], list[str]]:
-    """Freedoms by rank, of each closure the number of conditions that those before it imply, and couplings that are implied."""
+    """Freedoms by rank, of each closure the number of conditions that those before it imply, and couplings that are implied.
+
+    The rows of each closure are judged by what is left of them beside those before it.
+    """
     J = _jacobian(robot, frames, size, {pivot.name for pivot in robot.pivots if COLUMNS[pivot.kind]})
-    largest = float(np.linalg.norm(J, 2)) if J.size else 1.0
-    rank, row = 0, 0
+    least = INDEPENDENT * (float(np.linalg.norm(J, 2)) if J.size else 1.0)
+    basis, row = np.zeros((0, J.shape[1])), 0
     spare: list[int] = []
     for count in [6 if closure.kind == "weld" else 3 for closure in robot.closures] + [1] * len(robot.couplings):
+        rest = J[row : row + count]
+        for _ in range(2):
+            rest = rest - rest @ basis.T @ basis
+        sizes, rows = np.linalg.svd(rest, full_matrices=False)[1:] if rest.size else (np.zeros(0), rest)
+        new = rows[sizes > least]
+        basis = np.vstack([basis, new])
+        spare.append(count - len(new))
         row += count
-        now = int(np.sum(np.linalg.svd(J[:row], compute_uv=False) > INDEPENDENT * largest)) if J.size else 0
-        spare.append(count - (now - rank))
-        rank = now
     loops = len(robot.closures)
     redundant = {closure.name: count for closure, count in zip(robot.closures, spare[:loops], strict=True)}
     implied = [one.name for one, count in zip(robot.couplings, spare[loops:], strict=True) if count]
-    return J.shape[1] - rank, redundant, implied
+    return J.shape[1] - len(basis), redundant, implied
 
 
 def _open(robot: Robot, state: State, size: float) -> InputError:

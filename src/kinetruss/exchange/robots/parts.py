@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
@@ -17,12 +18,16 @@ from kinetruss.model import GROUND
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Connection", "Part", "SAME", "parts_of"]
+__all__ = ["Connection", "NOTHING", "Part", "SAME", "gyration", "parts_of", "size_of"]
 
 ROUND = 1e-6
 """Differences of axes, places and moments, relative to their size, that count as round-off of a file."""
 SAME = 1e-9
 """Distance of places that are one, as a multiple of the size of the robot."""
+NOTHING = 1e-14
+"""A moment of inertia below this fraction of mass times squared size of the robot is below the round-off of the mass matrix."""
+WEIGHTLESS = 1e-12
+"""Mass of a link that has inertia without mass, as a fraction of that of the whole robot."""
 
 
 @dataclass(eq=False)
@@ -35,6 +40,11 @@ class Part:
     points: dict[str, NDArray[np.float64]] = field(default_factory=dict)
     joints: list[NDArray[np.float64]] = field(default_factory=list)
     balls_only: bool = True
+
+    def add(self, more: MassProperties | None) -> None:
+        """Add mass properties in global axes."""
+        if more is not None:
+            self.properties = more if self.properties is None else combined(self.properties, more)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,6 +80,8 @@ def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[Left
     """The parts by name (``ground`` holds the root), the joints between them, and what was left out."""
     left: list[LeftOut] = []
     group = _groups(posed.robot)
+    closing = {link for one in posed.robot.closures for link in one.links}
+    least = WEIGHTLESS * (sum(one.properties.mass for one in posed.robot.links.values() if one.properties) or 1.0)
     parts: dict[str, Part] = {}
     for link in posed.robot.links.values():
         name = group[link.name]
@@ -77,22 +89,43 @@ def parts_of(posed: Posed) -> tuple[dict[str, Part], list[Connection], list[Left
         frame = posed.frames[link.name]
         if link.properties is not None:
             own = link.properties.moved(frame[:3, 3], _orthonormal(frame[:3, :3]).T)
-            part.properties = own if part.properties is None else combined(part.properties, own)
+            if not own.mass:
+                own = replace(own, mass=least)
+                left.append(LeftOut("mass", link.where, f"is 0 beside an inertia: the link has {least:.2g} kg here"))
+            if part.properties is None:
+                part.where = link.where
+            part.add(own)
             if name == GROUND:
                 left.append(LeftOut("mass", link.where, f"{own.mass:.6g} kg rest on the ground"))
-        elif link.name not in (name, posed.robot.root) and not _closes(posed.robot, link.name):
+        elif link.name not in (name, posed.robot.root) and link.name not in closing:
             part.points[link.name] = frame[:3, 3]  # a frame of interest, e.g. of a tool
         for point, place in link.points.items():
             part.points[point] = (frame @ np.append(place, 1.0))[:3]
     parts.setdefault(GROUND, Part(GROUND, ""))
-    connections = [*_joints(posed, group, left), *_balls(posed, group, left)]
-    connections = _without_spins(parts, _without_idle(parts, connections, left), left)
+    joints = _joints(posed, group, left)
+    net = _Net(parts, [*joints, *_balls(posed, group, {one.name for one in joints}, left)])
+    size = size_of(parts, list(net.connections.values()))
+    net.without_idle(size, left)
+    net.without_spins(left)
+    connections = list(net.connections.values())
     for one in connections:
         for name in one.parts:
             parts[name].joints.append(one.place)
             parts[name].balls_only &= one.kind == "ball"
-    size = float(np.ptp(np.array([one.place for one in connections]), axis=0).max()) if connections else 1.0
-    return parts, _anchored(parts, connections, size or 1.0), left
+    return parts, net.anchored(size), left
+
+
+def size_of(parts: Mapping[str, Part], connections: Sequence[Connection]) -> float:
+    """Largest extent of all places of the robot, m."""
+    places = [one.place for one in connections] + [place for part in parts.values() for place in part.points.values()]
+    places += [part.properties.center for part in parts.values() if part.properties is not None]
+    spread = float(np.ptp(np.array(places), axis=0).max()) if len(places) > 1 else 0.0
+    return spread or max((gyration(part.properties) for part in parts.values() if part.properties), default=0.0) or 1.0
+
+
+def gyration(given: MassProperties) -> float:
+    """Radius of gyration, m."""
+    return math.sqrt(max(float(np.trace(given.inertia)), 0.0) / 2.0 / given.mass)
 
 
 def _orthonormal(R: Any) -> NDArray[np.float64]:
@@ -101,24 +134,21 @@ def _orthonormal(R: Any) -> NDArray[np.float64]:
     return np.asarray(u @ v)
 
 
-def _closes(robot: Robot, link: str) -> bool:
-    return any(link in one.links for one in robot.closures)
-
-
 def _groups(robot: Robot) -> dict[str, str]:
     """Link -> name of its part, that of the link nearest to the root; ``ground`` for what the root holds."""
-    order = [robot.root, *(pivot.child for pivot in robot.pivots)]
+    order = {name: k for k, name in enumerate([robot.root, *(pivot.child for pivot in robot.pivots)])}
     head = {name: name for name in order}
 
     def find(name: str) -> str:
         while head[name] != name:
+            head[name] = head[head[name]]
             name = head[name]
         return name
 
     pairs = [(one.parent, one.child) for one in robot.pivots if one.kind == "weld"]
     pairs += [one.links for one in robot.closures if one.kind == "weld"]
     for first, second in pairs:
-        low, high = sorted((find(first), find(second)), key=order.index)
+        low, high = sorted((find(first), find(second)), key=order.__getitem__)
         head[high] = low
     return {name: GROUND if find(name) == robot.root else find(name) for name in order}
 
@@ -147,7 +177,7 @@ def _joints(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list
     return found
 
 
-def _balls(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list[Connection]:
+def _balls(posed: Posed, group: Mapping[str, str], taken: set[str], left: list[LeftOut]) -> list[Connection]:
     found = []
     for one in posed.robot.closures:
         parts = group[one.links[0]], group[one.links[1]]
@@ -159,54 +189,116 @@ def _balls(posed: Posed, group: Mapping[str, str], left: list[LeftOut]) -> list[
         first, second = one.frames
         ends = [posed.frames[one.links[0]] @ first, posed.frames[one.links[1]] @ (first if second is None else second)]
         place = 0.5 * (ends[0][:3, 3] + ends[1][:3, 3])
-        found.append(Connection(name=one.name, kind="ball", parts=parts, place=place, axis=np.eye(3)[2], where=one.where))
+        name = one.name
+        while name in taken:
+            name += "'"
+        taken.add(name)
+        found.append(Connection(name=name, kind="ball", parts=parts, place=place, axis=np.eye(3)[2], where=one.where))
     return found
 
 
-def _without_idle(parts: dict[str, Part], connections: list[Connection], left: list[LeftOut]) -> list[Connection]:
-    """Parts without mass at the end of a chain carry nothing: their named places stay in no body, so they are left out."""
-    while True:
-        count = {name: [one for one in connections if name in one.parts] for name in parts}
-        idle = [
-            name
-            for name, part in parts.items()
-            if name != GROUND and part.properties is None and len(count[name]) <= 1 and not part.points
-        ]
-        if not idle:
-            return connections
-        for name in idle:
-            left.append(
-                LeftOut("link", parts[name].where, "has no mass, and nothing is attached to it; left out with its joint")
-            )
-            connections = [one for one in connections if name not in one.parts]
-            del parts[name]
+class _Net:
+    """The joints by name, and the names of those of each part."""
+
+    def __init__(self, parts: dict[str, Part], connections: Sequence[Connection]) -> None:
+        self.parts = parts
+        self.connections = {one.name: one for one in connections}
+        self.of: dict[str, list[str]] = {name: [] for name in parts}
+        for one in connections:
+            for name in one.parts:
+                self.of[name].append(one.name)
+
+    def _drop(self, name: str) -> Connection:
+        gone = self.connections.pop(name)
+        for part in gone.parts:
+            self.of[part].remove(name)
+        return gone
+
+    def without_idle(self, size: float, left: list[LeftOut]) -> None:
+        """Parts at the end of a chain that turn or slide without inertia, and without anything that acts on them.
+
+        Their accelerations are not defined and nothing depends on them: one without places goes, another joins its neighbour.
+        """
+        look = list(self.parts)
+        while look:
+            name = look.pop()
+            part = self.parts.get(name)
+            if part is None or name == GROUND or len(self.of[name]) > 1:
+                continue
+            if not self.of[name]:
+                if part.properties is None and not part.points:
+                    del self.parts[name]
+                continue
+            joint = self.connections[self.of[name][0]]
+            if joint.measured or not _idle(part, joint, size):
+                continue
+            self._drop(joint.name)
+            other = self.parts[_across(joint, name)]
+            look.append(other.name)
+            del self.parts[name]
+            if part.properties is None and not part.points:
+                text = "has no mass, and nothing is attached to it; left out with its joint"
+                left.append(LeftOut("link", part.where, text))
+                continue
+            left.append(LeftOut("joint", joint.where, "moves no inertia, and nothing acts on it: it is fixed here"))
+            other.points |= part.points
+            other.add(part.properties)
+
+    def without_spins(self, left: list[LeftOut]) -> None:
+        """Parts alike all round an axis, between two undriven hinges on it, spin freely and move nothing else by it.
+
+        Each joins a neighbour, without its moment about the axis: CAD programs put such spheres and pins where loops close.
+        """
+        for name, part in list(self.parts.items()):
+            own = [self.connections[key] for key in self.of[name]]
+            if name == GROUND or len(own) != 2 or part.points or not _spins(part, *own):
+                continue
+            beside = [_across(one, name) for one in own]
+            if beside[0] == beside[1]:
+                continue
+            gone, stays = own if beside[0] != GROUND else own[::-1]
+            onto = _across(gone, name)
+            if (given := part.properties) is not None:
+                n = stays.axis
+                self.parts[onto].add(replace(given, inertia=given.inertia - (n @ given.inertia @ n) * np.outer(n, n)))
+            text = f"link {name!r} turns freely about the one axis of its two joints; it does not here"
+            left.append(LeftOut("spin", gone.where, text))
+            self._drop(gone.name)
+            pair = (onto, stays.parts[1]) if stays.parts[0] == name else (stays.parts[0], onto)
+            self.connections[stays.name] = replace(stays, parts=pair)
+            self.of[onto].append(stays.name)
+            del self.parts[name]
+
+    def anchored(self, size: float) -> list[Connection]:
+        """Axes that meet in a part without mass get their first node where they meet: it is a triangle, Hooke's cross."""
+        moved: set[str] = set()
+        for part in self.parts.values():
+            if part.name == GROUND or part.properties is not None:
+                continue
+            own = [key for key in self.of[part.name] if self.connections[key].kind == "revolute"]
+            for one, two in combinations(own, 2):
+                if (place := _meeting(self.connections[one], self.connections[two], size)) is not None:
+                    for key in {one, two} - moved:
+                        self.connections[key] = replace(self.connections[key], place=place)
+                        moved.add(key)
+        return list(self.connections.values())
 
 
-def _without_spins(parts: dict[str, Part], connections: list[Connection], left: list[LeftOut]) -> list[Connection]:
-    """Parts alike all round an axis, between two undriven hinges on it, spin freely and move nothing else by it.
+def _across(joint: Connection, part: str) -> str:
+    """The other part of a joint."""
+    return joint.parts[1] if joint.parts[0] == part else joint.parts[0]
 
-    Each joins a neighbour, without its moment about the axis: CAD programs put such spheres and pins where loops close.
-    """
-    for name in list(parts):
-        own = [one for one in connections if name in one.parts]
-        if name == GROUND or len(own) != 2 or parts[name].points or not _spins(parts[name], *own):
-            continue
-        beside = [next(iter(set(one.parts) - {name})) for one in own]
-        if beside[0] == beside[1]:
-            continue
-        gone, stays = own if beside[0] != GROUND else own[::-1]
-        onto = next(iter(set(gone.parts) - {name}))
-        if (given := parts.pop(name).properties) is not None:
-            n = stays.axis
-            rest = replace(given, inertia=given.inertia - (n @ given.inertia @ n) * np.outer(n, n))
-            old = parts[onto].properties
-            parts[onto].properties = rest if old is None else combined(old, rest)
-        left.append(
-            LeftOut("spin", gone.where, f"link {name!r} turns freely about the one axis of its two joints; it does not here")
-        )
-        pair = (onto, stays.parts[1]) if stays.parts[0] == name else (stays.parts[0], onto)
-        connections = [replace(one, parts=pair) if one is stays else one for one in connections if one is not gone]
-    return connections
+
+def _idle(part: Part, joint: Connection, size: float) -> bool:
+    """True if a joint at the end of a chain moves no mass, and no inertia about its axis or its centre."""
+    if (given := part.properties) is None:
+        return True
+    if joint.kind == "prismatic":
+        return False
+    arm = given.center - joint.place
+    moments = given.inertia + given.mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    moment = joint.axis @ moments @ joint.axis if joint.kind == "revolute" else float(np.trace(moments))
+    return bool(moment <= NOTHING * given.mass * size**2)
 
 
 def _spins(part: Part, one: Connection, two: Connection) -> bool:
@@ -225,23 +317,6 @@ def _spins(part: Part, one: Connection, two: Connection) -> bool:
     moment = 0.5 * float(np.trace(across @ given.inertia))
     uneven = given.inertia - moment * across - (n @ given.inertia @ n) * np.outer(n, n)
     return float(np.abs(uneven).max()) <= ROUND * float(np.trace(given.inertia))
-
-
-def _anchored(parts: Mapping[str, Part], connections: Sequence[Connection], size: float) -> list[Connection]:
-    """Axes that meet in a part without mass get their first node where they meet: it is a triangle, Hooke's cross."""
-    found = {one.name: one for one in connections}
-    moved: set[str] = set()
-    for part in parts.values():
-        own = [found[one.name] for one in connections if part.name in one.parts and one.kind == "revolute"]
-        if part.name == GROUND or part.properties is not None:
-            continue
-        for one, two in combinations(own, 2):
-            if (place := _meeting(one, two, size)) is not None:
-                for each in (one, two):
-                    if each.name not in moved:
-                        found[each.name] = replace(found[each.name], place=place)
-                        moved.add(each.name)
-    return list(found.values())
 
 
 def _meeting(one: Connection, two: Connection, size: float) -> NDArray[np.float64] | None:

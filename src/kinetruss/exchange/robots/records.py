@@ -135,7 +135,7 @@ class Span:
 class Robot:
     """Links by name, joints from `root` outwards, closures, couplings, spans; gravity (3,) m/s^2; what was left out.
 
-    root : the link that the ground holds.
+    root : the link that the ground holds. notes : what was assumed while the file was read.
     """
 
     title: str
@@ -147,6 +147,7 @@ class Robot:
     spans: Sequence[Span] = ()
     gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)
     left_out: Sequence[LeftOut] = ()
+    notes: Sequence[str] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

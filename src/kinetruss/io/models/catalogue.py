@@ -11,7 +11,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.io.formats.tree import locate, plain, refuse
 from kinetruss.io.formats.yaml import parse
-from kinetruss.model import Catalogue, Gear, Motor, Of, ScrewStock, TubeStock
+from kinetruss.model import Catalogue, Gear, Motor, Of, ScrewStock, TubeStock, of_file
 from kinetruss.units import NUMBER, unit_of
 
 __all__ = ["read_catalogue"]
@@ -55,7 +55,8 @@ def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
         data = plain(tree)
         found = [*faults, *_unitless(data)]
         try:
-            catalogue = Catalogue(**data)
+            with of_file():
+                catalogue = Catalogue(**data)
         except ModelError as error:
             accused = {fault.path[:2] for fault in found}
             found += [fault for fault in error.faults if fault.path[:2] not in accused]

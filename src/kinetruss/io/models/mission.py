@@ -9,7 +9,7 @@ from kinetruss.errors import ModelError
 from kinetruss.io.formats.text import MAX_SIZE, read_text
 from kinetruss.io.formats.tree import Tree, locate, plain, refuse
 from kinetruss.io.formats.yaml import parse
-from kinetruss.model import Mission, Model, mission_faults
+from kinetruss.model import Mission, Model, mission_faults, of_file
 
 __all__ = ["read_mission"]
 
@@ -39,7 +39,8 @@ def read_mission(path: str | Path, model: Model | None = None, *, max_size: int 
     try:
         tree = _parsed(path, max_size)
         try:
-            mission = Mission(**_rebased(plain(tree), path.parent))
+            with of_file():
+                mission = Mission(**_rebased(plain(tree), path.parent))
             if model is not None and (found := mission_faults(model, mission)):
                 raise ModelError(found)
         except ModelError as error:

@@ -13,7 +13,7 @@ from kinetruss.io.formats.tree import Tree, locate, plain, refuse
 from kinetruss.io.formats.yaml import parse
 from kinetruss.io.models.files import Reading, with_files
 from kinetruss.io.models.library import on_library_model, with_parameters
-from kinetruss.model import FORMAT, Lost, Model, rests_on
+from kinetruss.model import FORMAT, Lost, Model, of_file, rests_on
 
 __all__ = ["model_of", "placed", "read"]
 
@@ -117,7 +117,8 @@ def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: 
     for place in reading.lost:
         lost.add(place)
     try:
-        model = Model(**reading.data)
+        with of_file():
+            model = Model(**reading.data)
     except ModelError as error:
         own = [fault for fault in error.faults if not rests_on(fault, lost)]
         if () in lost:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -25,10 +25,16 @@ from kinetruss.units import parse, unit_of
 __all__ = ["read_parts"]
 
 _HEADER = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\))?")
+_LINE = re.compile(r"\r\n|\r|\n")
 _NODES = {"x": "length", "y": "length", "z": "length", "mass": "mass"}
 _MEMBERS = {"mass": "mass"}
 _KINDS = ("rigid", "driven", "active", "elastic", "cable", "free")
 _MOST = 20
+
+
+def _blank(line: str) -> bool:
+    """True of a line between rows that is empty or a comment."""
+    return not line.strip() or line.lstrip().startswith("#")
 
 
 class _Sheet:
@@ -44,26 +50,49 @@ class _Sheet:
             text = read_text(path, max_size)
         except ModelError as error:
             raise ModelError([replace(fault, file=self.path) for fault in error.faults]) from None
-        lines = [
-            (k, line) for k, line in enumerate(text.splitlines(), start=1) if line.strip() and not line.lstrip().startswith("#")
-        ]
         self.unit: dict[str, str] = {}
-        self._between = next((mark for mark in ";\t" if lines and mark in lines[0][1]), ",")
-        head = self._head(*lines[0], columns, more) if lines else []
-        if len(lines) < 2:
-            self.fault(
-                "has no rows.", f"Give a header ({', '.join(columns)}) and one row for each.", lines[0][0] if lines else 1
-            )
-        for number, line in lines[1:]:
-            cells = [cell.strip() for cell in self._cells(line)]
+        self._between = ","
+        rows = list(self._split(text))
+        head = self._head(rows[0][0], rows[0][2], columns, more) if rows else []
+        if len(rows) < 2 and not self.faults:
+            line = rows[0][0] if rows else 1
+            self.fault("has no rows.", f"Give a header ({', '.join(columns)}) and one row for each.", line)
+        for number, last, cells in rows[1:]:
             if len(cells) != len(head):
                 mend = "Give one cell per column. (A decimal comma splits a number in two; then use semicolons between cells.)"
+                if last > number:
+                    mend = f"A quote that opens here is closed in line {last}, or nowhere: close it where its cell ends."
                 self.fault(f"has {counted(len(cells), 'cell')}; the header has {len(head)}.", mend, number)
             else:
                 self.rows.append((number, dict(zip(head, cells, strict=True))))
 
-    def _cells(self, line: str) -> list[str]:
-        return next(csv.reader([line], delimiter=self._between))
+    def _split(self, text: str) -> Iterator[tuple[int, int, list[str]]]:
+        """First line, last line and cells of each row; comments and empty lines between rows are none."""
+        lines = _LINE.split(text)
+        header = next((line for line in lines if not _blank(line)), "")
+        self._between = next((mark for mark in ";\t" if mark in header), ",")
+        number, first = 0, 0  # the line that is read; that where the row began, 0 between rows
+
+        def read() -> Iterator[str]:
+            nonlocal number, first
+            for number, line in enumerate(lines, start=1):
+                if first or not _blank(line):
+                    first = first or number
+                    yield line + "\n"
+
+        reader = csv.reader(read(), delimiter=self._between)
+        while True:
+            first = 0
+            try:
+                cells = next(reader)
+            except StopIteration:
+                return
+            except csv.Error as error:
+                long = "field larger" in str(error)
+                said = f"a cell has more than {csv.field_size_limit():,} characters." if long else f"cannot be read: {error}."
+                self.fault(said, "Shorten the cell, or close the quote that opens in it.", first or number)
+                return
+            yield first, number, [cell.strip() for cell in cells]
 
     def fault(self, message: str, mend: str, line: int) -> None:
         """Collect a fault of a line."""
@@ -82,10 +111,10 @@ class _Sheet:
             self.fault(f"{shown(row[name])} is not a number, in column {shown(name)}.", "Give a number.", line)
         return text
 
-    def _head(self, number: int, line: str, columns: tuple[str, ...], more: tuple[str, ...]) -> list[str]:
+    def _head(self, number: int, cells: list[str], columns: tuple[str, ...], more: tuple[str, ...]) -> list[str]:
         found = []
-        for text in self._cells(line):
-            match = _HEADER.fullmatch(text.strip())
+        for text in cells:
+            match = _HEADER.fullmatch(text)
             name, unit = (match[1], match[2] or match[3]) if match else (text, None)
             known = (*columns, *more)
             name = name.lower() if name.lower() in known else name
@@ -147,7 +176,7 @@ def _nodes(sheet: _Sheet) -> tuple[dict[str, Any], dict[str, list[str]]]:
         for column, text in row.items():
             if column.startswith("face.") and text:
                 face = corners.setdefault(column.removeprefix("face."), {})
-                if not text.isdigit() or int(text) in face:
+                if not (text.isdecimal() and len(text) < 10) or int(text) in face:
                     sheet.fault(
                         f"{shown(text)} is no free number of a corner, in column {column}.", "Number the corners 1, 2, 3.", line
                     )

@@ -8,7 +8,7 @@ from kinetruss.exchange.readers.robot_formats.xml import Element, parse_xml
 from kinetruss.exchange.readers.texts import text_of
 from kinetruss.limits import MOST_ENTRIES
 
-__all__ = ["included"]
+__all__ = ["beside", "included"]
 
 ROOTS = ("mujocoinclude", "mujoco")
 
@@ -38,13 +38,19 @@ def _expanded(element: Element, folder: Path, max_size: int, seen: set[Path], co
 
 
 def _file(element: Element, folder: Path, max_size: int, seen: set[Path]) -> Element:
+    path = beside(element, folder, folder)
+    if path.resolve() in seen:
+        raise element.fault(f"includes {element.text('file')!r} a second time.", "MuJoCo allows a file once. Remove one.")
+    seen.add(path.resolve())
+    return parse_xml(path, text_of(path, max_size), ROOTS)
+
+
+def beside(element: Element, folder: Path, top: Path) -> Path:
+    """The file that an element names from the folder `top`, which must be in the folder of the model."""
     name = element.text("file")
-    path = folder / name
+    path = top / name
     if not path.resolve().is_relative_to(folder.resolve()):
         raise element.fault(f"file {name!r} is outside the folder of the model.", "Move it beside the model, or below.")
     if not path.is_file():
-        raise element.fault(f"file {name!r} is not there.", f"Put it into {folder}, or correct the name.")
-    if path.resolve() in seen:
-        raise element.fault(f"includes {name!r} a second time.", "MuJoCo allows a file once. Remove one.")
-    seen.add(path.resolve())
-    return parse_xml(path, text_of(path, max_size), ROOTS)
+        raise element.fault(f"file {name!r} is not there.", f"Put it into {top}, or correct the name.")
+    return path

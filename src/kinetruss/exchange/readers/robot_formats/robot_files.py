@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from kinetruss.errors import InputError
@@ -43,11 +43,12 @@ def robot(
     closures: str | Path | None = None,
     at: Mapping[str, float] | None = None,
     floating: bool = False,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Imported:
-    """The model of a URDF or MJCF file."""
+    """The model of a URDF or MJCF file. progress : called with (bodies done, all bodies)."""
     found = robot_of(path, max_size=max_size, closures=closures, at=at, floating=floating)
     posed = closed(found)
-    made = assemble(posed)
+    made = assemble(posed, progress)
     return Imported(
         model=made.model,
         source=str(path),
@@ -56,7 +57,13 @@ def robot(
         gap=posed.gap,
         offsets=made.offsets,
         freedoms=posed.freedoms,
-        notes=[_gravity(found, path), *(f"coupling {name}: the rest of the robot implies it" for name in posed.implied)],
+        notes=[
+            _gravity(found, path),
+            *found.notes,
+            *posed.moved,
+            *made.notes,
+            *(f"coupling {name}: the rest of the robot implies it" for name in posed.implied),
+        ],
     )
 
 

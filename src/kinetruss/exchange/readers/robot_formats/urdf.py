@@ -33,9 +33,10 @@ KINDS: Mapping[str, JointKind] = {
     "fixed": "weld",
     "floating": "free",
     "spherical": "ball",
+    "planar": "revolute",
 }
 SINGLE = ("revolute", "continuous", "prismatic")
-"""Types of joints that are driven if no file names motors."""
+"""Types of joints with one value: they are driven if no file names motors."""
 WHY = {
     "visual": "shapes are not carried; mass and places are",
     "collision": "contacts are not part of a model",
@@ -72,16 +73,15 @@ def read_urdf(
     made = {
         name: _link(one, GROUND if own_ground and name == base else names.of(name, one.where)) for name, one in links.items()
     }
-    left = list(_left_out(root))
+    left: list[LeftOut] = []
     if closures is None:
         drives = [name for name, one in joints.items() if one.attributes.get("type") in SINGLE and one.one("mimic") is None]
         kinds: Mapping[str, str] = {}
     else:
         drives, kinds = closures.drives(list(joints)), closures.kinds(list(joints))
         left += closures.left_out
-    unknown = [name for name in at or {} if name not in joints]
-    if unknown:
-        raise InputError(f"{path}: no joint called {unknown[0]!r}. {nearest(unknown[0], joints)}")
+    left += _left_out(root, kinds)
+    _asked(path, at or {}, joints, kinds)
     pivots: list[Pivot] = []
     own: dict[str, Link] = {}
     called: dict[str, Pivot] = {}
@@ -90,7 +90,11 @@ def read_urdf(
         pivots.append(Pivot(name="floating_base", kind="free", parent=GROUND, child=made[base].name, origin=np.eye(4)))
     for name in _outwards(base, joints):
         for pivot, link in _pivots(joints[name], kinds.get(name), made, names):
-            pivots.append(replace(pivot, start=(at or {}).get(name), drive=pivot.name if name in drives else None))
+            single = pivot.kind in ("revolute", "prismatic")
+            driven = name in drives and single
+            if name in drives and not single:
+                left.append(LeftOut("motor", pivot.where, f"a {pivot.kind} joint has no single value to drive"))
+            pivots.append(replace(pivot, start=(at or {}).get(name), drive=pivot.name if driven else None))
             called[name] = pivot
             if link is not None:
                 own[link.name] = link
@@ -107,9 +111,24 @@ def read_urdf(
             Closure(name=name, kind=kind, links=(one, two), frames=(np.eye(4), np.eye(4)), where=where)
             for name, kind, one, two, where in pairs
         ],
-        couplings=list(_couplings(joints, called)),
+        couplings=list(_couplings(joints, called, kinds, left)),
         left_out=[*left, *names.renamed],
     )
+
+
+def _asked(path: Path, at: Mapping[str, float], joints: Mapping[str, Element], kinds: Mapping[str, str]) -> None:
+    """Refuse values of joints that are unknown or have no single value."""
+    for name in at:
+        if name not in joints:
+            raise InputError(f"{path}: no joint called {name!r}. {nearest(name, joints)}")
+        if not _single(joints[name], kinds.get(name)):
+            kind = kinds.get(name) or joints[name].attributes.get("type", "")
+            raise InputError(f"{path}: joint {name!r} is {kind}, without a single value. Leave it out of --at (at).")
+
+
+def _single(joint: Element, other: str | None) -> bool:
+    """True for a joint with one value. other : its type in the YAML file."""
+    return other is None and joint.attributes.get("type") in SINGLE
 
 
 def _refuse_xacro(root: Element, path: Path) -> None:
@@ -125,24 +144,34 @@ def _refuse_xacro(root: Element, path: Path) -> None:
         elements += one.children
 
 
-def _couplings(joints: Mapping[str, Element], called: Mapping[str, Pivot]) -> Iterator[JointCoupling]:
-    """Of joints with <mimic joint multiplier offset>: value - multiplier times that of the other joint = offset."""
+def _couplings(
+    joints: Mapping[str, Element], called: Mapping[str, Pivot], kinds: Mapping[str, str], left: list[LeftOut]
+) -> Iterator[JointCoupling]:
+    """Of joints with <mimic joint multiplier offset>: value - multiplier times that of the other joint = offset.
+
+    A joint that is held stays at 0, so what mimics it stays at the offset.
+    """
     for name, joint in joints.items():
         if (mimic := joint.one("mimic")) is None:
             continue
-        other = mimic.text("joint")
+        other, where = mimic.text("joint"), f"{mimic.file}:{mimic.line} {joint.label}"
         if other not in joints:
             raise mimic.fault(f"no joint called {other!r}.", nearest(other, joints))
         if other == name:
             raise mimic.fault(f"joint {name!r} follows itself.", "Name another joint.")
         for one in (name, other):
-            if called[one].kind not in ("revolute", "prismatic") or called[one].name not in (one, Names().of(one, "", "joint")):
+            if called[one].kind != "weld" and not _single(joints[one], kinds.get(one)):
                 raise mimic.fault(f"joint {one!r} has no single value.", "Couple revolute and prismatic joints.")
-        factor = mimic.number("multiplier", 1.0)
-        factors = {called[name].name: 1.0} | ({called[other].name: -factor} if factor else {})
-        yield JointCoupling(
-            name=f"{called[name].name}.mimic", factors=factors, value=mimic.number("offset", 0.0), where=joint.where
-        )
+        factor, offset = mimic.number("multiplier", 1.0), mimic.number("offset", 0.0)
+        if called[name].kind == "weld":
+            left.append(LeftOut("mimic", where, f"joint {name!r} does not move"))
+            continue
+        factors = {called[name].name: 1.0}
+        if called[other].kind == "weld":
+            left.append(LeftOut("mimic", where, f"joint {other!r} does not move: {name!r} is held at the offset"))
+        elif factor:
+            factors[called[other].name] = -factor
+        yield JointCoupling(name=f"{called[name].name}.mimic", factors=factors, value=offset, where=joint.where)
 
 
 def _child(joint: Element) -> str:
@@ -230,13 +259,13 @@ def _link(element: Element, name: str) -> Link:
     mass = weight.number("value")
     if mass < 0:
         raise weight.fault(f"has the mass {mass:g} kg.", "Give 0 or more.")
-    if mass == 0:
-        return Link(name=name, where=element.where)
     tensor, pose = np.zeros((3, 3)), _pose(inertial.one("origin"))
     if (given := inertial.one("inertia")) is not None:
         for i, row in enumerate("xyz"):
             for j, column in enumerate("xyz"):
                 tensor[i, j] = given.number("i" + "".join(sorted(row + column)), 0.0 if row != column else None)
+    if mass == 0 and not tensor.any():
+        return Link(name=name, where=element.where)
     R = pose[:3, :3]
     properties = MassProperties(mass=mass, center=pose[:3, 3], inertia=R @ tensor @ R.T)
     return Link(name=name, properties=properties, where=(given or inertial).where.replace("<inertia>", f"{element.label}"))
@@ -268,14 +297,24 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
             )  # fmt: skip
         return
     found: JointKind = "ball" if other == "SPHERICAL" else "weld" if other == "FIXED" else KINDS[kind]
-    if found in ("revolute", "prismatic"):
+    if found in ("revolute", "prismatic"):  # a planar one turns about its axis
         if not (size := float(np.linalg.norm(along))):
             raise (axis or joint).fault("has an axis without direction.", 'Write for example <axis xyz="0 0 1"/>.')
         along = along / size
     damping = friction = 0.0
-    if found in ("revolute", "prismatic") and (dynamics := joint.one("dynamics")) is not None:
+    if kind in SINGLE and other is None and (dynamics := joint.one("dynamics")) is not None:
         damping, friction = (_resisting(dynamics, word) for word in ("damping", "friction"))
     limits = None
+    if kind == "planar":
+        x, y = _across(along)
+        for word, way in (("x", x), ("y", y)):
+            between = Link(name=names.of(f"{name}_{word}", joint.where), where=joint.where)
+            slide = Pivot(
+                name=names.of(f"{name}_{word}", joint.where, "joint"), kind="prismatic", parent=parent, child=between.name,
+                origin=origin, axis=way, where=joint.where,
+            )  # fmt: skip
+            yield slide, between
+            parent, origin = between.name, np.eye(4)
     if (limit := joint.one("limit")) is not None and "lower" in limit.attributes and "upper" in limit.attributes:
         limits = (limit.number("lower"), limit.number("upper"))
     yield (
@@ -294,6 +333,14 @@ def _pivots(joint: Element, other: str | None, links: Mapping[str, Link], names:
     )
 
 
+def _across(normal: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Two unit vectors that are a right-handed frame with a third: x and y for z."""
+    x = np.eye(3)[(int(np.argmax(np.abs(normal))) + 1) % 3]
+    x = x - (x @ normal) * normal
+    x /= np.linalg.norm(x)
+    return x, np.cross(normal, x)
+
+
 def _resisting(dynamics: Element, word: str) -> float:
     found = dynamics.number(word, 0.0)
     if found < 0:
@@ -301,13 +348,14 @@ def _resisting(dynamics: Element, word: str) -> float:
     return found
 
 
-def _left_out(root: Element) -> Iterator[LeftOut]:
+def _left_out(root: Element, kinds: Mapping[str, str]) -> Iterator[LeftOut]:
+    """Elements that are not carried. kinds : types of joints in the YAML file."""
     for one in root.children:
         if one.tag not in PARTS:
             yield LeftOut(one.tag, one.where, WHY.get(one.tag, "is not known here"))
             continue
         for child in one.children:
-            still = child.tag == "dynamics" and one.attributes.get("type") in SINGLE
+            still = child.tag == "dynamics" and one.attributes.get("type") in SINGLE and one.attributes.get("name") not in kinds
             if child.tag not in PARTS[one.tag] or (child.tag in ("limit", "dynamics") and not still):
                 where = f"{child.file}:{child.line} {one.label}"
                 yield LeftOut(child.tag, where, WHY.get(child.tag, "is not known here"))
