@@ -88,8 +88,8 @@ def test_units_in_files(tmp_path):
 
 FAULTS = [
     ({"nodes": ("O", "X", "Y", "R")}, "'O', 'X', 'Y', 'R' lie in one plane", "Add a node beside them to the model"),
-    ({"nodes": ("O", "X", "Y", "R", "P")}, "lie in one plane", "Take others: carriers: [X, Y, R, P]."),
-    ({"nodes": ("O", "X", "S")}, "'O', 'X', 'S' lie on one line", "If it is a rod, two carry it: carriers: [O, S]."),
+    ({"nodes": ("O", "X", "Y", "R", "P")}, "lie in one plane", 'Take others: carriers=["X", "Y", "R", "P"].'),
+    ({"nodes": ("O", "X", "S")}, "'O', 'X', 'S' lie on one line", 'If it is a rod, two carry it: carriers=["O", "S"].'),
     ({"nodes": ("O", "X", "S", "S2")}, "'O', 'X', 'S', 'S2' lie on one line", "Add two nodes beside them"),
     ({"nodes": ("O", "X", "S", "S2"), "carriers": ("O", "S2")}, "has 4 nodes on one line", "they need no mass"),
     ({"nodes": ("O", "X", "Y", "X2")}, "'X' and 'X2' stand almost at one place, 1.0e-09 m apart", "Add a node beside them"),
@@ -157,9 +157,9 @@ def test_what_is_offered_in_place_of_points_that_span_nothing_holds(nodes, freed
     with pytest.raises(kt.ModelError, match="on one line|in one plane") as error:
         made({"nodes": names, "mass": 2.0}, nodes)
     mend = error.value.faults[0].mend
-    more = re.search(r"nodes: \{(.*?\])\}", mend)
-    added = yaml.safe_load(f"{{{more[1]}}}") if more else {}
-    carriers = re.search(r"carriers: \[(.*?)\]", mend)[1].split(", ")
+    more = re.search(r"nodes=(\{.*?\]\})", mend)
+    added = yaml.safe_load(more[1]) if more else {}
+    carriers = yaml.safe_load(re.search(r"carriers=(\[.*?\])", mend)[1])
     found = made(
         {"nodes": (*names, *added), "mass": 2.0, "carriers": carriers}, nodes | {k: tuple(v) for k, v in added.items()}
     )

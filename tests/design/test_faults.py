@@ -73,7 +73,7 @@ def test_a_member_outside_all_groups():
     model, mission = task.chain_task(0.3)
     only = {"lower": mission.groups["lower"]}
     said = refused(mission.with_(groups=only), model)
-    assert "is in no group and does not carry: beam-column reaches" in said
+    assert "is in no group and does not carry: buckling reaches" in said
 
 
 def test_a_run_that_ends_early():

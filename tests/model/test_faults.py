@@ -66,7 +66,7 @@ def active(**changes):
         (
             PLANE,
             {"support_motion": {"C": {"times": (0, 1), "displacements": ((0, 0), (0, 0))}}},
-            "support_motion.C: is not a fixed node. Fix it first: fixed: {C: xy}.",
+            'support_motion.C: is not a fixed node. Fix it first: fixed={"C": "xy"}.',
         ),
         (PLANE, {"drives": {"d": {"kind": "coordinate", "node": "C", "axis": "z"}}}, "drives.d.axis: is z in a planar model."),
         (SPACE, {"drives": {"d": kt.AngleDrive("ab")}}, "drives.d: drives an angle in space without an axis."),
@@ -96,7 +96,7 @@ def test_own_drive_of_a_member_may_be_renamed():
 def test_coincident_nodes_need_a_word():
     nodes = PLANE["nodes"] | {"D": (0, 1)}
     assert told(PLANE, nodes=nodes)[0].startswith("nodes.D: stands where node 'C' stands")
-    assert "coincident: true" in told(PLANE, nodes=nodes)[0]
+    assert '"coincident": True' in told(PLANE, nodes=nodes)[0]
     assert told(PLANE, nodes=nodes | {"D": {"at": (0, 1), "coincident": True}}) == []
     assert told(PLANE, nodes=nodes | {"C": {"at": (0, 1), "coincident": "true"}}) == []
 

@@ -21,6 +21,15 @@ SLIPS = {
     "named section in mm": ({"section": "s", "sections": {"s": {"kind": "rod", "diameter": 19}}}, "sections.s"),
     "section of a bar": ({"bars": {"b": {"ends": ("A", "B"), "section": {"kind": "rod", "diameter": 19}}}}, "bars.b.section"),
     "nodes in mm": ({"nodes": {"A": (0, 0), "B": (2000, 0)}, "section": ROD}, "section"),
+    "nodes in mm, a flat section in m": (
+        {"nodes": {"A": (0, 0), "B": (400, 0)}, "section": {"kind": "rectangle", "width": "20 mm", "height": "5 mm"}},
+        "section",
+    ),
+    "nodes in mm, beams": (
+        {"nodes": {"A": (0, 0), "B": (400, 0)}, "bars": {}, "clamped": ["A"], "fixed": {}, "beams": {"b": ("A", "B")},
+         "section": {"kind": "rectangle", "width": "20 mm", "height": "5 mm"}, "material": "steel_s235"},
+        "section",
+    ),
     "E in GPa": ({"material": STEEL | {"E": 210}}, "material.E"),
     "density in g/cm^3": ({"material": STEEL | {"density": 0.00785}}, "material.density"),
     "density in kg/mm^3": ({"material": STEEL | {"density": 7.85e6}}, "material.density"),

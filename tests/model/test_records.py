@@ -78,7 +78,7 @@ def test_no_end_conditions(value):
     [
         ({"kind": "tubee"}, "kind 'tubee' is not known. Did you mean 'tube'?"),
         ({"outer": 1}, "has no kind. Add kind: one of tube, rod, rectangle, general."),
-        (3, "is 3; expected a table of fields. Write for example {kind: ..., ...}."),
+        (3, 'is 3; expected a record. Write for example kt.Rod(diameter="10 mm").'),
         ({"kind": "tube", "outer": 1, "inner": 2}, "inner diameter 2 m must be at least 0 and less than the outer 1 m."),
         ("no such", "'no such' is no name: it is empty, or has a space, a slash or a control character."),
     ],

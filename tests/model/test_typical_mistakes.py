@@ -26,19 +26,22 @@ WRONG_FIELDS = [
     (lambda m: kt.Model({"A": (0, 0)}), "Model(nodes=..., title=..., fixed=..., ...)"),
     (lambda m: m.with_(load={}), "'load' is not known here. Did you mean 'loads'?"),
     (lambda m: m.with_(gravity=9.81), "Write for example [0, -9.81]."),
-    (lambda m: m.with_(fixed="A"), "{A: xy, D: xy}"),
-    (lambda m: m.with_(bars=[("A", "B")]), "{crank: [A, B]}"),
-    (lambda m: m.with_(loads=[kt.NodalForce(node="C", force=(1, 0))]), "{weight: {node: B, force: [0, -100 N]}}"),
-    (lambda m: kt.NodalForce(node="C", force=50), "Write for example [0, -100 N]."),
-    (lambda m: kt.Quintic(moves={"motor": "90 deg"}, duration=1), "[0, 90 deg], the first and the last value"),
+    (lambda m: m.with_(fixed="A"), 'fixed=["A", "D"], or fixed={"A": "xy", "D": "xy"}'),
+    (lambda m: m.with_(bars=[("A", "B")]), '{"crank": ["A", "B"]}'),
+    (
+        lambda m: m.with_(loads=[kt.NodalForce(node="C", force=(1, 0))]),
+        '{"weight": kt.NodalForce(node="B", force=[0, "-100 N"])}',
+    ),
+    (lambda m: kt.NodalForce(node="C", force=50), 'Write for example [0, "-100 N"].'),
+    (lambda m: kt.Quintic(moves={"motor": "90 deg"}, duration=1), '[0, "90 deg"], the first and the last value'),
     (lambda m: kt.strength.check(_turn(m)[1], m), "A model is expected first, not a Forces."),
     (lambda m: kt.strength.check(m, _turn(m)[0]), "A Motion is not forces. Give the result of dynamics.inverse"),
     (lambda m: kt.dynamics.inverse(_turn(m)[0], m), "A model is expected first, not a Motion."),
     (lambda m: kt.kinematics.mobility("leg.yaml"), "A model is expected first, not 'leg.yaml'. Give a kt.Model, or kt.read("),
     (lambda m: kt.report.picture(m, "leg.png", at="3 kg"), "'3 kg' is not a time (s)"),
-    (lambda m: m.with_(section="circle"), "section: no section called 'circle'. Give a solid round bar as {kind: rod, "),
-    (lambda m: m.with_(section=kt.Circle(centre=(0, 0))), "kind 'circle' is not known. Give a solid round bar as {kind: rod, "),
-    (lambda m: m.with_(section={"kind": "pipe"}), "a round tube as {kind: tube, outer: 20 mm, inner: 16 mm} (kt.Tube)"),
+    (lambda m: m.with_(section="circle"), "section: no section called 'circle'. Give a solid round bar as kt.Rod("),
+    (lambda m: m.with_(section=kt.Circle(centre=(0, 0))), "kind 'circle' is not known. Give a solid round bar as kt.Rod("),
+    (lambda m: m.with_(section={"kind": "pipe"}), 'a round tube as kt.Tube(outer="20 mm", inner="16 mm")'),
     (lambda m: kt.dynamics.simulate(m, "1 m"), "'1 m' is not a time (s)"),
 ]
 
@@ -96,3 +99,30 @@ def test_completion_and_help_show_no_internals():
         assert set(dir(module)) <= set(module.__all__), module.__name__
     text = pydoc.render_doc(kt.NodalForce, renderer=pydoc.plaintext)
     assert "model_dump" not in text and "with_" in text and len(text.splitlines()) < 40
+
+
+LIVE = {
+    "rates of a trajectory": lambda: kt.ConstantRate(rates=10.0, duration=1),
+    "a drive": lambda: kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"crank": ("A", "B")}, drives={"motor": "crank"}),
+    "a load": lambda: kt.Model(nodes={"A": (0, 0)}, loads={"x": 5}),
+    "a run": lambda: kt.Model(nodes={"A": (0, 0)}, runs={"x": 5}),
+    "a material": lambda: kt.Model(nodes={"A": (0, 0)}, material=5),
+    "a section": lambda: kt.Model(nodes={"A": (0, 0)}, section=5),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("wrong", LIVE.values(), ids=LIVE)
+def test_what_python_is_told_to_write_is_python(wrong):
+    with pytest.raises(kt.ModelError) as error:
+        wrong()
+    (fault,) = error.value.faults
+    given = fault.mend.removeprefix("Write for example ").removesuffix(".")
+    assert eval(given, {"kt": kt})
+
+
+def test_a_file_is_told_to_write_yaml(tmp_path):
+    path = tmp_path / "model.yaml"
+    path.write_text("kinetruss: 1\nnodes: {A: [0, 0], B: [1, 0]}\nbars: {crank: [A, B]}\nfixed: A, B\ndrives: {motor: crank}\n")
+    fixed, drive = kt.check(path)
+    assert fixed.mend == "Write for example fixed: [A, D], or fixed: {A: xy, D: xy}."
+    assert drive.mend == "Write for example {kind: angle, bar: crank}."

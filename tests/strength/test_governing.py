@@ -1,4 +1,4 @@
-"""The verdict in one line: OK, over capacity, not verified, not checked."""
+"""The verdict in one line: OK, over capacity, not fully checked, not checked."""
 
 import pytest
 
@@ -44,10 +44,10 @@ def test_over_counts_the_others():
 def test_what_was_not_checked_is_no_ok():
     found = headline(held(material=kt.Material(E=210e9, density=7850)))
     assert (found.state, found.checked, found.parts) == ("open", 0, 2)
-    assert found.text == "Strength not verified: 0 of 2 parts checked"
+    assert found.text == "Strength not fully checked: 0 of 2 parts checked"
     bars = {"left": ("A", "C"), "right": kt.Bar(ends=("B", "C"), section=kt.Tube(outer=0.02, inner=0.016), material="soft")}
     partly = held(bars=bars, materials={"soft": kt.Material(E=210e9, density=7850)})
-    assert headline(partly).text == "Strength not verified: 1 of 2 parts checked"
+    assert headline(partly).text == "Strength not fully checked: 1 of 2 parts checked"
     assert headline(None).state == "none"
 
 

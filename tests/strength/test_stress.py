@@ -25,6 +25,74 @@ def test_round_section_against_the_whole_circumference(a, b2, b3, k2, k3):
     assert found <= brute * (1 + 1e-5)
 
 
+def on_the_circle(a, b2, b3, k2, k3):
+    """Largest von Mises stress among all stationary points: the roots of a quartic in tan(angle/2), and both ends of it."""
+    c, s, one = np.array([-1.0, 0, 1]), np.array([0.0, 2, 0]), np.array([1.0, 0, 1])  # (1 - w^2, 2 w, 1 + w^2)
+    sigma, tau = a * one + b2 * s - b3 * c, k2 * s - k3 * c
+    slope = np.convolve(sigma, b2 * c + b3 * s) + 3 * np.convolve(tau, k2 * c + k3 * s)
+    # the derivative by the angle is that polynomial over (1 + w^2)^2; a double root has an imaginary part of rounding
+    slope[np.abs(slope) < 1e-15 * np.abs(slope).max()] = 0.0
+    w = np.roots(slope).real
+    angle = np.concatenate([2 * np.arctan(w), [np.pi], ANGLE])
+    vm = np.sqrt((a + b2 * np.sin(angle) - b3 * np.cos(angle)) ** 2 + 3 * (k2 * np.sin(angle) - k3 * np.cos(angle)) ** 2)
+    return vm.max()
+
+
+# equal magnitudes, right angles between bending and shear and slight departures from both: saddles and flat tops
+alike = st.tuples(
+    st.sampled_from([0.0, 1.0, -1.0, 2.0, 1.0 / 3]), st.sampled_from([0.0, 1e-12, 1e-7, 1e-4, -1e-3, 0.02])
+).map(sum)  # fmt: skip
+shared = st.sampled_from([1.0, 1e3, 1e-3, 1e8])
+
+
+@settings(max_examples=400, deadline=None)
+@given(alike, alike, alike, alike, alike, st.sampled_from([1.0, np.sqrt(3), 1 / np.sqrt(3)]), shared)
+def test_round_section_against_all_roots_of_its_quartic(a, b2, b3, k2, k3, ratio, unit):
+    load = unit * np.array([a, b2, b3, ratio * k2, ratio * k3])
+    found, wanted = von_mises(ROUND, *load), on_the_circle(*load)
+    assert wanted * (1 - 1e-13) <= found <= wanted * (1 + 1e-7)
+
+
+@settings(max_examples=100, deadline=None)
+@given(stress, stress, stress, stress, st.floats(1e-9, 1e-2), st.floats(0, 6.3))
+def test_round_section_where_a_saddle_lies_near_the_top(a, b, k, other, small, turn):
+    """Bending and shear nearly in one plane: the most bent point is a saddle, or nearly."""
+    c, s = np.cos(turn), np.sin(turn)
+    load = (a, b * s, b * c, k * c - small * other * s, -k * s - small * other * c)
+    found, wanted = von_mises(ROUND, *load), on_the_circle(*load)
+    assert wanted * (1 - 1e-13) <= found <= wanted * (1 + 1e-7)
+
+
+def test_round_section_in_closed_form():
+    a, b, k = 3.0, 2.0, 1.5
+    assert von_mises(ROUND, a, 0.0, 0.0, 0.0, 0.0) == pytest.approx(a, rel=1e-15)
+    assert von_mises(ROUND, 0.0, 0.0, 0.0, k, 0.0) == pytest.approx(np.sqrt(3) * k, rel=1e-15)
+    assert von_mises(ROUND, a, 0.6 * b, 0.8 * b, 0.0, 0.0) == pytest.approx(a + b, rel=1e-15)
+    assert von_mises(ROUND, -a, b, 0.0, 0.0, 0.0) == pytest.approx(a + b, rel=1e-15)
+    # bending and shear in one plane: with K = 3 k^2, a parabola in the cosine, a^2 + K + a^2 b^2/(K - b^2) at its vertex
+    K = 3 * 4.0**2
+    assert von_mises(ROUND, a, 0.0, b, 4.0, 0.0) ** 2 == pytest.approx(a**2 + K + (a * b) ** 2 / (K - b**2), rel=1e-14)
+    # shear across the plane of bending: the most bent point has the most shear
+    assert von_mises(ROUND, a, b, 0.0, k, 0.0) ** 2 == pytest.approx((a + b) ** 2 + 3 * k**2, rel=1e-14)
+    assert von_mises(ROUND, 0.0, 0.0, 0.0, 0.0, 0.0) == 0
+
+
+@given(stress, stress, stress, stress, stress, st.integers(-90, 90))
+def test_stress_grows_with_the_forces(a, b2, b3, k2, k3, decades):
+    for shape in (ROUND, RECTANGLE):
+        plain = von_mises(shape, a, b2, b3, k2, k3)
+        load = np.array([a, b2, b3, k2, k3]) * 10.0**decades
+        if shape == ROUND or abs(decades) < 60:
+            assert von_mises(shape, *load) == pytest.approx(plain * 10.0**decades, rel=1e-12)
+
+
+@given(st.tuples(*[stress] * 5), st.tuples(*[stress] * 5))
+def test_the_stress_of_a_sum_is_at_most_the_sum_of_stresses(one, other):
+    one, other = np.array(one), np.array(other)
+    for shape in (ROUND, RECTANGLE, GENERAL):
+        assert von_mises(shape, *(one + other)) <= (von_mises(shape, *one) + von_mises(shape, *other)) * (1 + 1e-12)
+
+
 @settings(max_examples=60, deadline=None)
 @given(stress, stress, stress, stress, stress)
 def test_rectangle_against_the_whole_section(a, b2, b3, k2, k3):
@@ -34,6 +102,15 @@ def test_rectangle_against_the_whole_section(a, b2, b3, k2, k3):
     found = von_mises(RECTANGLE, a, b2, b3, k2, k3)
     assert found >= brute * (1 - 1e-12)
     assert found <= brute * (1 + 1e-4)
+
+
+@settings(max_examples=100, deadline=None)
+@given(*[st.floats(0.01, 1)] * 5)
+def test_rectangle_whose_sides_and_inside_compete(a, b2, b3, k2, k3):
+    y, z = np.meshgrid(GRID[200:], GRID[200:])
+    brute = np.sqrt(np.max((a + b2 * z + b3 * y) ** 2 + 3 * ((k2 * (1 - y**2)) ** 2 + (k3 * (1 - z**2)) ** 2)))
+    found = von_mises(RECTANGLE, a, b2, b3, k2, k3)
+    assert brute * (1 - 1e-12) <= found <= brute * (1 + 1e-4)
 
 
 @given(stress, stress, stress, stress, stress)

@@ -179,13 +179,8 @@ def _rows_of(verdict: Verdict, members: tuple[str, ...]) -> list[Row]:
 
 
 def telling(rows: list[Row]) -> Row | None:
-    """The worst of the checked rows; instead of an infinite one (beyond Euler's load), the worst finite one above 1.
-
-    An infinite beam-column utilisation comes with a finite one for buckling, which shows by how much it is exceeded.
-    """
-    rows = [row for row in rows if row.checked]
-    finite = [row for row in rows if row.utilisation != float("inf")]
-    return finite[0] if finite and finite[0].utilisation > 1 else rows[0] if rows else None
+    """The worst of the checked rows, which are in the order of `Verdict.table`."""
+    return next((row for row in rows if row.checked), None)
 
 
 def _assessed(model: Model, forces: dict[str, Forces], plan: Plan, g: int) -> NDArray[np.float64]:

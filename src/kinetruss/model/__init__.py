@@ -1,13 +1,14 @@
-"""What the user describes: frozen records, data only."""
+"""Classes for describing a model. All are immutable."""
 
 from kinetruss.late import listed
 from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
 from kinetruss.model._collect import Lost, rests_on
 from kinetruss.model._data import FORMAT
 from kinetruss.model._described import contents, field_texts
+from kinetruss.model._inner import Inner, Owner, inner_parts
 from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
 from kinetruss.model._model import Model, Safety, TitleBlock
-from kinetruss.model._plausibility import plausibility
+from kinetruss.model._plausibility import plausibility, turned_far
 from kinetruss.model._record import (
     Angle,
     Count,
@@ -30,9 +31,10 @@ from kinetruss.model._record import (
     short_form,
 )
 from kinetruss.model._table import Filled, ReadOnly, Table
-from kinetruss.model._words import nearest
+from kinetruss.model._words import in_python, nearest, of_file
 from kinetruss.model.beams.record import Beam
 from kinetruss.model.checks.faults import faults, trajectory_faults
+from kinetruss.model.checks.loads import loads_along_beams
 from kinetruss.model.checks.simulation import condition_faults, event_faults, task_faults
 from kinetruss.model.checks.targets import target_faults
 from kinetruss.model.hubs.record import Hub
@@ -205,6 +207,9 @@ __all__ = [
     "Coupling",
     "HingeDrive",
     "Hub",
+    "Inner",
+    "Owner",
+    "inner_parts",
     "OffsetCoordinate",
     "geared",
     "turns",
@@ -220,9 +225,13 @@ __all__ = [
     "contents",
     "field_texts",
     "faults",
+    "loads_along_beams",
     "moved_by",
     "nearest",
+    "in_python",
+    "of_file",
     "plausibility",
+    "turned_far",
     "Membrane",
     "Orthotropic",
     "Solid",

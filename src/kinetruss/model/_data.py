@@ -185,11 +185,11 @@ class ModelData(Record):
         """All members by name: bars, then active members. Results keep this order."""
         return ReadOnly({**self.bars, **self.active})
 
-    @property
-    def driven_members(self) -> set[str]:
+    @cached_property
+    def driven_members(self) -> frozenset[str]:
         """Members whose length is driven."""
         own = {name for name, bar in self.bars.items() if bar.kind == "driven"} | set(self.active)
-        return own | {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)}
+        return frozenset(own | {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)})
 
     @cached_property
     def all_drives(self) -> dict[str, Drive]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import counted
 from kinetruss.errors import few
+from kinetruss.model._inner import inner_parts
 
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
@@ -37,17 +38,20 @@ def described(model: ModelData) -> str:
 
 
 def contents(model: ModelData) -> str:
-    """Number of nodes, bars and other parts, without those that the model adds to represent bodies and rotations.
+    """Number of nodes, bars and other parts, without inner ones (`inner_parts`).
 
     >>> import kinetruss as kt
     >>> contents(kt.library.mechanisms.four_bar())
     '4 nodes (2 fixed), 3 bars'
     """
-    nodes = [name for name, node in model.nodes.items() if not node.director]
-    bars = sum(not bar.brace for bar in model.bars.values())
+    inner = inner_parts(model)
+    nodes = [name for name in model.nodes if name not in inner.nodes]
+    bars = sum(name not in inner.bars for name in model.bars)
     parts = [f"{counted(len(nodes), 'node')} ({sum(name in model.fixed for name in nodes)} fixed)"]
     parts += [counted(bars, "bar")] if bars else []
-    parts += [counted(len(table), word, several) for field, word, several in COUNTED if (table := getattr(model, field))]
+    for field, word, several in COUNTED:
+        count = len(getattr(model, field)) - (len(inner.bodies) if field == "bodies" else 0)
+        parts += [counted(count, word, several)] if count else []
     return ", ".join(parts)
 
 

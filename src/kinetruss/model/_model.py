@@ -14,9 +14,10 @@ from kinetruss.model._described import described
 from kinetruss.model._library_names import with_library_records
 from kinetruss.model._table import ReadOnly
 from kinetruss.model.beams.framing import chords, expanded, rigid_groups
+from kinetruss.model.beams.spins import spins
 from kinetruss.model.checks.bodies import body_faults
 from kinetruss.model.checks.faults import dimension, faults, misfits
-from kinetruss.model.hubs.checks import hub_faults
+from kinetruss.model.hubs.checks import hub_faults, missing_nodes
 from kinetruss.model.hubs.expand import with_arms
 from kinetruss.model.parts.bracing import braced
 from kinetruss.model.parts.members import Node
@@ -68,15 +69,17 @@ class Model(ModelData):
         judged = self if not odd else BaseModel.model_copy(self, update={"nodes": fitting})
         if wrong := hub_faults(judged):
             raise ModelError([*odd, *wrong])
-        for field, table in (with_arms(judged) if judged.hubs else {}).items():
+        whole = not judged.hubs or not missing_nodes(judged)
+        for field, table in (with_arms(judged) if judged.hubs and whole else {}).items():
             judged.__dict__[field] = ReadOnly(table)
             judged.__pydantic_fields_set__.add(field)
-            judged.__dict__.pop("members", None)
-        if judged.beams or any(node.director for node in judged.nodes.values()):
+            _forget(judged)
+        if whole and (judged.beams or any(node.director for node in judged.nodes.values())):
             _take(judged, expanded(judged))
-        if judged.bodies or judged.beams or any(bar.brace for bar in judged.bars.values()):
+            _take(judged, {"couplings": judged.couplings | {one.coupling: one.held(judged) for one in spins(judged)}})
+        if whole and (judged.bodies or judged.beams or any(bar.brace for bar in judged.bars.values())):
             _take(judged, {"bars": braced(judged, rigid_groups(judged), _faulty_bodies(judged)) | chords(judged)})
-            judged.__dict__.pop("members", None)  # may have been cached during the checks
+            _forget(judged)  # what was derived during the checks
         lost = Lost(("nodes", str(fault.path[1])) for fault in odd)
         if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
             raise ModelError(found)
@@ -98,6 +101,12 @@ class Model(ModelData):
         """
         fields = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**fields | changes)
+
+
+def _forget(model: Model) -> None:
+    """Drop what is derived from bars that have changed since."""
+    for name in ("members", "driven_members"):
+        model.__dict__.pop(name, None)
 
 
 def _take(model: Model, tables: dict[str, Any]) -> None:

@@ -16,10 +16,14 @@ from kinetruss.model.motion.trajectories import moved_by
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
 
-__all__ = ["plausibility"]
+__all__ = ["plausibility", "turned_far"]
 
-SLENDER = 5000
-"""Largest plausible ratio of the length of a bar to its width; stay rods reach about 1000."""
+SLENDER = 20_000
+"""Largest plausible slenderness l/r of the shortest bar of a section, r^2 the product of its radii of gyration about both axes;
+stay rods reach about 4000.
+"""
+SLIM = 40_000
+"""The same of the longest one: a rod of 10 mm, 100 m long."""
 HEAVY = 10 * 22_600.0
 """Largest plausible mass over the volume of a cube as wide as the model, kg/m^3: ten times osmium, the densest element."""
 HEAVIEST = 1e9
@@ -78,8 +82,11 @@ def _sections(model: Model) -> Iterator[Fault]:
         mend = "Write the unit, e.g. '20 mm'; a bare number is in m."
         if across > longest:
             yield Fault(place, f"is {across:g} m across, and the longest bar that has it is {longest:.3g} m long.", mend)
-        elif found and min(found) > SLENDER * across:
-            yield Fault(place, f"is {across:g} m across, and bars that have it are {min(found):.3g} m long.", mend)
+        elif found:
+            (I2, I3), area = section.second_moments, section.area
+            radius = (I2 * I3) ** 0.25 / math.sqrt(area)
+            if min(found) > SLENDER * radius or max(found) > SLIM * radius:
+                yield Fault(place, f"is {across:g} m across, and a bar that has it is {max(found):.3g} m long.", mend)
 
 
 def _parts(model: Model) -> Iterator[tuple[Path, Any, float, bool]]:
@@ -91,6 +98,8 @@ def _parts(model: Model) -> Iterator[tuple[Path, Any, float, bool]]:
         for side in ("base", "tube"):
             part = getattr(active, side)
             yield ("active", name, side), part, part.length, False
+    for name, beam in model.beams.items():
+        yield ("beams", name), beam, _length(model, beam), False
 
 
 def _length(model: Model, member: Any) -> float:
@@ -150,18 +159,27 @@ def _screws(model: Model) -> Iterator[Fault]:
 
 
 def _angles(model: Model) -> Iterator[Fault]:
-    kinds = coordinate_kinds(model)
     found: list[tuple[Path, Any]] = [(("trajectories", name), one) for name, one in model.trajectories.items()]
     for name, run in model.runs.items():
         if run.trajectory is not None and not isinstance(run.trajectory, str):
             found.append((("runs", name, "trajectory"), run.trajectory))
     for path, trajectory in found:
-        field, table = moved_by(trajectory)
-        if field not in ("moves", "amplitudes"):
-            continue
-        for name, value in table.items():
-            bare = [one for one in (value if isinstance(value, tuple) else (value,)) if getattr(one, "quantity", "") is None]
-            large = [one for one in bare if abs(one) >= TURNS and float(one).is_integer()]
-            if kinds.get(name) == "angle" and large:
-                message = f"goes to {large[0]:g} rad, {abs(large[0]) / (2 * math.pi):.3g} turns."
-                yield Fault((*path, field, name), message, f"Write the unit, e.g. '{large[0]:g} deg'; a bare number is in rad.")
+        yield from turned_far(model, trajectory, path)
+
+
+def turned_far(model: Model, trajectory: Any, path: Path = ()) -> Iterator[Fault]:
+    """Angles of a trajectory that are large whole numbers without a unit: degrees that are read as radians.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.mechanisms.four_bar()
+    >>> print(*turned_far(model, kt.Quintic(moves={"motor": (90, 180)}, duration=1.0)))
+    moves.motor: goes to 180 rad, 28.6 turns. Write the unit, e.g. '180 deg'; a bare number is in rad.
+    """
+    kinds = coordinate_kinds(model)
+    field, table = moved_by(trajectory)
+    for name, value in table.items() if field in ("moves", "amplitudes") else ():
+        bare = [one for one in (value if isinstance(value, tuple) else (value,)) if getattr(one, "quantity", "") is None]
+        large = [one for one in bare if abs(one) >= TURNS and float(one).is_integer()]
+        if kinds.get(name) == "angle" and large:
+            message = f"goes to {large[-1]:g} rad, {abs(large[-1]) / (2 * math.pi):.3g} turns."
+            yield Fault((*path, field, name), message, f"Write the unit, e.g. '{large[-1]:g} deg'; a bare number is in rad.")

@@ -22,10 +22,10 @@ from pydantic import (
 )
 from pydantic_core import core_schema
 
-from kinetruss.errors import ArgumentError, FrozenError, ModelError, shown
+from kinetruss.errors import ArgumentError, Fault, FrozenError, ModelError, shown
 from kinetruss.limits import MOST_COUNT, MOST_WHOLE, SMALLEST
 from kinetruss.model._table import brief
-from kinetruss.model._words import faults_of
+from kinetruss.model._words import faults_of, in_python
 from kinetruss.units import EITHER, NUMBER, parse, unit_of
 
 __all__ = [
@@ -114,7 +114,9 @@ class _Raising(ModelMetaclass):
         try:
             return super().__call__(**data)
         except ValidationError as error:
-            raise ModelError(self._faults(error, data)) from None
+            raise ModelError(_told(self._faults(error, data))) from None
+        except ModelError as error:
+            raise ModelError(_told(error.faults), error.source) from None
 
     def _first_fields(self) -> str:
         """How to write the record: up to three of its fields, those that it needs first."""
@@ -130,6 +132,11 @@ class _Raising(ModelMetaclass):
 
     def _faults(self, error: ValidationError, data: dict[str, Any]) -> Any:
         return [replace(fault, path=(self.__name__, *fault.path)) for fault in faults_of(error, data, self)]
+
+
+def _told(faults: list[Fault]) -> list[Fault]:
+    """Faults with their mends as Python is written, unless the data are those of a file."""
+    return [replace(fault, mend=in_python(fault.mend)) for fault in faults]
 
 
 class Record(BaseModel, metaclass=_Raising):

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from difflib import SequenceMatcher, get_close_matches
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, get_args, get_origin
 
 from kinetruss.errors import Fault, one_line, shown
@@ -15,7 +18,10 @@ if TYPE_CHECKING:
     from pydantic import ValidationError
 from kinetruss.units import NUMBER
 
-__all__ = ["SECTIONS", "faults_of", "nearest"]
+__all__ = ["SECTIONS", "faults_of", "in_python", "nearest", "of_file"]
+
+_OF_FILE = ContextVar("of_file", default=False)
+"""True while data of a file are checked: mends are then written as in a file."""
 
 Path = tuple[str | int, ...]
 _LONGEST = 200  # characters of a name
@@ -27,15 +33,16 @@ _SENTENCE = re.compile(r"\.\s+(?=[A-Z])")
 
 # type of a pydantic error -> (expected, fix)
 _SHAPES = {
-    "dict_type": ("a table of names", "Write for example {{{entry}}}, or remove the key."),
-    "model_type": ("a table of fields", "Write for example {{field: value, ...}}."),
-    "model_attributes_type": ("a table of fields", "Write for example {{kind: ..., ...}}."),
+    "dict_type": ("a table of names", "Write for example {{{entry}}}."),
+    "model_type": ("a table of fields", "Write for example {entry}."),
+    "model_attributes_type": ("a table of fields", "Write for example {entry}."),
     "tuple_type": ("a list", "Write for example {entry}."),
     "string_type": ("text", 'Write a name or text; a number used as a name needs quotes, e.g. "3".'),
 }
 
 # field -> an entry of it; of a table or a list without one: _ENTRIES
 _EXAMPLES = {
+    "amplitudes": "motor: 30 deg",
     "at": "[0, 100 mm]",
     "bars": "crank: [A, B]",
     "drives": "motor: {kind: angle, bar: crank}",
@@ -46,13 +53,36 @@ _EXAMPLES = {
     "loads": "weight: {node: B, force: [0, -100 N]}",
     "moves": "[0, 90 deg], the first and the last value",
     "nodes": "A: [0, 0], B: [1 m, 0]",
+    "rates": "motor: 10",
 }
+_RECORDS = {
+    "drives": "{kind: angle, bar: crank}",
+    "loads": "{node: B, force: [0, -100 N]}",
+    "material": "{E: 210 GPa, density: 7850}",
+    "materials": "{E: 210 GPa, density: 7850}",
+    "runs": "{trajectory: {kind: rate, rates: {motor: 10}, duration: 1 s}}",
+    "section": "{kind: rod, diameter: 10 mm}",
+    "sections": "{kind: rod, diameter: 10 mm}",
+    "trajectories": "{kind: rate, rates: {motor: 10}, duration: 1 s}",
+    "trajectory": "{kind: rate, rates: {motor: 10}, duration: 1 s}",
+}
+"""Field or table -> a record in it."""
+_CLASSES = {
+    '"kind": "angle"': "AngleDrive", '"kind": "rod"': "Rod", '"kind": "tube"': "Tube", '"node"': "NodalForce",
+    '"kind": "rate"': "ConstantRate", '"trajectory"': "Run", '"E"': "Material",
+}  # fmt: skip
+"""How a record of the examples begins -> its class."""
 SECTIONS = (
     "Give a solid round bar as {kind: rod, diameter: 10 mm} (kt.Rod), a round tube as {kind: tube, outer: 20 mm, inner: 16 mm} "
     "(kt.Tube), others as kind: rectangle or general."
 )
 """How to write a section in its place, for those who name one by another word (``circle``, ``pipe``)."""
-_ENTRIES = {"dict_type": "name: ...", "tuple_type": "[a, b]"}
+_ENTRIES = {
+    "dict_type": "name: ...",
+    "tuple_type": "[a, b]",
+    "model_type": "{field: ..}",
+    "model_attributes_type": "{kind: ..}",
+}
 
 # record that may be given as a list -> the same
 _SHORT = {
@@ -93,6 +123,44 @@ def _alike(one: str, other: str) -> float:
     return SequenceMatcher(None, one[:_LONGEST], other).ratio()
 
 
+@contextmanager
+def of_file() -> Iterator[None]:
+    """Within it data come from a file."""
+    before = _OF_FILE.set(True)
+    try:
+        yield
+    finally:
+        _OF_FILE.reset(before)
+
+
+def in_python(mend: str) -> str:
+    """A mend as Python is written; as it is within `of_file`.
+
+    >>> in_python("Write for example {A: xy, D: xy}.")
+    'Write for example {"A": "xy", "D": "xy"}.'
+    >>> in_python("Make the body kind: straining, or give nodes: {B: {at: [..], mass: 2 kg}}.")
+    'Make the body kind="straining", or give nodes={"B": {"at": [...], "mass": "2 kg"}}.'
+    """
+    if _OF_FILE.get():
+        return mend
+    depth, pieces, start = 0, [], 0
+    for k, sign in enumerate(mend):
+        depth += (sign in "{[") - (sign in "}]")
+        if sign in "{[" and depth == 1:
+            pieces.append(_plain(mend[start:k]))
+            start = k
+        elif sign in "}]" and depth == 0:
+            pieces.append(_literal(mend[start : k + 1]))
+            start = k + 1
+    return "".join([*pieces, _plain(mend[start:])]) if depth == 0 else mend
+
+
+def _plain(text: str) -> str:
+    """Text between tables: names before them, kinds, and classes that the tables have become."""
+    text = re.sub(r"^ \(kt\.\w+\)", "", text)
+    return re.sub(r"\bkind: (?!one of)(\w+)", r'kind="\1"', _KEYWORD.sub(r"\1=", text))
+
+
 def faults_of(error: ValidationError, data: Mapping[str, Any], record: type) -> list[Fault]:
     """The faults in a pydantic error of `record` built from `data`."""
     items = error.errors(include_url=False)
@@ -118,6 +186,10 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
         if callable(given):
             mend = "A motion goes into a table (kt.Spline), forces in time into user_force. Or: " + mend
         what = "is empty" if given is None else "is a function" if callable(given) else f"is {shown(given)}"
+        if path[-1:] == ("fixed",):
+            expected, mend = "a list or a table of names", "Write for example fixed: [A, D], or fixed: {{A: xy, D: xy}}."
+        elif not _OF_FILE.get():
+            expected = {"a table of names": "a dictionary", "a table of fields": "a record"}.get(expected, expected)
         return Fault(path, f"{what}; expected {expected}.", mend.format(entry=_example(kind, path)))
     if kind == "union_tag_not_found":
         return Fault(path, "has no kind.", f"Add kind: one of {', '.join(_kinds(record, item['loc']))}.")
@@ -125,9 +197,43 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
     return Fault(path, message, mend)
 
 
+_KEYWORD = re.compile(r"\b([a-z_]+): $")
+_TOKEN = re.compile(r"[^,{}\[\]:]+")
+
+
+def _literal(flow: str) -> str:
+    """A table or list of a file as a value in Python; a record of the examples as its class."""
+
+    def quoted(token: re.Match[str]) -> str:
+        text = token[0].strip()
+        known = not text or text.startswith('"') or NUMBER.fullmatch(text)
+        words = {"..": "...", "...": "...", "true": "True", "false": "False"}
+        return token[0] if known else token[0].replace(text, words.get(text, f'"{text}"'))
+
+    found = _TOKEN.sub(quoted, flow)
+    for begin, name in _CLASSES.items():
+        record = re.compile(rf"\{{({re.escape(begin)}(?=[:,])(?:[^{{}}]|\{{[^{{}}]*\}})*)\}}")
+        found = record.sub(partial(_called, name), found)
+    return found
+
+
+def _called(name: str, table: re.Match[str]) -> str:
+    """A call of a class with the fields of a table; those of tables in it stay."""
+    fields, depth, named, start = table[1], 0, "", 0
+    for k, sign in enumerate(fields + ","):
+        depth += (sign in "{[(") - (sign in "}])")
+        if sign == "," and depth == 0:
+            field, _, value = fields[start:k].strip().partition(": ")
+            named += "" if field == '"kind"' else f", {field.strip(chr(34))}={value}"
+            start = k + 1
+    return f"kt.{name}({named.removeprefix(', ').removeprefix('bar=')})"
+
+
 def _example(kind: str, path: Path) -> str:
     """An entry of the field at a place, or of the table that the place is in (``moves.motor``)."""
     names = path[-1:] if kind == "dict_type" else path[-1:-3:-1]
+    if kind.startswith("model"):
+        return next((_RECORDS[name] for name in names if name in _RECORDS), _ENTRIES[kind])
     return next((_EXAMPLES[name] for name in names if name in _EXAMPLES), _ENTRIES.get(kind, ""))
 
 

@@ -31,7 +31,6 @@ import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +42,7 @@ from kinetruss.errors import KernelCacheWarning
 from kinetruss.kernels.compiled.drafts import rebuilt
 from kinetruss.kernels.compiled.progress import Progress
 
-__all__ = ["Keeper", "Kept", "count_kernels", "places_of", "states_of"]
+__all__ = ["Keeper", "Kept", "places_of", "states_of"]
 
 log = logging.getLogger("kinetruss.kernels")
 CHECK = 16
@@ -93,11 +92,6 @@ def places_of(folder: Path) -> list[Path]:
     return [*([Path(own) / name] if own else []), folder / "__pycache__", *([user / name] if user else [])]
 
 
-def count_kernels(folder: Path) -> int:
-    """Number of kernels in the files below a folder."""
-    return sum(file.read_text("utf-8").count("\n@kernel") for file in folder.rglob("*.py"))
-
-
 def _user_caches() -> Path | None:
     """The user's folder of caches; None for a user without a home."""
     if given := os.environ.get("XDG_CACHE_HOME"):
@@ -125,7 +119,7 @@ class Keeper:
         self._writable = list(places)
         self._reasons: list[str] = []
         self._swept: set[Path] = set()
-        self.progress = Progress(partial(count_kernels, folder))
+        self.progress = Progress()
 
     def kept(self) -> set[str]:
         """Kernels of which at least one form is kept, as MODULE.FUNCTION-LINE."""
@@ -222,16 +216,18 @@ class Kept:
     def load_overload(self, signature: Any, context: Any) -> Any:
         """The compiled form for a signature, or None."""
         context.refresh()
-        if not self._known:
-            return None
-        found = self.keeper.read(self._name(signature, context.codegen()))
-        return None if found is None else rebuilt(context, pickle.loads(found))
+        found = self.keeper.read(self._name(signature, context.codegen())) if self._known else None
+        if found is not None:
+            return rebuilt(context, pickle.loads(found))
+        self.keeper.progress.begin(self._form)  # Numba compiles it now, and saves it below
+        return None
 
     def save_overload(self, signature: Any, compiled: Any) -> None:
         """Keep a form that was just compiled."""
         log.info("compiled %s", self._stem)
+        self.keeper.progress.compiled(self._form)
         if not log.handlers:  # else somebody listens and tells
-            self.keeper.progress.compiled()
+            self.keeper.progress.tell()
         # what holds an address of this process is of no use to another
         if self._known and not compiled.library.has_dynamic_globals:
             data: bytes = dumps(compiled._reduce())

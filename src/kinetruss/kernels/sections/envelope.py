@@ -325,10 +325,12 @@ def _judge_whole(rules: Rules, kept: Kept, given: Polynomials, k: int, L: float,
             moment, bent_at = M, start + x * span
     if moment != moment or load != load:
         return
-    combined = 0.0
-    if P > 0.0:
-        least = e2 if not e3 < e2 else e3
-        combined = math.inf if n * P >= least else P * n / load + moment
+    least = e2 if not e3 < e2 else e3
+    if P > 0.0 and n * P >= least:
+        # no finite interaction; the utilisation of buckling, at least 1, is the number of this sample
+        _keep(kept.combined[m], math.inf, n * P, 1.0, time, bent_at, pair, least)
+        return
+    combined = P * n / load + moment if P > 0.0 else 0.0
     _keep(kept.combined[m], combined, combined, 1.0, time, bent_at, pair, 0.0)
     _raise_top(kept.top, combined, m, BEAM_COLUMN, time)
 

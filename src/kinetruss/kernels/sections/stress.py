@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import Floats, Ints
 
 __all__ = ["GENERAL", "RECTANGLE", "ROUND", "UNKNOWN", "section_von_mises", "von_mises"]
@@ -25,69 +25,56 @@ __all__ = ["GENERAL", "RECTANGLE", "ROUND", "UNKNOWN", "section_von_mises", "von
 
 UNKNOWN, ROUND, RECTANGLE, GENERAL = -1, 0, 1, 2
 
-_STEPS = 24
-_COS, _SIN = math.cos(2 * math.pi / _STEPS), math.sin(2 * math.pi / _STEPS)
-
 
 @kernel_bare
 def _circle(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
-    """Largest sigma^2 + 3 tau^2 on the circle. With psi from the point of most bending, sigma = a + b cos psi."""
-    a = abs(a)
-    b = math.sqrt(b2 * b2 + b3 * b3)
-    K = 3.0 * (k2 * k2 + k3 * k3)
-    if b == 0.0 or K == 0.0:
-        return (a + b) * (a + b) + K
-    # tau = p sin psi + q cos psi (its sign does not matter)
-    p, q = (k3 * b2 - k2 * b3) / b, (k2 * b2 + k3 * b3) / b
-    if q == 0.0:
-        # shear and bending in one plane: a parabola in cos psi
-        best = (a + b) * (a + b)
-        if b * b < K and a * b < K - b * b:
-            best = max(best, a * a + K + a * a * b * b / (K - b * b))
-        return best
-    # where bending rules, the maximum is near psi = 0 and f is concave there
-    if max(a + 0.866 * b, b - a) ** 2 + K <= (a + b) ** 2 and b * b + 1.7 * a * b > 2 * K:
-        top: float = _climb(a, b, p, q, 1.0, 0.0)
-        return top
-    best, c, s = 0.0, 1.0, 0.0
-    before, here = _f(a, b, p, q, _COS, -_SIN), _f(a, b, p, q, 1.0, 0.0)
-    # scan once round in steps of equal angle; each local maximum of sigma^2 + 3 tau^2 is refined
-    for _ in range(_STEPS):
-        cn, sn = c * _COS - s * _SIN, s * _COS + c * _SIN
-        after = _f(a, b, p, q, cn, sn)
-        if here >= before and here >= after:
-            best = max(best, _climb(a, b, p, q, c, s))
-        before, here, c, s = here, after, cn, sn
-    return best
+    """Largest sigma^2 + 3 tau^2 on the circle.
 
-
-@kernel_inline
-def _f(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
-    sigma, tau = a + b * c, p * s + q * c
-    return sigma * sigma + 3.0 * tau * tau
-
-
-@kernel_bare
-def _climb(a: float, b: float, p: float, q: float, c: float, s: float) -> float:
-    """Newton's method up to the top next to psi, given by its cosine and sine; never lower than where it began."""
-    best: float = _f(a, b, p, q, c, s)
-    # Newton's method on the derivative by psi, while the second derivative is negative
-    for _ in range(6):
-        sigma, tau, slope = a + b * c, p * s + q * c, p * c - q * s
-        first = -2.0 * b * s * sigma + 6.0 * tau * slope
-        second = -2.0 * b * c * sigma + 2.0 * b * b * s * s + 6.0 * (slope * slope - tau * tau)
-        if second >= 0.0:
+    With x = (y, z) on the unit circle it is a^2 + x Q x + 2 g x, a quadratic form. Its stationary points are the roots of a
+    quartic in the multiplier l of (l - Q) x = g, |x| = 1; the largest value belongs to the largest root, l >= l1, the larger
+    eigenvalue of Q, and is the minimum over l >= l1 of the dual a^2 + l + g1^2/(l - l1) + g2^2/(l - l2), which is convex and
+    never too low (More & Sorensen, 1983, SIAM J. Sci. Stat. Comput. 4, 553; Stern & Wolkowicz, 1995, SIAM J. Optim. 5, 286).
+    """
+    unit, size = 1.0, max(abs(a), abs(b2), abs(b3), abs(k2), abs(k3))
+    if size == 0.0 or not size < math.inf:
+        return size
+    if not 1e-70 < size < 1e70:  # fourth powers have the range of floats
+        unit = size
+        a, b2, b3, k2, k3 = a / unit, b2 / unit, b3 / unit, k2 / unit, k3 / unit
+    q11, q12, q22 = b3 * b3 + 3.0 * k3 * k3, -b2 * b3 - 3.0 * k2 * k3, b2 * b2 + 3.0 * k2 * k2
+    # eigenvector (c, s) of l1; any one where the eigenvalues are equal
+    apart, c, s = abs(q11 - q22), 1.0, 0.0
+    if q12 == 0.0:
+        if q22 > q11:
+            c, s = 0.0, 1.0
+    else:
+        apart = math.sqrt(apart * apart + 4.0 * q12 * q12)
+        if q11 >= q22:
+            c = math.sqrt(0.5 + 0.5 * (q11 - q22) / apart)
+            s = q12 / (apart * c)
+        else:
+            s = math.sqrt(0.5 + 0.5 * (q22 - q11) / apart)
+            c = q12 / (apart * s)
+    g1, g2 = abs(a * (b2 * s - b3 * c)), abs(a * (b2 * c + b3 * s))
+    top = a * a + 0.5 * (q11 + q22 + apart)
+    if g2 == 0.0:  # bending and l1 have one direction
+        return unit * unit * (top + 2.0 * g1)
+    if g1 == 0.0 and g2 <= apart:
+        return unit * unit * (top + (g2 * g2 / apart))
+    # 1/|x| - 1 is concave and rises with m = l - l1: Newton's method from below cannot overshoot its root
+    m = max(g1, g2 - apart)
+    x1, x2 = 0.0, 0.0
+    for _ in range(60):
+        x1, x2 = g1 / m, g2 / (m + apart)
+        square = x1 * x1 + x2 * x2
+        if not square > 1.0:
             break
-        step = -first / second
-        if abs(step) > 0.2:
-            step = math.copysign(0.2, step)
-        cd, sd = math.cos(step), math.sin(step)
-        c, s = c * cd - s * sd, s * cd + c * sd
-        here = _f(a, b, p, q, c, s)
-        best = max(best, here)
-        if abs(step) < 1e-7:
+        step = square * (math.sqrt(square) - 1.0) / (x1 * x1 / m + x2 * x2 / (m + apart))
+        # the slope of the dual times the step is what it can still fall by
+        if step * (square - 1.0) < 1e-17 * top:
             break
-    return best
+        m += step
+    return unit * unit * (top + m + x1 * g1 + x2 * g2)
 
 
 @kernel_bare
@@ -118,12 +105,17 @@ def _along(A: float, b: float, k: float) -> float:
 
 @kernel_bare
 def _box(a: float, b2: float, b3: float, k2: float, k3: float) -> float:
-    """Largest sigma^2 + 3 tau^2 over a rectangle, by climbing along y and z in turn from several corners."""
+    """Largest sigma^2 + 3 tau^2 over a rectangle, by climbing along y and z in turn.
+
+    Two starts find it: the best y rises with z and the best z with y, so a climb from z = 0 ends at the lowest point that is
+    best along both, one from z = 1 at the highest. Inside, each is a convex function of the other, so that only the lowest of
+    such points can be a top; on the sides the highest is.
+    """
     a, b2, b3 = abs(a), abs(b2), abs(b3)
     best = 0.0
-    # coordinate ascent from the four corners of a quarter of the section
-    for start in range(4):
-        y, z = float(start & 1), float(start >> 1)
+    # a climb from below and one from above
+    for start in range(2):
+        y, z = 0.0, float(start)
         for _ in range(40):
             y_new = _along(a + b2 * z, b3, k2)
             z_new = _along(a + b3 * y_new, b2, k3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.record import F1, F2, I0, I1, I2, Record, record
 
 __all__ = [
+    "ALONE",
     "ALONG",
     "ANGLE",
     "AROUND",
@@ -17,6 +18,8 @@ __all__ = [
     "NODE",
     "NONE",
     "OFFSET",
+    "RIGID_SHAPE",
+    "SIZE",
     "SUM",
     "Plan",
 ]
@@ -27,6 +30,10 @@ NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3
 ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE = 0, 1, 2, 3, 4, 5
 """Terms of sums: length from 1 to P; angle of 1 -> P about a fixed axis; of P about the axis 1 -> 2; distance of P from the
 line 1 -> 2 in the plane, to its left; a coordinate of P; the cosine of that of a scalar (see constraints.terms)."""
+
+RIGID_SHAPE, ALONE, SIZE = 0, 1, 2
+"""How a row counts in the singularity measure: not, as a bar that keeps the shape of a rigid part; by itself; as one of the
+bars that give a rigid part its size."""
 
 
 @record
@@ -44,6 +51,10 @@ class Plan(Record):
     terms term_ptr[j]:term_ptr[j+1] of sum j, term_kind, term_at, term_data (constraints.terms); sum_scale (s,) of the row,
     sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: axis sum_entry[., 3] of what term sum_entry[., 1] has at its
     node sum_entry[., 2] (P, 1, 2) is added to row sum_entry[., 0], column sum_entry[., 4].
+    Rigid parts (mechanics.structure.rigid_parts): counts (rows,) RIGID_SHAPE, ALONE or SIZE; seen (cols,) 0 where nothing but
+    its own part depends on a node, else 1. Parts sized_ptr[b]:sized_ptr[b+1] of block b have the rows size_row[., 0] from
+    size_ptr[g] to size_ptr[g+1]; size_row[., 1] is 1 for those that may be the longest. hand[hand_ptr[b]:hand_ptr[b+1]]: flat
+    coordinates of nodes of a part, the last one of which (the third if the fourth is -1) keeps its side of the others.
     """
 
     width: I0
@@ -73,3 +84,10 @@ class Plan(Record):
     term_data: F2
     sum_entry_ptr: I1
     sum_entry: I2
+    counts: I1
+    seen: F1
+    sized_ptr: I1
+    size_ptr: I1
+    size_row: I2
+    hand_ptr: I1
+    hand: I2

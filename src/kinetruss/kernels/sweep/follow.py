@@ -16,8 +16,8 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.constraints.rows import row_rate, row_second
 from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
-from kinetruss.kernels.structure.mass import between
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH, Plan
+from kinetruss.kernels.structure.mass import between, dot
+from kinetruss.kernels.structure.plan import ALONE, ANGLE, LENGTH, RIGID_SHAPE, Plan
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kernels.sweep.blocks import (
     Workspace,
@@ -32,7 +32,20 @@ from kinetruss.kernels.sweep.blocks import (
     workspace,
 )
 
-__all__ = ["DONE", "FLIPPED", "STUCK", "WEAK", "Prescribed", "Start", "chord", "continuation", "faces", "follow"]
+__all__ = [
+    "DONE",
+    "FLIPPED",
+    "STUCK",
+    "WEAK",
+    "Prescribed",
+    "Start",
+    "chord",
+    "closed_block",
+    "continuation",
+    "faces",
+    "follow",
+    "righted",
+]
 
 DONE, STUCK, FLIPPED, WEAK = 0, 1, 2, 3
 
@@ -85,12 +98,56 @@ def _first_step(plan: Plan, ends: F2) -> float:
     return 0.5 / turn
 
 
+@kernel
+def righted(plan: Plan, b: int, was: F2, k: int, x: F2, i: int) -> bool:
+    """True if a rigid part of block b was mirrored from was[k] to x[i]; its node is then put where the part has it.
+
+    Newton's method may find the other intersection of the circles about two nodes of a slim part, or of spheres about three.
+    """
+    mirrored = False
+    for h in range(plan.hand_ptr[b], plan.hand_ptr[b + 1]):
+        A, B, C, D = plan.hand[h, 0], plan.hand[h, 1], plan.hand[h, 2], plan.hand[h, 3]
+        planar = D < 0
+        p = C if planar else D
+        u, r = between(was[k], A, B), between(was[k], A, p)
+        U, R = between(x[i], A, B), between(x[i], A, p)
+        # the second direction in the plane of the base: across u, or v to the third node of the base
+        v, V = (0.0, 0.0, 1.0), (0.0, 0.0, 1.0)
+        if not planar:
+            v, V = between(was[k], A, C), between(x[i], A, C)
+        n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+        N = (U[1] * V[2] - U[2] * V[1], U[2] * V[0] - U[0] * V[2], U[0] * V[1] - U[1] * V[0])
+        high = dot(r, n) / dot(n, n)
+        if not high * dot(R, N) < 0.0:
+            continue
+        mirrored = True
+        # r = s u + e v + high n, the same with U, V, N
+        uu, uv, vv, ru, rv = dot(u, u), dot(u, v), dot(v, v), dot(r, u), dot(r, v)
+        s, e = (ru * vv - rv * uv) / (uu * vv - uv * uv), (rv * uu - ru * uv) / (uu * vv - uv * uv)
+        for axis in range(3):
+            x[i, p + axis] = x[i, A + axis] + s * U[axis] + e * V[axis] + high * N[axis]
+    return mirrored
+
+
 @kernel_inline
-def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float) -> bool:
-    """Close all blocks from trial[0]; True if that came near x[i] and on its branch."""
+def closed_block(plan: Plan, w: Workspace, b: int, was: F2, k: int, x: F2, i: int, scale: float) -> bool:
+    """Close block b of x[i] by Newton's method, its rigid parts as they are in was[k]."""
+    for _ in range(4):
+        if not newton_block(plan, w, b, x, i, 0.2 * scale):
+            return False
+        if not righted(plan, b, was, k, x, i):
+            return True
+    return False
+
+
+@kernel_inline
+def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float, sign: F1) -> bool:
+    """Close all blocks from trial[0]; True if that came near x[i] and on its branch: signs of determinants as in `sign`."""
     # positions block by block
     for b in range(plan.ptr.size - 1):
-        if not newton_block(plan, w, b, trial, 0, 0.2 * scale):
+        if not closed_block(plan, w, b, x, i, trial, 0, scale):
+            return False
+        if sign[b] != 0.0 and factor(plan, w, b, trial, 0) * sign[b] <= 0.0:
             return False
     good = faces(plan, w, trial, 0)
     # no coordinate has jumped
@@ -100,9 +157,10 @@ def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float) -
 
 
 @kernel
-def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float) -> float:
+def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float, sign: F1) -> float:
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
+    sign (blocks,) : of the determinants of the blocks, which no step may change; 0 for any.
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
     """
     w = workspace(plan)
@@ -118,7 +176,7 @@ def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving
         set_targets(plan, w, now, 0)
         for k in range(plan.moving.size):
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
-        if _reached(plan, w, trial, x, i, scale):
+        if _reached(plan, w, trial, x, i, scale, sign):
             done = reach
             _copy(trial, 0, x, i)
             step = min(2.0 * step, largest)
@@ -198,24 +256,30 @@ def _acceleration(plan: Plan, w: Workspace, b: int, states: States, i: int, give
 
 @kernel_inline
 def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
-    """Smallest singular value of a block by inverse iteration: A^-T and A^-1 in turn; `weak` keeps the vector.
+    """Singularity measure of a block, 1/|P A^-1 E|, by iteration with A^-T and A^-1 in turn; `weak` keeps the vector.
 
-    From above: exact but for the share of other directions left in the vector, which two turns a sample keep small.
+    The columns of E are rates of length: of each row that counts alone, and of the sizes of rigid parts. P leaves out nodes
+    that only their own part depends on. Without rigid parts it is the smallest singular value of A. From above: exact but for
+    the share of other directions left in the vector, which two turns a sample keep small. 1 where nothing counts.
     """
     first, last = plan.ptr[b], plan.ptr[b + 1]
     size = 1.0
     # start with the vector of the sample before
     for k in range(first, last):
         w.work[k - first] = weak[k]
-    # inverse iteration on A^T A: the norm of the solution is 1/sigma_min
+    # iteration on P A^-1 E E^T A^-T P: the norm of the solution is 1/measure
     for turn in range(turns):
         if turn % 2 == 0:
             solve_transposed(plan, w, b, w.work)
+            total = _sized(plan, w, b)
         else:
             solve(plan, w, b, w.work)
-        total = 0.0
-        for k in range(last - first):
-            total += w.work[k] * w.work[k]
+            total = 0.0
+            for k in range(last - first):
+                w.work[k] *= plan.seen[first + k]
+                total += w.work[k] * w.work[k]
+        if total == 0.0:
+            return 1.0
         size = 1.0 / math.sqrt(total)
         for k in range(last - first):
             w.work[k] *= size
@@ -223,6 +287,31 @@ def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
     for k in range(first, last):
         weak[k] = w.work[k - first]
     return size
+
+
+@kernel_inline
+def _sized(plan: Plan, w: Workspace, b: int) -> float:
+    """E E^T z of block b in place of z in w.work; returns |E^T z|^2."""
+    first, total = plan.ptr[b], 0.0
+    for k in range(first, plan.ptr[b + 1]):
+        if plan.counts[k] == ALONE:
+            total += w.work[k - first] * w.work[k - first]
+        elif plan.counts[k] == RIGID_SHAPE:
+            w.work[k - first] = 0.0
+    # a part that grows in all directions: its bars in proportion to their lengths, the longest by 1
+    for g in range(plan.sized_ptr[b], plan.sized_ptr[b + 1]):
+        longest, along = 0.0, 0.0
+        for j in range(plan.size_ptr[g], plan.size_ptr[g + 1]):
+            k = plan.size_row[j, 0]
+            along += w.target[k] * w.work[k - first]
+            if plan.size_row[j, 1] == 1:
+                longest = max(longest, w.target[k])
+        along /= longest
+        total += along * along
+        for j in range(plan.size_ptr[g], plan.size_ptr[g + 1]):
+            k = plan.size_row[j, 0]
+            w.work[k - first] = w.target[k] / longest * along
+    return total
 
 
 @kernel_inline
@@ -252,8 +341,8 @@ def _predict(states: States, i: int, t: F1) -> None:
 
 
 @kernel
-def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: float) -> float:
-    """Sample i by continuation from sample i - 1, or from the start configuration; the fraction reached."""
+def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: float, sign: F1) -> float:
+    """Sample i by continuation from sample i - 1 (signs of determinants as there), or from the start; the fraction reached."""
     values, moving = given.drives[0], given.moving[0]
     ends = np.empty((2, values.shape[1]))
     _copy(values, i, ends, 1)
@@ -264,10 +353,10 @@ def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: flo
         # its drive positions to those of the first sample
         for d in range(start.drives.size):
             ends[0, d] = start.drives[d]
-        return continuation(plan, x, 0, ends, start.moving, moving[0], scale)
+        return continuation(plan, x, 0, ends, start.moving, moving[0], scale, sign)
     _copy(x, i - 1, x, i)
     _copy(values, i - 1, ends, 0)
-    return continuation(plan, x, i, ends, moving[i - 1], moving[i], scale)
+    return continuation(plan, x, i, ends, moving[i - 1], moving[i], scale, sign)
 
 
 @kernel_inline
@@ -280,7 +369,7 @@ def _chased(plan: Plan, w: Workspace, states: States, i: int, given: Prescribed,
         x[i, plan.moving[k]] = moving[i, k]
     # positions block by block with the factors at hand
     for b in range(plan.ptr.size - 1):
-        if not chord(plan, w, b, x, i, scale):
+        if not chord(plan, w, b, x, i, scale) or righted(plan, b, x, i - 1, x, i):
             return False
     return faces(plan, w, x, i)
 
@@ -292,16 +381,17 @@ def follow(
     """Fill states (times, 3 n) and gauge (times,) for the histories `given` of drives and moving coordinates.
 
     start : a Start. given : Prescribed. scale : shortest bar, m.
-    least : stop where the smallest singular value of a block falls below it.
+    least : stop where the singularity measure of a block falls below it.
     Returns (reason, number of good samples, fraction of the way to the next sample reached).
     """
     w, x, v, a = workspace(plan), states.x, states.v, states.a
-    weak, sign = np.ones(plan.row.size + 1), np.zeros(plan.ptr.size)
+    weak, sign, any_sign = np.ones(plan.row.size + 1), np.zeros(plan.ptr.size), np.zeros(plan.ptr.size)
     # position, velocity and acceleration sample by sample
     for i in range(given.t.size):
         set_targets(plan, w, given.drives[0], i)
-        if i == 0 or not _chased(plan, w, states, i, given, scale):
-            reached = _walk(plan, x, i, start, given, scale)
+        chased = i > 0 and _chased(plan, w, states, i, given, scale)
+        if not chased:
+            reached = _walk(plan, x, i, start, given, scale, sign if i > 0 else any_sign)
             if reached < 1.0:
                 return STUCK, i, reached
         for c in range(x.shape[1]):
@@ -310,14 +400,24 @@ def follow(
             v[i, plan.moving[k]] = given.moving[1][i, k]
             a[i, plan.moving[k]] = given.moving[2][i, k]
         smallest = 1.0
-        for b in range(plan.ptr.size - 1):
+        b = 0
+        while b < plan.ptr.size - 1:
             now = factor(plan, w, b, x, i)
             if i > 0 and now != sign[b]:
-                return FLIPPED, i, 0.0
+                if not chased:
+                    return FLIPPED, i, 1.0
+                # another branch, or a singular position in between: smaller steps tell
+                chased = False
+                reached = _walk(plan, x, i, start, given, scale, sign)
+                if reached < 1.0:
+                    return STUCK, i, reached
+                b, smallest = 0, 1.0
+                continue
             sign[b] = now
             smallest = min(smallest, _gauge(plan, w, b, weak, 2 if i > 0 else 100))
             _velocity(plan, w, b, states, i, given)
             _acceleration(plan, w, b, states, i, given)
+            b += 1
         gauge[i] = smallest
         if not smallest >= least:
             return WEAK, i, 0.0

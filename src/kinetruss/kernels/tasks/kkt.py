@@ -12,8 +12,8 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.structure.plan import Plan
-from kinetruss.kernels.sweep.blocks import Workspace, factor, newton_block, set_targets
-from kinetruss.kernels.sweep.follow import chord, faces
+from kinetruss.kernels.sweep.blocks import Workspace, factor, set_targets
+from kinetruss.kernels.sweep.follow import chord, closed_block, faces, righted
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 from kinetruss.kernels.tasks.sweeps import Drives, Room, carry, gradient, scales
 from kinetruss.kernels.tasks.tape import Tape, forward
@@ -63,12 +63,12 @@ def _positions(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, 
     done = good
     # chord steps with the factors at hand, else Newton's method
     for b in range(plan.ptr.size - 1):
-        done = done and chord(plan, w, b, y.x, 0, scale)
+        done = done and chord(plan, w, b, y.x, 0, scale) and not righted(plan, b, o.kept, 0, y.x, 0)
     if not done:
         for c in range(y.x.shape[1]):
             y.x[0, c] = o.kept[0, c]
         for b in range(plan.ptr.size - 1):
-            if not newton_block(plan, w, b, y.x, 0, 0.2 * scale):
+            if not closed_block(plan, w, b, o.kept, 0, y.x, 0, scale):
                 return False
     return faces(plan, w, y.x, 0)
 

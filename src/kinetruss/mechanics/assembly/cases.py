@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.assembly.followers import Follower, history_of, on_ground, unit_loads_of
 from kinetruss.mechanics.configuration import RotatingBase, base_of
-from kinetruss.model import LoadCase, NodalForce
+from kinetruss.model import LoadCase, NodalForce, loads_along_beams
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -103,6 +103,8 @@ def _steady(system: System, name: str | None) -> tuple[Loads, Mapping[str, float
         gravity[: system.dim] = case.gravity
     own = np.isfinite(system.own_gravity)
     factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
+    if refused := [fault for fault in loads_along_beams(model) if factors.get(str(fault.path[1]))]:
+        raise InputError(str(refused[0]))
     nodal = {load: record.node for load in factors if isinstance(record := model.loads[load], NodalForce)}
     steady = Loads(
         name=name or "all",

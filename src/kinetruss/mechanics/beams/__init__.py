@@ -9,7 +9,14 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.mechanics.beams.elements import MODES, BeamElements, beam_elements
     from kinetruss.mechanics.beams.forces import beam_forces, section_forces
-    from kinetruss.mechanics.beams.modes import damping_forces, damping_tangents, mode_rates, mode_stiffness, pairs_of
+    from kinetruss.mechanics.beams.modes import (
+        damping_forces,
+        damping_tangents,
+        mode_gradients,
+        mode_rates,
+        mode_stiffness,
+        pairs_of,
+    )
 
 __all__ = [
     "MODES",
@@ -18,6 +25,7 @@ __all__ = [
     "beam_forces",
     "damping_forces",
     "damping_tangents",
+    "mode_gradients",
     "mode_rates",
     "mode_stiffness",
     "pairs_of",
@@ -29,6 +37,6 @@ __getattr__, __dir__ = late(
     {
         "elements": "MODES BeamElements beam_elements",
         "forces": "beam_forces section_forces",
-        "modes": "damping_forces damping_tangents mode_rates mode_stiffness pairs_of",
+        "modes": "damping_forces damping_tangents mode_gradients mode_rates mode_stiffness pairs_of",
     },
 )

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics.beams.elements import BeamElements
 
-__all__ = ["damping_forces", "damping_tangents", "mode_rates", "mode_stiffness", "pairs_of"]
+__all__ = ["damping_forces", "damping_tangents", "mode_gradients", "mode_rates", "mode_stiffness", "pairs_of"]
 
 Floats = Any
 
@@ -60,16 +60,16 @@ def damping_tangents(found: BeamElements, x: NDArray[np.float64], v: NDArray[np.
     """
     size = x.size
     share = found.damping[:, None] * found.rigidity
-    here = _gradients(found, x)
+    here = mode_gradients(found, x)
     weight = share.reshape(-1)[:, None]
     C = here.T @ (here * weight)
     if v is None or not np.any(v):
         return csr_array((size, size)), C
     rates = mode_rates(found, x[None], v[None])[0]
-    return mode_stiffness(found, share * rates, len(x)) + here.T @ (_gradients(found, v) * weight), C
+    return mode_stiffness(found, share * rates, len(x)) + here.T @ (mode_gradients(found, v) * weight), C
 
 
-def _gradients(found: BeamElements, x: NDArray[np.float64]) -> csr_array:
+def mode_gradients(found: BeamElements, x: NDArray[np.float64]) -> csr_array:
     """B (beams x modes, 3 n) at positions x (n, 3)."""
     p, q = pairs_of(found)
     k, s = found.modes.shape[:2]

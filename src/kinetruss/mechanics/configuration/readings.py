@@ -57,14 +57,17 @@ def drive_values(
 
 
 def drive_places(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values (times, drives) that node positions (times, n, 3) have at the drives; angles in the plane from -pi to pi."""
+    """Values (times, drives) that node positions (times, n, 3) have at the drives, each position by itself.
+
+    Angles in the plane are from -pi to pi, others the nearest to that at the start.
+    """
     value = np.zeros((len(x), len(system.drives)))
     for flat, d in system.coordinate_drive:
         value[:, d] = x[:, flat // 3, flat % 3]
     for r in np.flatnonzero(system.row_drive >= 0):
         i, d, m = system.row_member[r], system.row_drive[r], system.row_measure[r]
         if m >= 0:
-            value[:, d] = measured(system, m, x)[:, 0]
+            value[:, d] = measured(system, m, x, along=False)[:, 0]
             continue
         along = x[:, system.q[i]] - x[:, system.p[i]]
         turns = system.row_kind[r] == ANGLE

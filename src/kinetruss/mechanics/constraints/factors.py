@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from scipy.sparse import csc_array
-from scipy.sparse.csgraph import structural_rank
 from scipy.sparse.linalg import splu
+
+from kinetruss.mechanics.constraints.matching import structural_rank
 
 __all__ = ["SYMMETRIC", "factors_of", "matched"]
 
@@ -38,6 +39,6 @@ def matched(square: Any, *, symmetric: bool) -> bool:
     matrices of statics.
     """
     if not symmetric:
-        return bool(structural_rank(square) == square.shape[0])
+        return structural_rank(square) == int(square.shape[0])
     bare = square.diagonal() == 0.0
     return bool(not bare.any() or structural_rank(square.tocsr()[bare]) == bare.sum())

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import csc_array, csr_array, eye_array
-from scipy.sparse.csgraph import structural_rank
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import InputError
+from kinetruss.mechanics.constraints.matching import structural_rank
 from kinetruss.mechanics.structure.constraint_gradients import RANK_TOLERANCE
 
 if TYPE_CHECKING:
@@ -203,7 +203,7 @@ class _Iteration:
     def lowest(self, count: int = 0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
         """Orthonormal vectors (n, k), at least `count`, and their singular values, ascending; all below FAR; the largest."""
         size = self.A.shape[1]
-        least = max(count, size - int(structural_rank(self.A))) if size else 0
+        least = max(count, size - structural_rank(self.A)) if size else 0
         V, values = np.zeros((size, 0)), np.full(1, np.inf)
         while V.shape[1] < size:
             more = min(size, least + GUARD if not V.shape[1] else 2 * V.shape[1] + GUARD) - V.shape[1]

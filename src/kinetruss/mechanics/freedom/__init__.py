@@ -27,19 +27,23 @@ if TYPE_CHECKING:
         second_order_of,
     )
     from kinetruss.mechanics.freedom.shapes import HeldShapes, held_shapes, shaped
+    from kinetruss.mechanics.freedom.strained import Deformations, beam_deformations, deformations
     from kinetruss.mechanics.freedom.transfer import contradicted, displacements, flat_positions, transfers
 
 __all__ = [
     "Basis",
     "Coordinate",
+    "Deformations",
     "HeldShapes",
     "Mobility",
+    "beam_deformations",
     "chosen_dofs",
     "contradicted",
     "coordinate_gradients",
     "coordinate_rows",
     "coordinate_values",
     "coordinates",
+    "deformations",
     "displacements",
     "dof_basis",
     "first_order_of",
@@ -60,6 +64,7 @@ __all__ = [
 __getattr__, __dir__ = late(
     __name__,
     {
+        "strained": "Deformations beam_deformations deformations",
         "named": "Coordinate coordinate_gradients coordinate_rows coordinate_values coordinates is_prescribed row_of",
         "rank": "Mobility mobility mobility_at underdriven",
         "rows": "Basis chosen_dofs dof_basis first_order_of derivatives_of released second_order_of",

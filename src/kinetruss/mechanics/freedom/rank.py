@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.sparse import csr_array, vstack
 
 from kinetruss.display import counted
 from kinetruss.errors import InputError
@@ -24,9 +25,13 @@ from kinetruss.mechanics import (
 from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.constraints.moves import moves_text, self_stress_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
+from kinetruss.mechanics.freedom.strained import Deformations, beam_deformations
 from kinetruss.model import Model
+from kinetruss.model.beams import SPIN, line_advice
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
 __all__ = ["Mobility", "mobility", "mobility_at", "underdriven"]
@@ -41,18 +46,21 @@ LINES = 40
 class Mobility:
     """Count and rank of a structure at one configuration (Maxwell 1864; Calladine 1978; Pellegrino & Calladine 1986).
 
-    bars : rigid bars. couplings : between coordinates. drives : prescribed coordinates.
-    coordinates, fixed : of all nodes. rank : of the rigid bars and couplings.
+    bars : rigid bars. beams : elastic ones, which count as rigid here: what only bends them is no freedom. couplings : between
+    coordinates. drives : prescribed coordinates.
+    coordinates, fixed : of the user's nodes, with the rotations of beams and hubs. rank : of rigid bars, beams and couplings.
     degrees_of_freedom : freedoms before drives = coordinates - fixed - rank.
     undriven : freedoms left with all drives held. self_stress : number of states with all drives held.
-    maxwell : coordinates - fixed - rigid bars - couplings - drives = undriven - self_stress (Calladine's count).
-    node_names, row_names : names of nodes and of what is held.
+    maxwell : coordinates - fixed - rigid bars - couplings - drives = undriven - self_stress (Calladine's count); each beam
+    counts as 3 bars in the plane, 6 in space.
+    node_names, row_names : names of nodes, inner ones included, and of what is held; of a beam once for each deformation.
     spaces : null spaces of the row-normalised Jacobian; their vectors are computed at first use.
     """
 
     coordinates: int
     fixed: int
     bars: int
+    beams: int
     couplings: int
     drives: int
     rank: int
@@ -101,9 +109,10 @@ class Mobility:
         return found
 
     def __str__(self) -> str:
-        coupled = f"{counted(self.couplings, 'coupling')}, " if self.couplings else ""
+        held = [counted(self.bars, "rigid bar"), *([counted(self.beams, "elastic beam")] if self.beams else [])]
+        held += [counted(self.couplings, "coupling")] if self.couplings else []
         lines = [
-            f"{counted(self.bars, 'rigid bar')}, {coupled}{self.coordinates} coordinates, {self.fixed} fixed, "
+            f"{', '.join(held)}, {self.coordinates} coordinates, {self.fixed} fixed, "
             f"rank {self.rank}: "
             f"{counted(self.degrees_of_freedom, 'degree')} of freedom, {counted(self.drives, 'drive')}",
             f"with the drives held: {counted(self.undriven, 'mechanism')}, {counted(self.self_stress, 'state')} of self-stress "
@@ -117,15 +126,18 @@ class Mobility:
 
     def mechanism_texts(self, most: int | None = None) -> list[str]:
         """Each mechanism in words, the first `most`: which node moves in which direction, largest first."""
-        soft = " -- stiff to second order only, loose under the least load: hold a node off the plane by bars, or add a support"
+        plane = self.system.dim == 2
+        fix = "make links with a pin in the middle of two beams" if plane else "hold a node off the plane by bars"
+        advice = line_advice(self.system.model) or f"{fix}, or add a support"
+        soft = f" -- stiff to second order only, loose under the least load: {advice}"
         return [
-            moves_text(mode, self.node_names) + (soft if flat else "")
+            moves_text(self.system, mode) + (soft if flat else "")
             for mode, flat in zip(self.mechanisms[:most], self._soft(self.undriven if most is None else most), strict=True)
         ]
 
     def self_stress_texts(self, most: int | None = None) -> list[str]:
         """Each state of self-stress in words, the first `most`: which bars are in compression or tension, largest first."""
-        return [self_stress_text(state, self.row_names) for state in self.self_stress_states[:most]]
+        return [self_stress_text(self.system, state, self.row_names) for state in self.self_stress_states[:most]]
 
 
 def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobility:
@@ -152,54 +164,79 @@ def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobil
       mechanism 1: C moves along x (+1.000), D moves along x (+1.000)
     """
     system = compile(model)
-    return mobility_at(system, positions_of(system, position))
+    return mobility_at(system, positions_of(system, position), beam_deformations)
 
 
-def mobility_at(system: System, x: NDArray[np.float64]) -> Mobility:
-    """`mobility` of a compiled system at positions x (n, 3)."""
-    J = constraint_jacobian(system, x)[:, system.free]
-    sure = eliminated(system, x) if max(J.shape) <= QUICK else None
-    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change), sure)
-    own = system.row_drive < 0
+def mobility_at(
+    system: System, x: NDArray[np.float64], held: Callable[[System, NDArray[np.float64]], Deformations] | None = None
+) -> Mobility:
+    """`mobility` of a compiled system at positions x (n, 3). held : the deformations that are held beside its rows, e.g. those
+    of its beams (`beam_deformations`); by default none.
+    """
+    found = Deformations(csr_array((0, x.size)), ()) if held is None else held(system, x)
+    J, more = constraint_jacobian(system, x)[:, system.free], found.rows[:, system.free]
+    own = np.append(system.row_drive < 0, np.ones(len(found.names), np.bool_))
+    sure = None
+    if not found.names:
+        sure = eliminated(system, x) if max(J.shape) <= QUICK else None
+    else:
+        J = csr_array(vstack([J, more]))
+        if max(J.shape) <= QUICK:
+            from kinetruss.mechanics.constraints.elimination import Elimination  # kernels, which few checks need
+
+            whole = Elimination(J.toarray(), ~own)
+            sure = whole if whole.sure else None
+    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change, more), sure)
     if sure is not None:
         rank = sure.first
     else:
         rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
     rows, columns = J.shape
-    dim = system.dim
+    dim, driven, inner = system.dim, len(system.coordinate_drive), system.inner
     idle = (dim - 1) * sum(node.scalar for node in system.model.nodes.values())
-    driven = len(system.coordinate_drive)
+    # of inner nodes and the bars that hold them only the rotations count that they represent
+    places = np.array([system.node_index(name) for name in inner.nodes], np.int64)
+    loose = int((~system.prescribed.reshape(-1, 3)[places, :dim]).sum())
+    length = own[: len(system.row_kind)] & (system.row_kind == LENGTH)
+    added = [name in inner.bars and any(end in inner.nodes for end in one.ends) for name, one in system.model.members.items()]
+    bars = int((length & np.array(added, np.bool_)[system.row_member]).sum())
+    # of inner couplings those of a rotation go with a scalar, which is the user's
+    turned = {name for name, owner in inner.couplings.items() if owner.table == "hubs" or name.endswith(SPIN)}
+    couplings = sum(name in turned for name in system.row_names)
+    braces = bars + couplings
     return Mobility(
-        coordinates=len(system.nodes) * dim - idle,
-        fixed=int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim) - idle,
-        bars=int((own & (system.row_kind == LENGTH)).sum()),
-        couplings=int((own & (system.row_kind == SUM)).sum()),
+        coordinates=len(system.nodes) * dim - idle - len(places) * dim + loose - braces,
+        fixed=int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim) - idle - (len(places) * dim - loose),
+        bars=int(length.sum()) - bars,
+        beams=len(set(found.names)),
+        couplings=int((system.row_kind == SUM)[system.row_drive < 0].sum()) - couplings,
         drives=len(system.drives),
-        rank=rank,
+        rank=rank - braces,
         degrees_of_freedom=columns + driven - rank,
         undriven=columns - spaces.rank,
         self_stress=rows - spaces.rank,
         maxwell=columns - rows,
         node_names=system.nodes,
-        row_names=system.row_names,
+        row_names=(*system.row_names, *found.names),
         system=system,
         position=x,
         spaces=spaces,
     )
 
 
-def _hardly_strains(system: System, x: NDArray[np.float64], change: NDArray[np.float64]) -> bool:
+def _hardly_strains(system: System, x: NDArray[np.float64], change: NDArray[np.float64], held: csr_array) -> bool:
     """True if a change (free,) with a small effect on lengths is a mechanism, not the bending of a long structure.
 
     A long truss bends with little strain, but then its bars also rotate little. In a mechanism the relative displacement of
-    the ends of some bar is far larger than its elongation.
+    the ends of some bar is far larger than its elongation, and than the deformations (r, free) held besides.
     """
     bars = system.row_kind == LENGTH
     flat = np.zeros(system.x0.size)
     flat[system.free] = change
     apart = row_ends(system, flat.reshape(-1, 3), bars)
-    strain = np.abs(np.einsum("rc,rc->r", row_directions(system, x, rows=bars), apart))
-    return bool(strain.max(initial=0.0) <= RANK_TOLERANCE * np.linalg.norm(apart, axis=1).max(initial=0.0))
+    strain = np.abs(np.einsum("rc,rc->r", row_directions(system, x, rows=bars), apart)).max(initial=0.0)
+    strain = max(strain, np.abs(held @ change).max(initial=0.0))
+    return bool(strain <= RANK_TOLERANCE * np.linalg.norm(apart, axis=1).max(initial=0.0))
 
 
 def _stiffened(system: System, x: NDArray[np.float64], modes: NDArray[np.float64]) -> tuple[bool, ...]:
@@ -216,17 +253,23 @@ def _stiffened(system: System, x: NDArray[np.float64], modes: NDArray[np.float64
     return tuple(bool(one) for one in stiff > 1e-6 * np.linalg.norm(bent, axis=0) + 1e-12 / length.min(initial=np.inf))
 
 
+def _beside(system: System) -> str:
+    """How to leave a singular position."""
+    advice = line_advice(system.model)
+    return f"{advice}." if advice else "Draw it beside that position, or drive another member."
+
+
 def underdriven(system: System) -> InputError:
     """The error of a mechanism that its drives do not hold, naming the nodes that move."""
-    found = mobility_at(system, system.x0)
+    found = mobility_at(system, system.x0, beam_deformations)
     if not found.undriven:
         way = np.zeros(system.x0.size)
         way[system.free] = found.spaces.weakest / np.abs(found.spaces.weakest).max()
         return InputError(
             f"The structure is in a singular position (smallest singular value {found.smallest_singular_value:.2g}): there "
             "its drives do not say which way it goes on. Nothing holds this: "
-            f"{moves_text(way.reshape(-1, 3)[:, : system.dim], system.nodes)}. "
-            "Draw it beside that position, or drive another member."
+            f"{moves_text(system, way.reshape(-1, 3)[:, : system.dim])}. "
+            f"{_beside(system)}"
         )
     moves = "; ".join(found.mechanism_texts(4))
     return InputError(

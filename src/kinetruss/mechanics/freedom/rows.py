@@ -219,7 +219,7 @@ def _factored(system: System, dofs: list[Coordinate], J: Any, S: Any) -> Any:
     _, _, Vt = np.linalg.svd(square.toarray())
     mode = np.zeros(system.x0.size)
     mode[system.free] = Vt[-1]
-    text = moves_text(mode.reshape(-1, 3)[:, : system.dim], system.nodes)
+    text = moves_text(system, mode.reshape(-1, 3)[:, : system.dim])
     better = [one.name for one in _picked(system, J, len(dofs))]
     raise InputError(
         f"{', '.join(one.name for one in dofs)} {'does' if len(dofs) == 1 else 'do'} not fix the configuration: {text} while "

@@ -24,6 +24,8 @@ __all__ = ["LARGEST_DENSE", "mark_dropped", "workspace_for", "solver_arrays"]
 SOLVERS = {"dense": DENSE, "sparse": SPARSE, "sweep": SWEEP}
 LARGEST_DENSE = 400
 """Largest number of free coordinates for dense algebra, also for the rank at the start."""
+DEARER = 4.0
+"""Plans of sweeps that cost more than this multiple of the cheapest other solver are not looked at."""
 _WHOLE = np.int64
 
 
@@ -44,7 +46,8 @@ def solver_arrays(
     assembled = sums or len(augmented_row) > 0
     costs = _costs(system, masses, assembled, len(redundant) > 0)
     worth = solver == "sweep" or (solver == "auto" and _sweep_cost(system, masses, 0.0) < min(costs.values()))
-    plans = sweep_plans(system) if worth and not len(redundant) and not sums else []
+    most = np.inf if solver == "sweep" else DEARER * min(costs.values())
+    plans = sweep_plans(system, most=most) if worth and not len(redundant) and not sums else []
     if plans and plans[0].pivot > 1e-3 and len(system.free) > len(system.row_member):
         costs[SWEEP] = _sweep_cost(system, masses, plans[0].cost)
     chosen = SOLVERS[solver] if solver != "auto" else min(costs, key=lambda one: costs[one])

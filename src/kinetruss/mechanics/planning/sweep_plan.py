@@ -37,8 +37,8 @@ class Blocks:
     pivot: float
 
 
-def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
-    """Useful plans, the cheapest regular one first; none if the rows cannot all be matched."""
+def sweep_plans(system: System, trials: int = 12, most: float = np.inf) -> list[Blocks]:
+    """Useful plans, the cheapest regular one first; none if the rows cannot all be matched, or each costs more than `most`."""
     J, held = constraint_jacobian(system, system.x0), system.prescribed.tolist()
     column, value, start = J.indices.tolist(), J.data.tolist(), J.indptr.tolist()
     # gradient of each row by its free coordinates
@@ -52,12 +52,16 @@ def sweep_plans(system: System, trials: int = 12) -> list[Blocks]:
     for trial in range(trials):
         spread = 0.01 if trial == 0 else 3.0
         weight = 1.0 + depth.max(initial=0.0) - depth + spread * rng.random(depth.size)
-        blocks = _plan(system, touch, weight)
+        blocks = _plan(system, touch, weight, most)
         if blocks is None:
             break
+        if blocks.cost > most:
+            continue
         key = tuple(sorted(tuple(sorted(columns)) for columns in blocks.columns))
         found.setdefault(key, blocks)
     best = sorted(found.values(), key=lambda one: (one.pivot < 0.05, one.cost))
+    if not best:
+        return []
     plans = [one for one in best if one.cost <= 4.0 * best[0].cost][:MOST_PLANS]
     if plans and len(system.free) <= SMALL and len(plans[0].rows) > 1:
         rows = [list(range(len(touch)))]
@@ -79,8 +83,11 @@ def _depths(system: System) -> NDArray[np.float64]:
     return np.repeat(far, 3)
 
 
-def _plan(system: System, touch: list[dict[int, float]], weight: NDArray[np.float64]) -> Blocks | None:
-    """The plan of one matching; touch: gradient of each row by its free flat coordinates."""
+def _plan(system: System, touch: list[dict[int, float]], weight: NDArray[np.float64], most: float) -> Blocks | None:
+    """The plan of one matching; touch: gradient of each row by its free flat coordinates.
+
+    The pivot of one that costs more than `most` is not computed: its blocks may be as large as the structure.
+    """
     free = system.free
     local = np.full(system.x0.size, -1)
     local[free] = np.arange(len(free))
@@ -88,7 +95,8 @@ def _plan(system: System, touch: list[dict[int, float]], weight: NDArray[np.floa
     if found is None:
         return None
     rows, columns = [mine for mine, _ in found], [free[mine].tolist() for _, mine in found]
-    return Blocks(rows=rows, columns=columns, cost=_cost(rows, columns), pivot=_pivot(rows, columns, touch))
+    cost = _cost(rows, columns)
+    return Blocks(rows=rows, columns=columns, cost=cost, pivot=_pivot(rows, columns, touch) if cost <= most else 0.0)
 
 
 def _cost(rows: list[list[int]], columns: list[list[int]]) -> float:

@@ -22,6 +22,7 @@ from kinetruss.mechanics.kept import kept
 from kinetruss.mechanics.structure.blocks import block_triangular, pattern_of
 from kinetruss.mechanics.structure.constraint_gradients import RANK_TOLERANCE, constraint_gradients, jacobian
 from kinetruss.mechanics.structure.measures import flats_of, sum_arrays
+from kinetruss.mechanics.structure.rigid_parts import part_arrays, rigid_parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -160,7 +161,7 @@ def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:
 
 
 class Topology:
-    """Rows and their nodes as a key of caches: a plan without sums depends on them alone, not on places and lengths."""
+    """Rows, their nodes and rigid parts as a key of caches: a plan without sums depends on them alone, not on places."""
 
     def __init__(self, system: System, rows: NDArray[np.int64]) -> None:
         self.system, self.rows = system, rows
@@ -168,7 +169,8 @@ class Topology:
             rows, system.p, system.q, system.row_member, system.row_kind, system.row_drive, system.prescribed,
             system.coordinate_drive,
         )  # fmt: skip
-        self.key = tuple((array.shape, array.tobytes()) for array in arrays)
+        parts = tuple((one.nodes, one.used, one.hands) for one in rigid_parts(system))
+        self.key = (*((array.shape, array.tobytes()) for array in arrays), parts)
 
     def __hash__(self) -> int:
         return hash(self.key)
@@ -234,6 +236,7 @@ def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], redunda
             entry_sign=np.array(sign, np.float64),
             moving=_moving(system),
             **sums,
+            **part_arrays(system, row, np.array(ptr, np.int64), np.array(col, np.int64)),
         )
     )
 

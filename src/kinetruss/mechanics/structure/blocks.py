@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching, min_weight_full_bipartite_matching
+from scipy.sparse.csgraph import connected_components
+
+from kinetruss.mechanics.constraints.matching import matching
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["block_triangular", "pattern_of"]
 
-LARGE = 40000
-"""Number of entries above which the matching of least weight takes too long."""
 Matching = tuple["NDArray[np.int64]", "NDArray[np.int64]"]
 """Rows, and the column that each is matched to."""
 
@@ -34,8 +34,8 @@ def block_triangular(pattern: csr_array, *, light: bool = False) -> list[tuple[l
     Rows are matched to columns; the strongly connected components of "row needs the row that has this column" are the blocks
     (Dulmage & Mendelsohn, 1958). An unmatched column joins the first block that has an entry in it; columns without entries
     form a last block without rows. So blocks are square if there are as many rows as columns.
-    light : match rows to columns of small weight, unless that takes too long; else any matching serves, and with as many
-        rows as columns all matchings lead to the same blocks.
+    light : match rows to the columns of least weight; else any matching serves, and with as many rows as columns all
+        matchings lead to the same blocks.
 
     >>> block_triangular(pattern_of([[0, 1], [0], [2, 3]], 4))
     [([1], [0]), ([0], [1]), ([2], [2, 3])]
@@ -62,25 +62,17 @@ def block_triangular(pattern: csr_array, *, light: bool = False) -> list[tuple[l
 
 
 def _matching(pattern: csr_array) -> Matching | None:
-    if 0 in pattern.shape:
-        return None if pattern.shape[0] else (np.zeros(0, np.int64), np.zeros(0, np.int64))
-    column = maximum_bipartite_matching(pattern, perm_type="column")
+    column = matching(pattern)
     return None if np.any(column < 0) else (np.arange(pattern.shape[0]), column)
 
 
 def _light_matching(pattern: csr_array) -> Matching | None:
-    """The matching of least weight; in a large pattern each row takes the lightest column that is free."""
-    if 0 in pattern.shape:
-        return _matching(pattern)
-    if pattern.nnz > LARGE:
-        order = np.argsort(np.asarray(pattern.max(axis=0).todense()).reshape(-1), kind="stable")
-        found = _matching(csr_array(pattern[:, order]))
-        return None if found is None else (found[0], order[found[1]])
-    try:
-        rows, columns = min_weight_full_bipartite_matching(pattern)
-    except ValueError:
-        return None
-    return rows, columns
+    """The matching whose columns have the least sum of weights: the lightest columns have precedence."""
+    weight = np.full(pattern.shape[1], np.inf)
+    weight[pattern.indices] = pattern.data
+    row = matching(csr_array(pattern.T), np.argsort(weight, kind="stable"))
+    columns = np.flatnonzero(row >= 0)
+    return (row[columns], columns) if len(columns) == pattern.shape[0] else None
 
 
 def _in_order(source: NDArray[np.int64], needed: NDArray[np.int64], count: int) -> list[list[int]]:

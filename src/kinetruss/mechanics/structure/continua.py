@@ -13,7 +13,7 @@ in the plane and 28 in space (mechanics.beams.elements). The force density of an
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +25,16 @@ from kinetruss.model import Material, Model, Orthotropic
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Continua", "Patch", "compiled_continua", "element_points", "gradients", "law_matrix", "material_axes"]
+__all__ = [
+    "Continua",
+    "Patch",
+    "compiled_continua",
+    "without_beams",
+    "element_points",
+    "gradients",
+    "law_matrix",
+    "material_axes",
+]
 
 FOUR = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
 """The triangles between the nodes of a six-node triangle (corners, middles of sides 1-2, 2-3, 3-1)."""
@@ -112,6 +121,15 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
     return Continua(
         p=p.astype(np.int32), q=q.astype(np.int32), rest=rest, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
     )
+
+
+def without_beams(found: Continua) -> Continua:
+    """The same without its beams, which are the last elements."""
+    if found.beams is None:
+        return found
+    v, count = found.beams.nodes.shape[1], len(found.beams.names)
+    edge, stiff = found.groups[v]
+    return replace(found, beams=None, groups={**found.groups, v: (edge[:-count], stiff[:-count])})
 
 
 def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:

@@ -27,9 +27,18 @@ __all__ = [
 
 
 def measured(
-    system: System, m: Any, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
+    system: System,
+    m: Any,
+    x: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None,
+    a: NDArray[np.float64] | None = None,
+    *,
+    along: bool = True,
 ) -> NDArray[np.float64]:
-    """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3); values unwrapped."""
+    """Value, rate and second rate (times, 3) of measure m along x, v, a (times, n, 3).
+
+    along : values unwrapped from one time to the next; else each by itself is the nearest to that at the start.
+    """
     from kinetruss.kernels.constraints.terms import measure_rates
 
     size = system.x0.size  # given explicitly: there may be no times
@@ -37,8 +46,11 @@ def measured(
     found = np.empty((len(x), 3))
     first, last = system.measure_ptr[m : m + 2]
     measure_rates(system.term_kind, system.term_at, system.term_data, first, last, States(*flat), found, np.zeros(10))
-    if (period := system.measure_period[m]) > 0.0:
-        found[:, 0] = np.unwrap(np.concatenate([[system.measure_start[m]], found[:, 0]]), period=period)[1:]
+    period, start = system.measure_period[m], system.measure_start[m]
+    if period > 0.0 and along:
+        found[:, 0] = np.unwrap(np.concatenate([[start], found[:, 0]]), period=period)[1:]
+    elif period > 0.0:
+        found[:, 0] += period * np.rint((start - found[:, 0]) / period)
     return found
 
 

@@ -16,7 +16,7 @@ from kinetruss.mechanics.structure.bodies import pair_arrays
 from kinetruss.mechanics.structure.continua import Continua, compiled_continua
 from kinetruss.mechanics.structure.measure_arrays import measure_arrays
 from kinetruss.mechanics.structure.members import DRIVEN, ELASTIC, FREE, RIGID, member_arrays
-from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model
+from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, inner_parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -145,6 +145,16 @@ class System:
         """The system with these of its rows (indices or a mask), in their order."""
         names = ("row_member", "row_kind", "row_drive", "row_value", "row_measure")
         return replace(self, **({name: getattr(self, name)[rows] for name in names} | changes))
+
+    @cached_property
+    def inner(self) -> Inner:
+        """The inner parts of the model."""
+        return inner_parts(self.model)
+
+    def part_name(self, name: str) -> str:
+        """The user's part that a member or coupling belongs to: itself, or of an inner one that of its owner."""
+        owner = self.inner.bars.get(name) or self.inner.couplings.get(name)
+        return name if owner is None else owner.text
 
     def row_name(self, r: Any) -> str:
         """The name of what row r prescribes: a member, ``angle of`` one, a drive or a coupling."""

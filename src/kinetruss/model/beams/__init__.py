@@ -14,32 +14,45 @@ if TYPE_CHECKING:
         expanded,
         frame_of,
         frames,
+        hinges,
         rigid_beams,
         rigid_groups,
         shape_bars,
     )
+    from kinetruss.model.beams.links import line_advice, middle_pins, shared_rotations
     from kinetruss.model.beams.shown import CHORD, FRAME, shown_kinds, shown_names
+    from kinetruss.model.beams.spins import SPIN, Spin, spin_note, spins
 
 __all__ = [
     "CHORD",
     "FRAME",
+    "SPIN",
+    "Spin",
     "axes_of_beam",
     "carriers_of",
     "chords",
     "expanded",
     "frame_of",
     "frames",
+    "hinges",
+    "line_advice",
+    "middle_pins",
     "rigid_beams",
     "rigid_groups",
     "shape_bars",
+    "shared_rotations",
     "shown_kinds",
     "shown_names",
+    "spin_note",
+    "spins",
 ]
 
 __getattr__, __dir__ = late(
     __name__,
     {
-        "framing": "axes_of_beam carriers_of chords expanded frame_of frames rigid_beams rigid_groups shape_bars",
+        "framing": "axes_of_beam carriers_of chords expanded frame_of frames hinges rigid_beams rigid_groups shape_bars",
+        "links": "line_advice middle_pins shared_rotations",
+        "spins": "SPIN Spin spin_note spins",
         "shown": "CHORD FRAME shown_kinds shown_names",
     },
 )

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.beams.framing import frame_of, frames
+from kinetruss.model.beams.framing import frames
+from kinetruss.model.beams.spins import spins
 from kinetruss.model.checks.common import components, unknown
 from kinetruss.model.parts.joints import GROUND
 
@@ -30,7 +31,7 @@ def beam_faults(model: ModelData, dim: int) -> Iterator[Fault]:
             yield Fault(path, f"{name!r} is also the name of a bar.", "Give each member its own name.", about=(("bars", name),))
         good = yield from _ends(model, beam, path)
         yield from _matter(model, beam, path, dim)
-        yield from _release(beam, path, dim)
+        yield from _release(model, name, beam, path, dim)
         yield from _hinges(model, beam, path, dim)
         if beam.kind == "rigid" and beam.damping:
             yield Fault(
@@ -85,16 +86,17 @@ def _matter(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Faul
         yield Fault((*path, "section"), message, "Give the section J, m^4.", about=(*about, ("nodes",)))
 
 
-def _release(beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+def _release(model: ModelData, name: str, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
     for k, end in enumerate(beam.release):
         if end not in beam.ends:
             mend = f"Name {beam.ends[0]} or {beam.ends[1]}."
             yield Fault((*path, "release", k), f"{end!r} is no end of the beam.", mend, about=((*path, "ends"),))
     free = {*beam.release, *(end for end, about in beam.hinges.items() if about == 1)}
-    if dim == 3 and beam.kind == "elastic" and set(beam.ends) <= free:
+    if dim == 3 and beam.kind == "elastic" and set(beam.ends) <= free and not any(name in one.beams for one in spins(model)):
         mend = "Make it an elastic bar, or release one end only."
         place = (*path, "release" if beam.release else "hinges")
-        yield Fault(place, "leaves the beam free to spin about its own axis.", mend, about=(("nodes",),))
+        message = "leaves the beam free to spin about its own axis, and something drives or loads this."
+        yield Fault(place, message, mend, about=(("nodes",),))
 
 
 def _hinges(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
@@ -174,9 +176,9 @@ def _clamps(model: ModelData) -> Iterator[Fault]:
         if node not in model.nodes:
             yield unknown("node", node, model.nodes, place)
         elif node not in framed:
-            ends = {frame_of(name, beam, end) for name, beam in model.beams.items() for end in beam.ends}
-            mend = "Join a beam to it" if node not in ends else "Let the beam share its rotation"
-            yield Fault(place, "is clamped, but no beam has its rotation.", f"{mend}, or fix the node.", about=(("beams",),))
+            if not any(node in beam.ends for beam in model.beams.values()):  # released ones are pinned there
+                mend = "Join a beam to it, or fix the node."
+                yield Fault(place, "is clamped, but no beam has its rotation.", mend, about=(("beams",),))
         elif to != GROUND and to not in model.bodies:
             yield unknown("body", to, [*model.bodies, GROUND], place)
         elif to != GROUND and (model.bodies[to].kind != "rigid" or node not in model.bodies[to].nodes):

@@ -32,10 +32,13 @@ __all__ = [
     "rigid_groups",
     "rotations",
     "shape_bars",
+    "sound_beams",
 ]
 
 SHARE = 0.3
 """Distance of the nodes of a frame from its origin, as a fraction of the shortest beam there."""
+SHAPE = ".shape."
+"""Between the name of a beam and the ends of a bar that holds it in its shape."""
 AWAY = 0.6
 """Distance of a node on the axis of a hinge from the origin, as a fraction of that of the nodes of the frame."""
 STEEP = 0.95
@@ -66,7 +69,7 @@ def frames(model: ModelData) -> dict[str, Axes]:
     size: dict[str, float] = {}
     origin: dict[str, str] = {}
     rigid: dict[str, int] = {}
-    for name, beam in _sound(model):
+    for name, beam in sound_beams(model):
         length = _length(model, beam)
         for end in beam.ends:
             frame = frame_of(name, beam, end)
@@ -77,7 +80,8 @@ def frames(model: ModelData) -> dict[str, Axes]:
             # a rigid beam needs a frame only where another beam, a clamp or a hinge holds its rotation
             rigid[frame] = rigid.get(frame, 0) + (1 if beam.kind == "rigid" and not hinged else 2)
             rigid[end] = rigid.get(end, 0) + hinged
-    wanted = [frame for frame, count in rigid.items() if count > 1 or frame in model.clamped]
+    # the ground holds no rotation where all beams are released
+    wanted = [frame for frame, count in rigid.items() if frame in origin and (count > 1 or frame in model.clamped)]
     axes = [f"d{k + 1}" for k in range(model.dim)]
     return {frame: Axes(origin[frame], size[frame], tuple(f"{frame}.{axis}" for axis in axes)) for frame in wanted}
 
@@ -95,7 +99,7 @@ class Hinge:
 def hinges(model: ModelData) -> list[Hinge]:
     """The hinges of beams."""
     found, every = [], frames(model)
-    for name, beam in _sound(model):
+    for name, beam in sound_beams(model):
         for end, about in beam.hinges.items():
             own = frame_of(name, beam, end)
             if end not in beam.ends or not {end, own} <= set(every) or not _directed(model, beam, about):
@@ -127,6 +131,8 @@ def expanded(model: ModelData) -> dict[str, Any]:
             nodes[hinge.node] = Node(at=hinge.at, coincident=True, director=True)
         if model.clamped.get(hinge.base) == GROUND:
             fixed[hinge.node] = every
+    ends = {end for beam in model.beams.values() for end in beam.ends}
+    fixed |= {name: every for name, to in model.clamped.items() if to == GROUND and name in ends & set(own)}
     for name, beam in rotations(model).items():
         couplings |= _turning(model, name, beam)
     return {"nodes": {**own, **nodes}, "fixed": fixed, "couplings": couplings}
@@ -153,7 +159,7 @@ def rigid_groups(model: ModelData) -> dict[str, Body]:
             found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(model.dim), brace=True)
         elif to is None:
             found[name if name not in found else f"{name}.frame"] = Body(nodes=(*frame.all, *on), carriers=frame.all)
-    for name, beam in _sound(model):
+    for name, beam in sound_beams(model):
         if beam.kind == "rigid" and beam.rotation is None:
             parts = [every[key].all if (key := frame_of(name, beam, end)) in every else (end,) for end in beam.ends]
             nodes = tuple(dict.fromkeys(node for part in parts for node in part))
@@ -167,19 +173,19 @@ def shape_bars(model: ModelData, names: Iterable[str]) -> dict[str, dict[str, Ba
     every, bodies = frames(model), {}
     for name in names:
         first, second = (every[frame_of(name, model.beams[name], end)].all for end in model.beams[name].ends)
-        bodies[f"{name}.shape"] = Body(nodes=tuple(dict.fromkeys((*first, *second))), carriers=first)
+        bodies[f"{name}{SHAPE[:-1]}"] = Body(nodes=tuple(dict.fromkeys((*first, *second))), carriers=first)
     return braces_of_each(model, rigid_groups(model), bodies)
 
 
 def chords(model: ModelData) -> dict[str, Bar]:
     """Free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
-    return {f"{name}{CHORD}": Bar(ends=beam.ends, kind="free", mass=0.0, brace=True) for name, beam in _sound(model)}
+    return {f"{name}{CHORD}": Bar(ends=beam.ends, kind="free", mass=0.0, brace=True) for name, beam in sound_beams(model)}
 
 
 def rigid_beams(model: ModelData) -> list[Body]:
     """The mass of rigid beams, spread evenly along them."""
     found = []
-    for _, beam in _sound(model):
+    for _, beam in sound_beams(model):
         if beam.kind == "rigid":
             section, material, mass = model.section_of(beam), model.material_of(beam), beam.mass
             if mass is None and section is not None and material is not None:
@@ -190,7 +196,7 @@ def rigid_beams(model: ModelData) -> list[Body]:
 
 def rotations(model: ModelData) -> dict[str, Beam]:
     """The rigid beams whose rotation is a coordinate."""
-    return {name: beam for name, beam in _sound(model) if beam.kind == "rigid" and beam.rotation is not None}
+    return {name: beam for name, beam in sound_beams(model) if beam.kind == "rigid" and beam.rotation is not None}
 
 
 def axes_of_beam(model: ModelData, beam: Beam) -> NDArray[Any]:
@@ -227,9 +233,9 @@ def _turning(model: ModelData, name: str, beam: Beam) -> dict[str, Coupling]:
     return found
 
 
-def _sound(model: ModelData) -> list[tuple[str, Beam]]:
+def sound_beams(model: ModelData) -> list[tuple[str, Beam]]:
     """The beams whose ends stand; the others are faults."""
-    fitting = {name for name, node in model.nodes.items() if len(node.at) == model.dim and not node.scalar}
+    fitting = {name for name, node in model.nodes.items() if len(node.at) == model.dim and not (node.scalar or node.director)}
     return [
         (name, beam)
         for name, beam in model.beams.items()

@@ -23,12 +23,16 @@ _DILATES = "A body that stretches with its bar is kt.Body(nodes=({!r}, {!r}), ki
 
 def body_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of the bodies of a model."""
+    members: dict[str, Any] = {**model.bars, **model.active}  # the braces of the model are not built yet
+    driven: dict[str, list[tuple[str, str]]] = {}
+    for name in sorted(model.driven_members & members.keys()) if model.bodies else ():
+        driven.setdefault(members[name].ends[0], []).append((name, members[name].ends[1]))
     for name, body in model.bodies.items():
         path = ("bodies", name)
         found = [*_names(model, body, path, dim), *_numbers(body, path, dim)]
         yield from found
         if not found and all(len(model.nodes[node].at) == dim for node in body.nodes):
-            yield from place_faults(model, body, path, dim)
+            yield from place_faults(model, body, path, dim, driven)
 
 
 def planar_body_faults(model: ModelData) -> Iterator[Fault]:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.errors import Fault
+from kinetruss.errors import Fault, few
 from kinetruss.model._words import nearest
 from kinetruss.model.beams import carriers_of, frames
 from kinetruss.model.checks.common import components, unknown
@@ -16,7 +17,7 @@ from kinetruss.model.parts.loads import NodalForce
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["load_faults"]
+__all__ = ["load_faults", "loads_along_beams"]
 
 OFF = 1e-6
 
@@ -49,6 +50,45 @@ def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> 
     if len(load.face) != dim or len(set(load.face)) != len(load.face):
         wanted = "two nodes of an edge" if dim == 2 else "three nodes of a face"
         yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))
+
+
+def loads_along_beams(model: ModelData) -> Iterator[Fault]:
+    """Pressures on edges along beams, which analyses refuse: forces at their nodes would not bend them between the ends. An
+    element on the edge takes its pressure.
+    """
+    if model.dim == 2 and model.beams:
+        for name, load in model.loads.items():
+            if isinstance(load, Pressure):
+                yield from _along_beams(model, load, ("loads", name))
+
+
+def _along_beams(model: ModelData, load: Pressure, path: tuple[Any, ...]) -> Iterator[Fault]:
+    if any(set(load.face) <= set(one.nodes) for one in model.membranes.values()):
+        return
+    a, b = (model.nodes[node].at for node in load.face)
+    along = [name for name, beam in model.beams.items() if _within(model, beam.ends, a, b)]
+    if along:
+        which = f"beam {along[0]}" if len(along) == 1 else f"the beams {few(along, 4)}"
+        message = f"acts along {which}: its forces at {' and '.join(load.face)} alone would bend nothing between the ends."
+        mend = (
+            "Loads along beams are not there yet. Divide the beam, and give each node its share of the load as a force "
+            "(load per length times half of the beams beside it); or give it as weight: mass of the beam, and gravity."
+        )
+        yield Fault((*path, "face"), message, mend, about=tuple(("beams", name) for name in along))
+
+
+def _within(model: ModelData, ends: tuple[str, str], a: tuple[float, ...], b: tuple[float, ...]) -> bool:
+    """Whether both ends lie on the line from a to b, and are not one place."""
+    length = math.dist(a, b)
+    shares = []
+    for end in ends:
+        if end not in model.nodes or len(model.nodes[end].at) != 2 or not length:
+            return False
+        (x, y), (u, v) = (model.nodes[end].at[k] - a[k] for k in (0, 1)), (b[k] - a[k] for k in (0, 1))
+        if abs(x * v - y * u) > OFF * length**2:
+            return False
+        shares.append((x * u + y * v) / length**2)
+    return min(shares) > -OFF and max(shares) < 1 + OFF and abs(shares[0] - shares[1]) > OFF
 
 
 def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import combinations, islice
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, islice, pairwise
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
@@ -25,7 +25,11 @@ _TRIED = 5000
 _COUNT = {1: "a node", 2: "two nodes", 3: "three nodes"}
 
 
-def place_faults(model: ModelData, body: Body, path: tuple[str, str], dim: int) -> Iterator[Fault]:
+Driven = Mapping[str, Sequence[tuple[str, str]]]
+"""First end -> name and other end of each member whose length is driven."""
+
+
+def place_faults(model: ModelData, body: Body, path: tuple[str, str], dim: int, driven: Driven) -> Iterator[Fault]:
     """Faults of carriers that do not span the mass, and of nodes that bars cannot hold."""
     import numpy as np
 
@@ -67,7 +71,7 @@ def place_faults(model: ModelData, body: Body, path: tuple[str, str], dim: int) 
                 message, mend = "is 0: the mass is a point.", "Give moments in kg m^2, or the mass to a node instead of a body."
             yield Fault((*path, "inertia"), message, mend, about=about)
     if body.kind == "rigid":
-        yield from _held(model, body, at, path, dim)
+        yield from _held(model, body, at, path, dim, driven)
 
 
 def lying(points: Any) -> str:
@@ -133,8 +137,23 @@ def _others(model: ModelData, name: str, body: Body, at: dict[str, Any], dim: in
     mend = f"{_add(np.array(list(at.values())), dim, new)} and let them carry it: carriers: [{', '.join((*good, *new))}]."
     if not span:
         return mend
+    if body.brace and body.kind == "rigid" and len(body.nodes) > span + 1:  # bars would not hold its nodes on this line
+        return f"{mend} {_of_beams(body.nodes, at)}({ADDS}.)"
     fewer = "In the plane two carry any body" if dim == 2 else ("If it is a rod, two" if span == 1 else "If it is flat, three")
     return f"{mend} {fewer}{'' if dim == 2 else ' carry it'}: carriers: [{', '.join(good)}]. ({ADDS}.)"
+
+
+def _of_beams(nodes: tuple[str, ...], at: dict[str, Any]) -> str:
+    """How a straight link is made of beams, if the nodes are on one line; with a blank at the end."""
+    import numpy as np
+
+    points = np.array([at[node] for node in nodes], float)
+    if _span(points) != 1:
+        return ""
+    along = points[int(np.argmax(np.linalg.norm(points - points[0], axis=1)))] - points[0]
+    order = [nodes[k] for k in np.argsort(points @ along, kind="stable")]
+    pairs = ", ".join(f"{a}-{b}" for a, b in pairwise(order))
+    return f"Or make a straight link of beams in place of the body: {pairs}; stiff where they meet, bars are pinned to them. "
 
 
 def _worth(points: Any) -> tuple[float, float]:
@@ -183,16 +202,16 @@ def beside(points: Any, dim: int) -> list[Any]:
     return found
 
 
-def _held(model: ModelData, body: Body, at: dict[str, Any], path: tuple[str, str], dim: int) -> Iterator[Fault]:
+def _held(model: ModelData, body: Body, at: dict[str, Any], path: tuple[str, str], dim: int, driven: Driven) -> Iterator[Fault]:
     """No bar between nodes of a rigid body may change its length; more nodes than a simplex must not be flat."""
     import numpy as np
 
-    members: dict[str, Any] = {**model.bars, **model.active}  # the braces of the model are not built yet
-    for name, member in members.items():
-        if name in model.driven_members and set(member.ends) <= set(body.nodes):
-            mend = "Take one of its ends out of the body, or make the body kind: straining."
-            message = f"is rigid, but {name!r} drives the distance of its nodes {member.ends[0]!r} and {member.ends[1]!r}."
-            yield Fault(path, message, mend, about=(("bars", name), ("active", name)))
+    for start in body.nodes:
+        for name, end in driven.get(start, ()):
+            if end in body.nodes:
+                mend = "Take one of its ends out of the body, or make the body kind: straining."
+                message = f"is rigid, but {name!r} drives the distance of its nodes {start!r} and {end!r}."
+                yield Fault(path, message, mend, about=(("bars", name), ("active", name)))
     points = np.array(list(at.values()))
     span = _span(points)
     if body.brace and len(points) > span + 1 and span < dim:
@@ -202,4 +221,5 @@ def _held(model: ModelData, body: Body, at: dict[str, Any], path: tuple[str, str
         mend = f"{_add(points, dim, new)[:-1]}; {'it needs' if len(new) == 1 else 'they need'} no mass ({ADDS})."
         if not body.carriers:
             mend += f" Keep its carriers: [{', '.join(body.carried_by(dim))}]."
+        mend += f" {_of_beams(body.nodes, at)}".rstrip()
         yield Fault((*path, "nodes"), message, mend, about=(*(("nodes", name) for name in body.nodes),))

@@ -64,17 +64,17 @@ def hub_of(model: ModelData, node: str, member: str) -> str:
 
 def is_grounded(model: ModelData, hub: str) -> bool:
     """Whether the hub is bolted to the ground."""
-    return not model.hubs[hub].turns and len(model.fixed.get(hub, "")) == len(model.nodes[hub].at)
+    return hub in model.nodes and not model.hubs[hub].turns and len(model.fixed.get(hub, "")) == len(model.nodes[hub].at)
 
 
 def members_at(model: ModelData, hub: str) -> dict[str, int]:
-    """Members at a hub besides its own arms and braces, with their end there."""
+    """Members at a hub besides its own arms and braces, with their end there; none with missing nodes, which are a fault."""
     found = {}
     for name, member in model.members.items():
         if getattr(member, "brace", False) or member.ends == (hub, name):  # bars of hinges are braces
             continue
         ends = ideal_ends(model, name, member)
-        if hub in ends:
+        if hub in ends and {*ends, *member.ends} <= set(model.nodes):
             found[name] = ends.index(hub)
     return found
 
@@ -112,7 +112,7 @@ def _centre_first(model: ModelData, name: str, end: int) -> tuple[str, str]:
 def clamped_at(model: ModelData, hub: str) -> dict[str, str]:
     """Members clamped at a hub, with the node at their other end."""
     here = members_at(model, hub)
-    return {name: model.bars[name].ends[1 - here[name]] for name in model.hubs[hub].clamped if name in here}
+    return {name: model.members[name].ends[1 - here[name]] for name in model.hubs[hub].clamped if name in here}
 
 
 def free_length(model: ModelData, name: str) -> tuple[float, float]:

@@ -17,7 +17,7 @@ from kinetruss.model.parts.members import Active
 if TYPE_CHECKING:
     from kinetruss.model._data import ModelData
 
-__all__ = ["hub_faults"]
+__all__ = ["hub_faults", "missing_nodes"]
 
 LEAN = 0.1
 """Least sine of the angle between the axis of a hinge and its member."""
@@ -32,7 +32,7 @@ def hub_faults(model: ModelData) -> list[Fault]:
     found: list[Fault] = []
     for hub in model.hubs:
         found += [*_names(model, hub)]
-    if found:
+    if found or missing_nodes(model):
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
     for hub in model.hubs:
@@ -44,14 +44,21 @@ def hub_faults(model: ModelData) -> list[Fault]:
     return found
 
 
+def missing_nodes(model: ModelData) -> set[str]:
+    """Nodes that members, and bodies, of a model with hubs name, and that it does not have."""
+    named = {end for member in model.members.values() for end in member.ends}
+    named |= {node for body in model.bodies.values() for node in body.nodes}
+    return {name for name in named if name not in model.nodes}
+
+
 def _names(model: ModelData, hub: str) -> Iterator[Fault]:
     """Unknown nodes and members, members that end elsewhere, vectors of another dimension."""
     path, record = ("hubs", hub), model.hubs[hub]
     if hub not in model.nodes:
         yield unknown("node", hub, model.nodes, path)
         return
-    if any(end not in model.nodes for member in model.members.values() for end in member.ends):
-        return  # reported with the members
+    if missing_nodes(model):
+        return  # reported with the members and bodies
     here, dim = members_at(model, hub), len(model.nodes[hub].at)
     for field, names in (("arms", record.arms), ("clamped", record.clamped), ("hinges", record.hinges)):
         for name in names:

@@ -17,6 +17,7 @@ from kinetruss.mechanics.assembly import Balance, balance_of, measure_forces, ro
 from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.mechanics.constraints import Spaces, moves_text
 from kinetruss.model import Model, nearest
+from kinetruss.model.beams import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.results.records import force_units
 from kinetruss.statics.large.saddle import LOOKED_AT, rows_of
@@ -223,7 +224,7 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         **({"spring": list(system.springs)} if system.springs else {}),
         **force_units(system, "drive", "spring")[1],
     }
-    ways = [moves_text(shape, system.nodes) for shape in shapes[: found.negative + found.neutral]]
+    ways = [moves_text(system, shape) for shape in shapes[: found.negative + found.neutral]]
     unsure = _not_unique(balance.system, reached.x)
     attrs = {
         "kind": "equilibrium",
@@ -240,7 +241,14 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         data=xr.Dataset(data, coords=coords, attrs=attrs),
         status=Status.COMPLETED if reached.good else Status.NO_EQUILIBRIUM,
         message=" ".join(
-            text for text in (_message(reached, ways, system.nodes), _unsure(balance, reached), not_unique_note(unsure)) if text
+            text
+            for text in (
+                _message(reached, ways, system.nodes),
+                _unsure(balance, reached),
+                not_unique_note(unsure),
+                spin_note(system.model),
+            )
+            if text
         ),
         provenance=provenance(system.model, load_case=balance.name),
     )

@@ -13,7 +13,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, arrange, compile
-from kinetruss.mechanics.assembly import ROTATES, Loads, material_stiffness
+from kinetruss.mechanics.assembly import ROTATES, Loads
 from kinetruss.mechanics.configuration import ROTATION
 from kinetruss.mechanics.freedom import displacements, flat_positions
 from kinetruss.model import Model
@@ -82,10 +82,10 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
     if len(arrange(system).redundant) or np.any(system.spring > 0) or system.springs or system.continua is not None:
-        u, e, said = _stiffly(held, x, flexible, load)
+        u, e, bent, said = _stiffly(held, x, flexible, load)
     else:
         u, e = _swept(system, held, x, flexible, forces.arrays["member_force"].values)
-        said = ""
+        bent, said = np.zeros(len(x)), ""
     length = np.linalg.norm(_apart(system, x), axis=2)
     energy = np.zeros((len(x), len(system.members)))
     elongation = np.zeros_like(energy)
@@ -96,14 +96,9 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     energy[:, held.row_member[bars]] = stored[:, bars]
     whole = stored.sum(axis=1)
     if system.continua is not None:
-        whole = whole + [_bent(system, place, moved) for place, moved in zip(x, u, strict=True)]
+        whole = whole + bent
     work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
     return _record(system, forces, u, elongation, length, (energy, whole, work), said)
-
-
-def _bent(system: System, x: NDArray[np.float64], u: NDArray[np.float64]) -> float:
-    """Strain energy u^T K u/2, J, of beams, membranes and solids at x (3 n,), of displacements u (3 n,)."""
-    return float(0.5 * u @ (material_stiffness(system, x.reshape(-1, 3)) @ u))
 
 
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -152,16 +147,19 @@ def _swept(
 
 def _stiffly(
     held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], str]:
-    """The same for redundant structures, by the stiffness method; and the message on the least accurate sample."""
-    u, e = np.empty_like(x), np.empty_like(flexible)
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], str]:
+    """The same for redundant structures, by the stiffness method; then the strain energy (times,) of beams, membranes and
+    solids, J, and the message on the least accurate sample.
+    """
+    u, e, bent = np.empty_like(x), np.empty_like(flexible), np.zeros(len(x))
     worst, at = (0.0, 0.0), 0
     for i in range(len(x)):
         solved = solve(held, x[i].reshape(-1, 3), flexible[i], load[i])
-        u[i], e[i] = solved.displacement, solved.elongation
+        u[i], e[i], bent[i] = solved.displacement, solved.elongation, 0.5 * solved.displacement @ solved.inner
         if max(solved.errors) > max(worst):
             worst, at = solved.errors, i
-    return u, e, accuracy_note(held.with_rows(np.isfinite(flexible[at])), x[at].reshape(-1, 3), *worst) if len(x) else ""
+    said = accuracy_note(held.with_rows(np.isfinite(flexible[at])), x[at].reshape(-1, 3), *worst) if len(x) else ""
+    return u, e, bent, said
 
 
 def _record(

@@ -16,17 +16,18 @@ from kinetruss.mechanics.assembly import (
     Loads,
     bar_laws,
     body_and_continua_mass,
-    material_stiffness,
     measure_forces,
     resting_forces,
     spring_laws,
 )
 from kinetruss.mechanics.configuration import number_of, positions_of
 from kinetruss.model import Model, nearest
+from kinetruss.model.beams import spin_note
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.results.records import force_units
 from kinetruss.statics.small.accuracy import NOTHING, accuracy_note
-from kinetruss.statics.small.stiffness import Solved, flexibility, solve, spring_rows, stiff_rows
+from kinetruss.statics.small.cables import solve_with_cables
+from kinetruss.statics.small.stiffness import Solved, flexibility, spring_rows, stiff_rows
 from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
 
 if TYPE_CHECKING:
@@ -66,7 +67,8 @@ def linear(
     Parameters
     ----------
     position : (n_nodes, dim), m, the configuration; by default the model's own. Bars have no force there, except bars of kind
-        ``elastic`` or ``cable`` with another natural length. A cable that is slack there has no stiffness.
+        ``elastic`` or ``cable`` with another natural length. A cable that is shorter there has no stiffness; others pull,
+        or are slack, as the load wants: the message names the slack ones.
     load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
     weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
     rigid : names of members kept inextensible although they have E and A.
@@ -113,7 +115,8 @@ def linear(
     flexible[_rigid_rows(held, rigid)] = 0.0
     known = _known(system, held, x, loads)
     G = constraint_jacobian(held, x)
-    solved = solve(held, x, flexible, known.load - G.T @ known.tension + known.continua_force)
+    found = solve_with_cables(held, x, flexible, known.tension, known.load + known.continua_force)
+    solved, flexible, known = found.solved, found.flexible, known._replace(tension=found.tension)
     data = _dataset(system, held, x, solved, known, G)
     force, displacement = solved.errors
     data.attrs |= {
@@ -128,15 +131,16 @@ def linear(
         displacement = max(displacement, _unbalanced(data))
     unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
-    found = Linear(
+    said = _message(held, flexible, rigid), _slack(found.slack), spin_note(model)
+    result = Linear(
         data=data,
         status=Status.UNSURE if lost else Status.COMPLETED,
-        message=" ".join(text for text in (unsure, _message(held, flexible, rigid)) if text),
+        message=" ".join(text for text in (unsure, *said) if text),
         provenance=provenance(model, load_case=loads.name, weight=word),
     )
     if lost:
-        raise AnalysisError(f"{found.status.value} {unsure}", found)
-    return found
+        raise AnalysisError(f"{result.status.value} {unsure}", result)
+    return result
 
 
 def _unbalanced(data: xr.Dataset) -> float:
@@ -191,13 +195,12 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
     energy[held.row_member[bars]] = stored_by[bars]
     held_now = system.prescribed.copy()
     held_now[system.coordinate_drive[:, 0]] = False
-    more = material_stiffness(system, x) @ solved.displacement  # forces of membranes and solids
-    reaction = np.where(held_now, G.T @ total + more - continua_force - load, 0.0).reshape(-1, 3)
+    reaction = np.where(held_now, G.T @ total + solved.inner - continua_force - load, 0.0).reshape(-1, 3)
     if len(system.measures) or system.model.hubs:
         drive, coupling = _on_measures(held, total)
         acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
         force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_springs)
-    stored = stored_by.sum() + (0.5 * more - continua_force) @ solved.displacement
+    stored = stored_by.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
     tensions = force[:, None] * u
@@ -237,6 +240,11 @@ def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.f
     last = len(held.measures) - len(held.springs)
     drive = np.where(held.drive_measure >= 0, -on[held.drive_measure], 0.0)
     return drive, -on[last - len(held.model.couplings) : last]
+
+
+def _slack(names: tuple[str, ...]) -> str:
+    """The sentence on cables that carry nothing."""
+    return f"Slack, so that {'it carries' if len(names) == 1 else 'they carry'} nothing: {few(names, 8)}." if names else ""
 
 
 def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]) -> str:

@@ -3,7 +3,7 @@
     f N - G u = 0,   G^T N + C u = F
 
 f = l/(E A), or one over the slope of a law, of bars and springs; 0 of bars without one and of locked angles, which are
-inextensible. Forces come
+inextensible. The deformations of beams are rows too, f one over their rigidity; C are membranes and solids. Forces come
 from equilibrium, not from differences of displacements: of a determinate truss they do not depend on f, and the accuracy that
 the condition of G^T f^-1 G would cost is kept (Bjorck, Numerical Methods for Least Squares Problems, 1996, section 2.5).
 """
@@ -14,13 +14,15 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import block_array, csr_array, diags_array
+from scipy.sparse import block_array, csr_array, diags_array, vstack
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.plan import LENGTH, SUM
-from kinetruss.mechanics import FREE, NONE, RANK_TOLERANCE, System, constraint_jacobian, ends_of, kept
+from kinetruss.mechanics import FREE, NONE, System, constraint_jacobian, ends_of, kept
 from kinetruss.mechanics.assembly import bar_laws, material_stiffness, spring_laws
-from kinetruss.mechanics.freedom import mobility_at
+from kinetruss.mechanics.beams import mode_gradients
+from kinetruss.mechanics.freedom import beam_deformations, deformations, mobility_at
+from kinetruss.mechanics.structure.continua import without_beams
 from kinetruss.statics.small.refine import best_of, fill_order
 
 if TYPE_CHECKING:
@@ -36,13 +38,14 @@ SURE = 1e-8
 class Solved:
     """displacement (3 n,) m, elongation (rows,) m and force (rows,) N of the rows of `stiff_rows`. errors : bounds on the
     errors of forces and displacements, relative to the largest force (beside membranes, solids and beams: or load) and
-    displacement.
+    displacement. inner (3 n,) : forces of beams, membranes and solids against the displacements, N.
     """
 
     displacement: NDArray[np.float64]
     elongation: NDArray[np.float64]
     force: NDArray[np.float64]
     errors: tuple[float, float]
+    inner: NDArray[np.float64]
 
 
 @kept()
@@ -95,22 +98,48 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     ------
     InputError : a mechanism, named; inextensible bars whose forces are not unique.
     """
-    G = constraint_jacobian(held, x)[:, held.free]
+    rows, (G, soft) = len(flexible), _with_beams(held, x)
+    C = _continuum(held, x)
     slack = np.isinf(flexible)
-    f = np.where(slack, 0.0, flexible)
-    size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(_continuum(held, x).data).max(initial=0.0)) or 1.0)
-    matrix = _saddle(G, f / size, slack, size * _continuum(held, x))
-    rows, push = len(f), float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
-    b = np.concatenate([np.zeros(rows), load[held.free] / push])
-    parts = [slice(0, rows), slice(rows, len(b))]
+    f = np.concatenate([np.where(slack, 0.0, flexible), soft])
+    size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(C.data).max(initial=0.0)) or 1.0)
+    matrix = _saddle(G, f / size, np.append(slack, np.zeros(len(soft), np.bool_)), size * C)
+    push = float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
+    b = np.concatenate([np.zeros(len(f)), load[held.free] / push])
+    parts = [slice(0, len(f)), slice(len(f), len(b))]
     # membranes, solids and beams may carry the load alone: the forces of bars are then 0 but for round-off
     found = best_of(matrix, b, parts, _order(held), 0.0 if held.continua is None else 1.0)
     if not found.worst <= SURE:
         _explain(held, x, flexible)
-    force, displacement = found.y[:rows] * push, np.zeros(held.x0.size)
-    displacement[held.free] = -found.y[rows:] * push * size
-    elongation = np.where(slack, G @ displacement[held.free], f * force)
-    return Solved(displacement=displacement, elongation=elongation, force=force, errors=(found.errors[0], found.errors[1]))
+    force, displacement, inner = found.y[: len(f)] * push, np.zeros(held.x0.size), np.zeros(held.x0.size)
+    displacement[held.free] = -found.y[len(f) :] * push * size
+    elongation = np.where(slack, G[:rows] @ displacement[held.free], f[:rows] * force[:rows])
+    if held.continua is not None:
+        inner = _elements_only(held, x) @ displacement + _beam_rows(held, x).T @ force[rows:]
+    return Solved(
+        displacement=displacement,
+        elongation=elongation,
+        force=force[:rows],
+        errors=(found.errors[0], found.errors[1]),
+        inner=inner,
+    )
+
+
+def _beam_rows(held: System, x: NDArray[np.float64]) -> csr_array:
+    """The deformations of beams as rows of unit size (r, 3 n)."""
+    return beam_deformations(held, x).rows
+
+
+def _with_beams(held: System, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:
+    """Gradients (rows, free) of the rows, then of the deformations of beams; and the flexibilities of these, m/N."""
+    G = constraint_jacobian(held, x)[:, held.free]
+    if held.continua is None or held.continua.beams is None:
+        return G, np.zeros(0)
+    beams = held.continua.beams
+    own = mode_gradients(beams, x)
+    # a row of unit size is the mode over the size of its gradient
+    soft = 1.0 / (beams.rigidity.reshape(-1) * np.asarray(own.multiply(own).sum(axis=1)).reshape(-1))
+    return csr_array(vstack([G, _beam_rows(held, x)[:, held.free]])), soft
 
 
 def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) -> csr_array:
@@ -124,7 +153,7 @@ def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) ->
 @kept()
 def _order(held: System) -> NDArray[np.int64]:
     """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
-    G = constraint_jacobian(held, held.x0)[:, held.free]
+    G = _with_beams(held, held.x0)[0]
     unit = csr_array((np.ones(G.nnz), G.indices, G.indptr), shape=G.shape)
     place = np.argsort(fill_order(unit.T @ unit + abs(_continuum(held, held.x0))))
     first = np.full(G.shape[0], -1.0)
@@ -136,17 +165,27 @@ def _order(held: System) -> NDArray[np.int64]:
 
 def _continuum(held: System, x: NDArray[np.float64]) -> Any:
     """Stiffness of membranes and solids over the free coordinates, N/m, without that of their stresses at x."""
-    return csr_array(material_stiffness(held, x))[held.free][:, held.free]
+    return csr_array(_elements_only(held, x))[held.free][:, held.free]
+
+
+def _elements_only(held: System, x: NDArray[np.float64]) -> Any:
+    """The same over all coordinates: of all continua but beams, whose deformations are rows."""
+    found = held.continua
+    if found is None or not found.patches:
+        return csr_array((x.size, x.size))
+    return material_stiffness(replace(held, continua=without_beams(found)), x)
 
 
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:
     """Raise an InputError that names the mechanism, or the inextensible bars whose forces are not unique."""
     pulling = _rows_of(held, np.isfinite(flexible))  # slack cables have no stiffness
-    found = mobility_at(pulling, x)
-    if found.undriven and not _resisted(held, x, found.spaces.right):
+    found = mobility_at(pulling, x, deformations)
+    if found.undriven:
         moves = "; ".join(found.mechanism_texts(4))
+        loose = list(dict.fromkeys(held.part_name(held.row_name(r)) for r in np.flatnonzero(np.isinf(flexible))))
+        slack = f"Slack here, so that they hold nothing: {few(loose, 6)}. " if loose else ""
         raise InputError(
-            f"The structure is a mechanism here, with all drives locked ({found.undriven} "
+            f"{slack}The structure is a mechanism here, with all drives locked ({found.undriven} "
             f"freedom{'s' if found.undriven != 1 else ''}): {moves}. Add a bar or a support for each."
         )
     rigid = _rows_of(held, flexible == 0)
@@ -156,15 +195,6 @@ def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]
             f"The forces of inextensible bars are not unique: {shared.self_stress_texts(1)[0]}. "
             "Give them a section and a material (E and A)."
         )
-
-
-def _resisted(held: System, x: NDArray[np.float64], modes: NDArray[np.float64]) -> bool:
-    """Whether membranes and solids resist every one of these changes of the free coordinates (free, k)."""
-    if held.continua is None:
-        return False
-    modes = np.linalg.qr(modes)[0]
-    values = np.linalg.eigvalsh(modes.T @ (_continuum(held, x) @ modes))
-    return bool(values.min() > RANK_TOLERANCE * values.max())
 
 
 def _rows_of(held: System, chosen: NDArray[np.bool_]) -> System:

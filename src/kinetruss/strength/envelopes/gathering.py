@@ -69,6 +69,7 @@ class Gathering:
         found, parts, times = utilised(model, forces).columns, parts_of(model), forces.arrays["time"].values
         names, members, rod, _ = subjects(parts)
         value, limit, used, place = (found[name].values for name in ("value", "limit", "utilisation", "position"))
+        used = np.where(np.isinf(used), np.nan, used)  # a beam-column beyond Euler's load: its buckling is the number
         for r in twisted:
             i, row = int(np.flatnonzero(rod == r)[0]), self.rods[3, self._parts[parts.names[r]]]
             if np.isnan(value[:, i, 0]).any():  # a section that does not know this stress: no number of any pair will do

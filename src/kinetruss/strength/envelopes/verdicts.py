@@ -15,7 +15,7 @@ from kinetruss.strength.envelopes.gathering import Gathering
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
 from kinetruss.strength.verdict.not_held import add_to_notes, not_held, screws_not_held, sentences
-from kinetruss.strength.verdict.notes import notes
+from kinetruss.strength.verdict.notes import beyond_euler, notes
 from kinetruss.strength.verdict.utilisation import RULES, axes_of_verdict, subjects
 
 if TYPE_CHECKING:
@@ -44,11 +44,15 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str], cases: Seq
     table = np.concatenate([table, bent])
     value, limit, time, position, pair = (table[:, :, k] for k in (1, 2, 3, 4, 5))
     johnson = np.nan_to_num(table[:, 1, 6]) > 0
+    beyond = {k: (value[k, 2], table[k, 2, 6]) for k in np.flatnonzero(np.isposinf(table[:, 2, 0])).tolist()}
+    value[list(beyond), 2] = np.inf
     utilisation = value / limit
     with np.errstate(divide="ignore"):
         margin = 1 / utilisation - 1
     bars = len(names)
     said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker", np.isposinf(found.rods[3, :, 0]))
+    for k, (factored, euler) in beyond.items():
+        said[k, 2] = beyond_euler(float(factored), float(euler), model.safety.buckling)
     left = not_held(model, dict.fromkeys(cases))
     add_to_notes(left, members[:bars], utilisation[:bars], said)
     said[[member in model.bars and model.bars[member].brace for member in members]] = ""

@@ -33,7 +33,8 @@ def beams(
     ----------
     result : anything with positions or displacements (a simulation, forces, a motion, an equilibrium, `statics.linear`), or
         positions (n_nodes, dim) or (times, n_nodes, dim), m, at rest. stations : number of them, or fractions of the length.
-    load_case : whose gravity acts along the beams; by default that of the result, else the model's gravity.
+    load_case : whose gravity acts along the beams; by default that of the result, else the model's gravity. Beams of a result
+        without weight of members (``weight=False`` or ``"lumped"``) have none.
 
     Returns
     -------
@@ -112,12 +113,12 @@ def _case_of(model: Model, result: Any) -> str | None:
 
 
 def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArray[np.float64]:
-    """Of the forces themselves if they tell it, else of the load case, (3,)."""
+    """Of the result itself if it tells it, else of the load case, (3,); 0 of a result whose members have no weight."""
     found = case_loads(system, np.zeros(1), case).gravity
-    if own and isinstance(result, Forces):
+    if isinstance(result, Result):
         if result.attrs.get("weight", "all") != "all":
             return np.zeros_like(found)
-        if (listed := result.attrs.get("gravity")) is not None:
+        if own and (listed := result.attrs.get("gravity")) is not None:
             found = np.zeros_like(found)
             found[..., : system.dim] = listed
     return found

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.results.records import NOT_CHECKED
+from kinetruss.results.records import NOT_CHECKED, most_used
 from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.verdict.beams import beam_parts, chord_of
 from kinetruss.strength.verdict.notes import missing
@@ -24,7 +24,8 @@ __all__ = ["highest", "strength_histories", "unchecked", "worst_of"]
 
 
 def strength_histories(model: Model, forces: Forces) -> dict[str, NDArray[np.float64]]:
-    """Stress (largest von Mises along the member, Pa), utilisation (largest of all rules), and compression over allowed.
+    """Stress (largest von Mises along the member, Pa), utilisation (the largest finite one of all rules: beyond Euler's load
+    that of buckling), and compression over allowed.
 
     Each (times, members), by the rules of `strength.check`; NaN where a rule cannot be applied. A utilisation is NaN, not 0,
     if the checked rules have no demand and another rule was not checked: for instance for a member in tension without yield
@@ -65,7 +66,7 @@ def unchecked(model: Model) -> dict[str, str]:
 def highest(rows: Iterable[Row]) -> float:
     """Highest utilisation of some entries; NaN if none was checked, or only rules without demand."""
     some = list(rows)
-    found = max((row.utilisation for row in some if row.checked), default=math.nan)
+    found = most_used(row.utilisation for row in some)
     return math.nan if found == 0 and any(row.note.startswith(NOT_CHECKED) for row in some if not row.checked) else found
 
 
@@ -78,7 +79,7 @@ def _by_member(
     of = np.array([index[str(name)] for name in data["member"].values], np.int64)
     stress, buckling = rules.index("yield"), rules.index("buckling")
     count = len(model.members)
-    largest = _largest(np.fmax.reduce(used, axis=2), of, count)
+    largest = _largest(np.fmax.reduce(np.where(np.isinf(used), np.nan, used), axis=2), of, count)
     some = np.zeros(count, np.bool_)
     some[[index[name] for name in unchecked(model)]] = True
     largest[some & (largest == 0)] = np.nan

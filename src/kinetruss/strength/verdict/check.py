@@ -15,7 +15,7 @@ from kinetruss.strength.members.parts import parts_of
 from kinetruss.strength.members.torsion import twisted_parts
 from kinetruss.strength.verdict.beams import beam_notes, beam_parts
 from kinetruss.strength.verdict.not_held import add_to_notes, not_held, screws_not_held, sentences
-from kinetruss.strength.verdict.notes import notes
+from kinetruss.strength.verdict.notes import beyond_euler, notes
 from kinetruss.strength.verdict.utilisation import RULES, Options, axes_of_verdict, subjects, utilised
 
 if TYPE_CHECKING:
@@ -34,6 +34,9 @@ _NUMBERS = {
     "station": ("", "governing section, fraction of the part's length from its end towards A"),
     "position": ("m", "governing section, distance from end A"),
 }
+
+BEYOND = 1e100
+"""Factor that puts beam-columns beyond Euler's load above all others."""
 
 
 def check(
@@ -57,7 +60,9 @@ def check(
     Verdict, over (part, rule): ``utilisation``, ``margin`` = 1/utilisation - 1, ``value``, ``limit``, ``time_of`` s,
     ``station``, ``position`` m from end A, ``load_case``, ``note``, of poses at rest
     their name ``pose``; coordinates ``member`` and ``unit``. ``.table()`` gives
-    rows, worst first; parts without a section, a material or a yield strength are at its end with a note. Braces of a
+    rows, worst first; parts without a section, a material or a yield strength are at its end with a note. Where compression
+    times its safety factor reaches Euler's load, the ``beam-column`` has no finite value: its utilisation is infinite, `note`
+    says why, and ``buckling``, finite and at least 1, comes before it. Braces of a
     body (`Bar.brace`) represent the body, so they have no rows.
     Elastic beams follow the bars, see `strength.beams`. ``message``, and ``data.attrs["not_held"]`` as a list,
     name actions that may bend bars but are not in their section forces; ``note`` repeats this for their entries.
@@ -97,10 +102,11 @@ def check(
         np.zeros(shape[0], np.bool_),
     )
     lost = np.zeros(shape[0], np.bool_)
+    score, column = np.full(shape, -1.0), np.full((2, shape[0]), np.nan)
     for name, one in cases:
         poses, found = one.arrays["pose"].values if "pose" in one.arrays else None, utilised(model, one, options).columns
         lost |= np.isnan(found["value"].values[:, :, 0]).any(axis=0)
-        _take_worst(found, name, worst, (case_of, pose_of, johnson), poses)
+        _take_worst(found, name, worst, score, column, (case_of, pose_of, johnson), poses)
     # a stress that is not known in one case has no largest value
     for values in worst.values():
         values[lost, 0] = np.nan
@@ -111,6 +117,9 @@ def check(
     untold = twisted_parts(model)
     untold[rod[rod >= 0]] &= np.isnan(worst["value"][:bars, 0][rod >= 0])
     said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section, untold)
+    safety = model.safety.buckling
+    for k in np.flatnonzero(np.isinf(worst["utilisation"][:, -1])).tolist():
+        said[k, -1] = beyond_euler(safety * float(column[0, k]), float(column[1, k]), safety)
     under = [one.load_case for _, one in cases]
     left = not_held(model, under)
     add_to_notes(left, members, worst["utilisation"], said)
@@ -168,17 +177,27 @@ def _take_worst(
     data: Columns,
     case: str,
     worst: dict[str, NDArray[np.float64]],
+    best: NDArray[np.float64],
+    column: NDArray[np.float64],
     words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]],
     poses: NDArray[Any] | None,
 ) -> None:
-    """Replace entries by those of this load case if they are worse. words : load case, name of the pose, Johnson's formula."""
+    """Replace entries by those of this load case if they are worse. best : scores of those so far. column : of beam-columns,
+    compression and Euler's load, N. words : load case, name of the pose, Johnson's formula.
+    """
     case_of, pose_of, johnson = words
     if not len(data["time"].values):
         return
-    at = np.argmax(_score(data["value"].values, data["utilisation"].values), axis=0)
+    every = _score(data)
+    at = np.argmax(every, axis=0)
+    score = np.take_along_axis(every, at[None], axis=0)[0]
     keys = ("value", "limit", "utilisation", "position", "station")
     picked = {key: np.take_along_axis(data[key].values, at[None], axis=0)[0] for key in keys}
-    new = _score(picked["value"], picked["utilisation"]) > _score(worst["value"], worst["utilisation"])
+    new = score > best
+    best[:] = np.where(new, score, best)
+    whole = np.arange(len(best))
+    pressed = data["value"].values[:, :, list(RULES).index("buckling")], data["euler"].values
+    column[:] = np.where(new[:, -1], [one[at[:, -1], whole] for one in pressed], column)
     for key, values in picked.items():
         worst[key] = np.where(new, values, worst[key])
     if poses is None:
@@ -192,6 +211,12 @@ def _take_worst(
     case_of[new] = case
 
 
-def _score(value: NDArray[np.float64], utilisation: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The value to compare: utilisation, the demand if there is no limit, -1 if there is neither."""
-    return np.nan_to_num(np.where(np.isnan(utilisation), value, utilisation), nan=-1.0, posinf=np.inf)
+def _score(data: Columns) -> NDArray[np.float64]:
+    """The value to compare: utilisation, the demand if there is no limit, -1 if there is neither; of beam-columns without a
+    finite value compression over Euler's load, above all finite ones.
+    """
+    value, used = data["value"].values, data["utilisation"].values
+    found: NDArray[np.float64] = np.nan_to_num(np.where(np.isnan(used), value, used), nan=-1.0, posinf=np.inf)
+    ratio = value[:, :, list(RULES).index("buckling")] / data["euler"].values
+    found[:, :, -1] = np.where(np.isinf(found[:, :, -1]), BEYOND * ratio, found[:, :, -1])
+    return found

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import instant, quantity
-from kinetruss.results.records import NOT_CHECKED
+from kinetruss.display import counted, instant, quantity
+from kinetruss.results.records import NOT_CHECKED, most_used
 
 if TYPE_CHECKING:
     from kinetruss.results import Columns, Demand, Verdict
@@ -26,7 +26,9 @@ NO_RULE = NOT_CHECKED + "a cable does not buckle"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Governing:
-    """The highest utilisation. kind : ``member`` or ``drive``; member : the one that a part belongs to. time : s, or NaN."""
+    """The highest utilisation. kind : ``member`` or ``drive``; member : the one that a part belongs to. time : s, or NaN.
+    over : True if a limit of the part or drive is exceeded.
+    """
 
     kind: str
     name: str
@@ -36,6 +38,7 @@ class Governing:
     time: float = math.nan
     pose: str = ""
     load_case: str = ""
+    over: bool = False
 
     @property
     def text(self) -> str:
@@ -71,8 +74,8 @@ class Headline:
         if not self.parts:
             return "Not checked: no member has forces"
         if self.checked < self.parts:
-            return f"Strength not verified: {self.checked} of {self.parts} {'part' if self.parts == 1 else 'parts'} checked"
-        return "Strength not verified: not every action is included"
+            return f"Strength not fully checked: {self.checked} of {counted(self.parts, 'part')} checked"
+        return "Strength not fully checked: not every action is included"
 
     @property
     def record(self) -> dict[str, Any]:
@@ -123,7 +126,7 @@ def headline(
         without |= {str(name) for name in one.arrays["active"].values} - {row.name for row in some}
         found += some
     found = found if timed else [replace(one, time=math.nan) for one in found]
-    over = {(row.kind, row.name) for row in found if row.used > 1 + SLACK}
+    over = {(row.kind, row.name) for row in found if row.over or row.used > 1 + SLACK}
     state = "over" if over else "open" if lacking or held else "ok" if found else "none"
     return Headline(
         state=state,
@@ -156,13 +159,14 @@ def _worst(columns: Columns, subject: str, kind: str, case: str = "") -> Iterato
     names = columns[subject].values.tolist()
     members = columns["member"].values.tolist() if "member" in columns else names
     for k in np.flatnonzero(~np.isnan(used).all(axis=1)).tolist():
-        j = int(np.nanargmax(used[k]))
+        j = used[k].tolist().index(most_used(used[k].tolist()))
         yield Governing(
             kind=kind,
             name=str(names[k]),
             member=str(members[k]),
             rule=rules[j],
             used=float(used[k, j]),
+            over=bool(np.nanmax(used[k]) > 1 + SLACK),
             time=float(columns["time_of"].values[k, j]),
             pose=str(columns["pose"].values[k, j]) if "pose" in columns else "",
             load_case=case or (str(columns["load_case"].values[k, j]) if "load_case" in columns else ""),

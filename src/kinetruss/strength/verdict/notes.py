@@ -6,12 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.display import number, quantity
 from kinetruss.strength.members.parts import Parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["missing", "notes"]
+__all__ = ["beyond_euler", "missing", "notes"]
+
+
+ROUND_OFF = 1e-9
+"""Excess over a load, as a fraction of it, that is round-off."""
 
 
 def notes(
@@ -39,6 +44,21 @@ def notes(
             if compression[i] > 0 and all(missing(parts, one) == "yield strength" for one in _rods(parts, int(k))):
                 found[i, 2] = "not checked: no yield strength"
     return found
+
+
+def beyond_euler(factored: float, euler: float, safety: float) -> str:
+    """Why an interaction of compression and bending has no finite value. factored : compression times the safety factor, and
+    Euler's load, N.
+
+    >>> beyond_euler(339.35e3, 268e3, 2.5)
+    "compression times the factor 2.5 (339.4 kN) exceeds Euler's load (268 kN)"
+    >>> beyond_euler(268e3, 268e3, 1.0)
+    "compression (268 kN) reaches Euler's load (268 kN)"
+    """
+    what = "compression" if safety == 1 else f"compression times the factor {number(safety)}"
+    by = "exceeds" if factored > euler * (1 + ROUND_OFF) else "reaches"
+    digits = next((n for n in range(4, 12) if by == "reaches" or quantity(factored, "N", n) != quantity(euler, "N", n)), 12)
+    return f"{what} ({quantity(factored, 'N', digits)}) {by} Euler's load ({quantity(euler, 'N', digits)})"
 
 
 def _rods(parts: Parts, k: int) -> list[int]:

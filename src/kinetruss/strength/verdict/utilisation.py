@@ -64,8 +64,9 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     -------
     Dataset over (time, part, rule): ``value``, ``limit``, ``utilisation``, ``position`` (m from end A) and ``station``
     (fraction of the part's length from its end towards A) of the governing section; over (time, part)
-    ``johnson``: True if Johnson's load governs buckling, not Euler's. Coordinate ``member``. Parts are bars, and for an active
-    member its whole (``NAME``), base and tube: the rods yield, the whole buckles. NaN where a rule does not apply.
+    ``johnson``: True if Johnson's load governs buckling, not Euler's; ``euler``: Euler's load about the weaker axis, N.
+    Coordinate ``member``. Parts are bars, and for an active member its whole (``NAME``), base and tube: the rods yield, the
+    whole buckles. NaN where a rule does not apply.
 
     Notes
     -----
@@ -76,7 +77,8 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     P_cr by Euler or Johnson for the member's length of that instant, its end conditions and its smallest second moment.
     beam-column: where P > 0, P n_b/P_cr + sum Cm M/((1 - n_b P/P_e) M_allow) with the largest bending moment along the
     member, M_allow = Sy/n_y I/c; round sections take the resultant moment, others add the two. Source: AISC, Allowable
-    Stress Design (1989), eq. H1-1, with the safety factors of the model.
+    Stress Design (1989), eq. H1-1, with the safety factors of the model. Infinite where n_b P reaches P_e; the utilisation of
+    buckling is then finite and at least 1.
 
     Examples
     --------
@@ -124,7 +126,7 @@ class _Found:
         self.strength = parts.yield_strength / safety
         self.stress, self.stress_at = np.empty(shape), np.empty(shape)
         self.compression, self.compression_at = np.empty(whole), np.empty(whole)
-        self.allowed, self.johnson = np.empty(whole), np.zeros(whole, np.bool_)
+        self.allowed, self.johnson, self.euler = np.empty(whole), np.zeros(whole, np.bool_), np.empty(whole)
         self.combined, self.moment_at = np.empty(whole), np.empty(whole)
 
 
@@ -159,7 +161,7 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
     least, found.compression_at[cut] = _worst_part(parts, -tension, where)
     P = np.maximum(0.0, least)
     critical, euler2, euler3, johnson = _critical(model, parts, batch.length, options.active_section)
-    found.allowed[cut], found.johnson[cut] = critical / safety, johnson
+    found.allowed[cut], found.johnson[cut], found.euler[cut] = critical / safety, johnson, np.fmin(euler2, euler3)
     weights = np.zeros((*batch.span.shape, 4))
     for column, euler, fibre in ((1, euler2, parts.c3 / parts.I2), (2, euler3, parts.c2 / parts.I3)):
         larger = amplification(P, euler, options.moment_factor, safety)[:, parts.member]
@@ -171,7 +173,7 @@ def _judge(model: Model, batch: _Batch, options: Options, found: _Found, cut: sl
     moment, found.moment_at[cut] = _worst_part(parts, bent, where)
     P[:, parts.cable] = np.nan  # a slack cable neither buckles nor bends as a column
     found.compression[cut] = P
-    beyond = safety * P >= np.fmin(euler2, euler3)
+    beyond = safety * P >= found.euler[cut]
     combined = np.where(beyond, np.inf, P * safety / critical + moment)
     unknown = np.isnan(moment) | np.isnan(critical) | np.isnan(P)
     found.combined[cut] = np.where(unknown, np.nan, np.where(P > 0, combined, 0.0))
@@ -232,8 +234,8 @@ def _arrays(
     rods = np.maximum(rod, 0)
     start = np.where(has_rod, parts.starts(length)[:, rods], 0.0)
     span = np.where(has_rod, parts.lengths(length)[:, rods], length[:, np.maximum(whole, 0)])
-    johnson = np.zeros(shape[:2], np.bool_)
-    johnson[:, has_whole] = found.johnson[:, k]
+    johnson, euler = np.zeros(shape[:2], np.bool_), np.full(shape[:2], np.nan)
+    johnson[:, has_whole], euler[:, has_whole] = found.johnson[:, k], found.euler[:, k]
     station = (position - start[..., None]) / span[..., None]
     if len(beam_parts(model)):
         more = _beam_rows(model, bent)
@@ -241,6 +243,7 @@ def _arrays(
             np.concatenate(pair, axis=1) for pair in zip((value, limit, position, station), more, strict=True)
         )
         johnson = np.concatenate([johnson, np.zeros(more[0].shape[:2], np.bool_)], axis=1)
+        euler = np.concatenate([euler, np.full(more[0].shape[:2], np.nan)], axis=1)
     over = ("time", "part", "rule")
     data = {
         "value": variable(over, value, "", "demand, in the rule's unit"),
@@ -249,6 +252,7 @@ def _arrays(
         "position": variable(over, position, "m", "distance of the governing section from end A"),
         "station": variable(over, station, "", "the same as a fraction of the part"),
         "johnson": variable(("time", "part"), johnson, "", "Johnson's load governs buckling"),
+        "euler": variable(("time", "part"), euler, "N", "Euler's load about the weaker axis"),
     }
     attrs = {"kind": "utilisation", "load_case": forces.load_case}
     return Arrays(axes_of_verdict(compile(model)), forces.arrays["time"].values, data, attrs)

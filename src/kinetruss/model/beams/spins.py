@@ -1,0 +1,206 @@
+"""Beams in space that nothing keeps from spinning about their own axis.
+
+A straight member of elastic beams between ball joints turns freely about its axis. Where nothing drives or loads this, the
+motion of all else does not depend on it, and a coupling holds it, whose force is 0: with a the axis of the member at the start
+and e a fixed direction across it, Y = e x a turns with a frame of the member, and
+
+    Y . e = 0,
+
+linear in the nodes of the frame. Its gradient vanishes only where the member points along e. A structure that is nearly flat
+moves in its plane, and others rather about z: so e is the normal of the plane, or z, for members across it, else e is level.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import few
+from kinetruss.model.beams.framing import SHAPE, Axes, frame_of, frames, hinges, sound_beams
+from kinetruss.model.motion.drives import CoordinateDrive, Coupling
+from kinetruss.model.parts.body_loads import BodyCouple, BodyForce
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import NDArray
+
+    from kinetruss.model._data import ModelData
+
+__all__ = ["SPIN", "Spin", "spin_note", "spins"]
+
+SPIN = ".spin"
+"""End of the name of the coupling that holds a beam, after the name of the beam."""
+LINE = 1e-6
+"""Nodes within this fraction of the length of a member from its axis lie on it, and directions with this sine are along it."""
+FLAT = 0.2
+"""Extent of a structure, over its largest one, below which it counts as flat."""
+LEVEL = 0.3
+"""Cosine of a member with the normal of the plane below which it lies in the plane."""
+
+
+@dataclass(frozen=True)
+class Spin:
+    """A member that spins freely: its beams, unit axis (3,), and the frame that is held."""
+
+    beams: tuple[str, ...]
+    axis: tuple[float, ...]
+    frame: Axes
+
+    @property
+    def coupling(self) -> str:
+        """The name of the coupling that holds it."""
+        return f"{self.beams[0]}{SPIN}"
+
+    def held(self, model: ModelData) -> Coupling:
+        """Y . e = 0 of the frame, e fixed."""
+        a = np.array(self.axis)
+        e = _across(model, a)
+        y = np.cross(e, a)
+        terms = []
+        for i, director in enumerate(self.frame.nodes):
+            # the frame has its axes along x, y, z at the start
+            for c, axis in enumerate("xyz"):
+                if abs(factor := float(y[i] * e[c])) > LINE:
+                    terms.append((CoordinateDrive(node=director, axis=axis), factor))
+                    terms.append((CoordinateDrive(node=self.frame.origin, axis=axis), -factor))
+        return Coupling(terms=tuple(_joined(terms)), value=0.0, beam=self.beams[0])
+
+
+def spin_note(model: ModelData) -> str:
+    """The sentence on members that are held; empty without any."""
+    found = spins(model)
+    if not found:
+        return ""
+    names = few([" and ".join(one.beams) if len(one.beams) < 3 else f"{one.beams[0]} to {one.beams[-1]}" for one in found], 6)
+    return f"Free to spin about the own axis, which nothing drives or loads, and held: {names}."
+
+
+def spins(model: ModelData) -> list[Spin]:
+    """The members of elastic beams that spin freely, with nothing that drives or loads this, in the order of their beams."""
+    if model.dim != 3 or not any(beam.kind == "elastic" and (beam.release or beam.hinges) for beam in model.beams.values()):
+        return []
+    every = frames(model)
+    joined = _joined_frames(model, every)
+    found = []
+    for names, within in _members(model, joined):
+        ends = [np.array(model.nodes[end].at) for name in names for end in model.beams[name].ends]
+        axis = _line(ends)
+        if axis is None or any(frame in model.clamped for frame in within):
+            continue
+        nodes = {node for frame in within for node in every[frame].nodes}
+        nodes |= {hinge.node for hinge in hinges(model) if {hinge.own, hinge.base} & within}
+        if not _used(model, nodes) and not any(_loads(model, frame, every, axis) for frame in within):
+            found.append(Spin(tuple(names), tuple(axis.tolist()), every[min(within, key=list(every).index)]))
+    return found
+
+
+def _joined_frames(model: ModelData, every: dict[str, Axes]) -> dict[str, str]:
+    """One frame for each set of frames that spin together: at the ends of one beam, or at a hinge across its beam."""
+    root = {frame: frame for frame in every}
+
+    def top(frame: str) -> str:
+        while root[frame] != frame:
+            frame = root[frame]
+        return frame
+
+    for name, beam in sound_beams(model):
+        ends = [frame_of(name, beam, end) for end in beam.ends]
+        if set(ends) <= set(every):
+            root[top(ends[0])] = top(ends[1])
+    for hinge in hinges(model):
+        name = hinge.own.removesuffix(f".{hinge.base}")
+        a, b = (np.array(model.nodes[end].at) for end in model.beams[name].ends)
+        about = np.array(hinge.at) - np.array(model.nodes[hinge.base].at)
+        if np.linalg.norm(np.cross(about, b - a)) > LINE * np.linalg.norm(about) * np.linalg.norm(b - a):
+            root[top(hinge.own)] = top(hinge.base)
+    return {frame: top(frame) for frame in every}
+
+
+def _members(model: ModelData, joined: dict[str, str]) -> Iterable[tuple[list[str], set[str]]]:
+    """Beams and frames of each set of frames that spin together, of elastic beams at least one."""
+    for one in dict.fromkeys(joined.values()):
+        within = {frame for frame, top in joined.items() if top == one}
+        names = [name for name, beam in sound_beams(model) if {frame_of(name, beam, end) for end in beam.ends} & within]
+        if any(model.beams[name].kind == "elastic" for name in names):
+            yield names, within
+
+
+def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:
+    """Unit direction of the line on which the points lie, or None."""
+    x = np.array(points)
+    far = x[int(np.argmax(np.linalg.norm(x - x[0], axis=1)))] - x[0]
+    length = float(np.linalg.norm(far))
+    if not length:
+        return None
+    axis = far / length
+    return axis if np.linalg.norm(np.cross(x - x[0], axis), axis=1).max() <= LINE * length else None
+
+
+def _used(model: ModelData, nodes: set[str]) -> bool:
+    """Whether something of the user refers to one of these inner nodes: it may drive or hold the rotation."""
+    shapes = {name for name in model.bars if name.partition(SHAPE)[0] in model.beams}
+    bars = {name for name, bar in model.bars.items() if not bar.brace and name not in shapes and nodes & set(bar.ends)}
+    if bars or any(nodes & set(body.nodes) for body in model.bodies.values()):
+        return True
+    couplings = [one for one in model.couplings.values() if one.beam is None]
+    records = (*model.drives.values(), *couplings, *model.springs.values())
+    return any(nodes & set(_texts(one.model_dump())) for one in records)
+
+
+def _texts(value: Any) -> Iterable[str]:
+    """All texts in a nested structure."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for one in value.values():
+            yield from _texts(one)
+    elif isinstance(value, (list, tuple)):
+        for one in value:
+            yield from _texts(one)
+
+
+def _loads(model: ModelData, frame: str, every: dict[str, Axes], axis: NDArray[np.float64]) -> bool:
+    """Whether a load on this frame has a moment about the axis."""
+    origin = np.array(model.nodes[every[frame].origin].at)
+    for load in model.loads.values():
+        if not isinstance(load, (BodyCouple, BodyForce)) or load.body != frame:
+            continue
+        if isinstance(load, BodyCouple):
+            given = load.moments if load.moment is None else (load.moment,)
+            arm = None
+        else:
+            given = load.forces if load.force is None else (load.force,)
+            arm = np.zeros(3) if load.at is None else np.array(load.at) - origin
+        for value in given or ():
+            vector = np.array(value, float)
+            if vector.shape != (3,) or (arm is not None and arm.shape != (3,)):
+                return True  # a fault
+            moment = vector if arm is None else np.cross(arm, vector)
+            if abs(moment @ axis) > LINE * math.hypot(*vector):
+                return True
+    return False
+
+
+def _across(model: ModelData, a: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The fixed direction e across the axis."""
+    x = np.array([node.at for node in model.nodes.values() if not node.scalar and not node.director and len(node.at) == 3])
+    extent = np.ptp(x, axis=0)
+    flat = int(np.argmin(extent)) if extent.min() < FLAT * extent.max() else 2
+    n = np.eye(3)[flat]
+    e = n - (n @ a) * a if abs(n @ a) < LEVEL else np.cross(n, a)
+    if np.linalg.norm(e) < LEVEL:  # along the normal
+        e = np.eye(3)[(flat + 1) % 3] - a[(flat + 1) % 3] * a
+    return np.asarray(e / np.linalg.norm(e))
+
+
+def _joined(terms: list[tuple[CoordinateDrive, float]]) -> list[tuple[CoordinateDrive, float]]:
+    """Terms of one coordinate as one."""
+    found: dict[tuple[str, str], float] = {}
+    for one, factor in terms:
+        key = one.node, one.axis
+        found[key] = found.get(key, 0.0) + factor
+    return [(CoordinateDrive(node=node, axis=axis), factor) for (node, axis), factor in found.items() if factor]
