@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
+from kinetruss.mechanics import compile
 from kinetruss.mechanics.constraints import null_space as _null_space
 from kinetruss.mechanics.constraints.moves import moves_text, ranked
 from kinetruss.mechanics.constraints.null_space import tidy
@@ -71,7 +72,8 @@ def test_names_follow_from_the_space_not_from_the_basis(seed, count, more):
 def test_equal_sizes_stand_in_their_own_order():
     assert ranked(np.array([1 - 2e-16, 0.3, 1.0, 1 - 1e-16, 0.3 + 1e-16, 0.0]), 1e-6) == [0, 2, 3, 1, 4]
     mode = np.array([[1 - 1e-16, 0], [0, -1.0], [1.0, -1e-12]])
-    assert moves_text(mode, ("A", "B", "C")).startswith("A moves along x (+1.000), B moves along y (-1.000), C moves along x")
+    system = compile(kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (0, 1)}, bars={"AB": ("A", "B")}))
+    assert moves_text(system, mode).startswith("A moves along x (+1.000), B moves along y (-1.000), C moves along x")
 
 
 def panels(count, *, crossed=False):

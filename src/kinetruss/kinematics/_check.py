@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from kinetruss.errors import Fault, ModelError
 from kinetruss.io import MAX_SIZE, placed, read
 from kinetruss.io import check as data_faults
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.freedom import mobility_at, shaped
-from kinetruss.model import Model, plausibility
+from kinetruss.mechanics.freedom import beam_deformations, mobility_at
+from kinetruss.model import Model, in_python, loads_along_beams, plausibility
+from kinetruss.model.beams import spins
 
 __all__ = ["check", "notes"]
 
@@ -35,8 +37,12 @@ def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]
         found = model if isinstance(model, Model) else read(model, max_size=max_size)
     except ModelError as error:
         return error.faults
-    faults = data_faults(found) or _freedoms(found)
-    return faults if isinstance(model, Model) else placed(model, faults, max_size=max_size)
+    faults = data_faults(found) or [*loads_along_beams(found), *_freedoms(found)]
+    return (
+        [replace(one, mend=in_python(one.mend)) for one in faults]
+        if isinstance(model, Model)
+        else placed(model, faults, max_size=max_size)
+    )
 
 
 def notes(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
@@ -56,8 +62,15 @@ def notes(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]
     section: is 20 m across, and the longest bar that has it is 1 m long. Write the unit, e.g. '20 mm'; a bare number is in m.
     """
     found = model if isinstance(model, Model) else read(model, max_size=max_size)
-    remarks = plausibility(found)
+    remarks = [*plausibility(found), *_spins(found)]
     return remarks if isinstance(model, Model) else placed(model, remarks, max_size=max_size)
+
+
+def _spins(model: Model) -> list[Fault]:
+    """Members that are held against a spin about their own axis."""
+    said = "is free to spin about its own axis; nothing drives or loads this, so it is held."
+    mend = "If it should turn, clamp or drive it, or put a hinge at one end."
+    return [Fault(("beams", one.beams[0]), said, mend) for one in spins(model)]
 
 
 def _freedoms(model: Model) -> list[Fault]:
@@ -72,8 +85,8 @@ def _freedoms(model: Model) -> list[Fault]:
     ]
     if not driven:
         return []
-    system = shaped(compile(model))
-    if not (found := mobility_at(system, system.x0)).undriven:
+    system = compile(model)
+    if not (found := mobility_at(system, system.x0, beam_deformations)).undriven:
         return []
     count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
     moves = "; ".join(found.mechanism_texts(3))

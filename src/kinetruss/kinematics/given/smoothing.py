@@ -1,6 +1,7 @@
-"""Linear smoothers of a noisy record: value, rate and acceleration, their covariance, and the noise.
+"""Smoothers of a noisy record: value, rate and acceleration, their covariance, and the noise.
 
-Both smoothers are linear in the record, so that their covariance is exact for white noise.
+The filter is linear in the record, so that its covariance is exact for white noise. The splines are averaged over how smooth
+the motion may be, and their covariance says what the record leaves open about that.
 """
 
 from __future__ import annotations
@@ -8,13 +9,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from kinetruss.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.typing import NDArray
 
 __all__ = ["LEAST_ROWS", "Smooth", "savitzky_golay", "smoothing_spline"]
@@ -23,8 +26,14 @@ Floats = Any
 
 DEGREE = 5
 """Of the polynomials of Savitzky and Golay."""
-SPLINE, PENALISED = 7, 4
-"""Degree of the smoothing spline, and the derivative that it keeps small."""
+ORDERS = (2, 3, 4)
+"""The derivatives that the splines keep small: of motions whose rate, acceleration or jerk may change suddenly."""
+CUBIC = 4
+"""Number of coefficients of a cubic; what is one costs nothing in any of the splines."""
+STEP, LEAST_WEIGHT = 0.5, 1e-4
+"""Decades from one smoothness to the next, and the smallest weight of one that counts."""
+LEAST_FREEDOM = 1.0
+"""Smallest number of parameters beyond a cubic: a smoother curve is a cubic, which a larger smoothness does not change."""
 LEAST_ROWS = 16
 ROUGH = 0.6
 """Largest number of parameters of a curve per row; noise cannot be distinguished from a motion that needs more."""
@@ -52,41 +61,49 @@ class Smooth:
 
 
 class _Spline:
-    """Splines on knots at rows, in the basis in which fit and roughness are both diagonal.
+    """Splines of degree 2 order - 1 on knots at rows, in the basis in which fit and roughness are both diagonal.
 
     fitted (k, m): the basis at the used rows, orthonormal. at (3, rows, m): the basis and its two derivatives at all rows.
-    roughness (m,): of each basis function, 0 for the four of a cubic.
+    roughness (m,): integral of the squared derivative of this order of each basis function; 0 for the last, polynomials.
+    cubic (m, j): directions of the cubics in this basis, beyond those polynomials.
     """
 
-    def __init__(self, times: Floats, used: Floats) -> None:
-        rows = times[used]
+    def __init__(self, times: Floats, used: Floats, order: int) -> None:
+        rows, degree = times[used], 2 * order - 1
         m = min(len(rows), MOST_KNOTS)
-        # not-a-knot: with a knot at every row but four at each end there are as many coefficients as rows
-        inner = rows[np.round(np.linspace(4, len(rows) - 5, m - SPLINE - 1)).astype(int)]
-        self.scale = (times[-1] - times[0]) / (m - 1)
+        # not-a-knot: with a knot at every row but `order` at each end there are as many coefficients as rows
+        inner = rows[np.round(np.linspace(order, len(rows) - 1 - order, m - degree - 1)).astype(int)]
+        scale = (times[-1] - times[0]) / (m - 1)
         start = times[0]
-        knots = (np.concatenate([[start] * (SPLINE + 1), inner, [times[-1]] * (SPLINE + 1)]) - start) / self.scale
-        u = (times - start) / self.scale
-        B = _basis(u[used], knots, 0)
-        Q, R = np.linalg.qr(B)
+        knots = (np.concatenate([[start] * (degree + 1), inner, [times[-1]] * (degree + 1)]) - start) / scale
+        u = (times - start) / scale
+        Q, R = np.linalg.qr(_basis(u[used], knots, degree, 0))
         breaks = np.unique(knots)
         h, middle = np.diff(breaks) / 2, (breaks[1:] + breaks[:-1]) / 2
-        nodes, weights = np.polynomial.legendre.leggauss(SPLINE - PENALISED + 1)
+        nodes, weights = np.polynomial.legendre.leggauss(order)
         places = (middle[:, None] + h[:, None] * nodes).ravel()
-        highest = _basis(places, knots, PENALISED) * np.sqrt(h[:, None] * weights).ravel()[:, None]
+        highest = _basis(places, knots, degree, order) * np.sqrt(h[:, None] * weights).ravel()[:, None]
         # singular values of D R^-1 are the roots of the roughness, so that the smallest keep half of all digits
         _, s, Vt = np.linalg.svd(np.linalg.qr(highest)[1] @ np.linalg.inv(R))
-        s[-PENALISED:] = 0.0
+        s[-order:] = 0.0
         turn = np.linalg.solve(R, Vt.T)
         self.fitted, self.roughness = Q @ Vt.T, s**2
-        self.at = np.stack([_basis(u, knots, order) @ turn / self.scale**order for order in range(3)])
+        self.at = np.stack([_basis(u, knots, degree, one) @ turn / scale**one for one in range(3)])
+        polynomials, _ = np.linalg.qr(np.polynomial.legendre.legvander(2 * u[used] / u[-1] - 1, CUBIC - 1))
+        self.cubic = self.fitted.T @ polynomials[:, order:]
+        self.cubic[-order:] = 0.0
 
 
-def _basis(u: Floats, knots: Floats, order: int) -> Floats:
-    """A derivative (len(u), m) of all B-splines at u."""
+@lru_cache(maxsize=4)
+def _splines(times: bytes, used: bytes) -> tuple[_Spline, ...]:
+    return tuple(_Spline(np.frombuffer(times), np.frombuffer(used, np.bool_), order) for order in ORDERS)
+
+
+def _basis(u: Floats, knots: Floats, degree: int, order: int) -> Floats:
+    """A derivative (len(u), m) of all B-splines of this degree at u."""
     from scipy.interpolate import BSpline
 
-    m, k = len(knots) - SPLINE - 1, SPLINE
+    m, k = len(knots) - degree - 1, degree
     change = np.eye(m)
     # coefficients of the derivative: k (c_i+1 - c_i)/(t_i+k+1 - t_i+1)
     for _ in range(order):
@@ -97,41 +114,82 @@ def _basis(u: Floats, knots: Floats, order: int) -> Floats:
 
 
 def smoothing_spline(times: Floats, columns: Floats, used: Floats) -> list[Smooth]:
-    """Smoothing splines of degree 7 to columns (rows, k) at times (rows,); only `used` (rows,) rows are fitted.
+    """Smoothing splines to columns (rows, k) at times (rows,); only `used` (rows,) rows are fitted.
 
-    They minimise sum (y - f)^2 + p integral f''''^2 dt with the p of largest restricted likelihood. The acceleration is smooth
-    and free at the ends, where that of SciPy's cubic `make_smoothing_spline` is 0. The covariance is that of the curve given
-    the record, which holds the bias as well as the noise. Source: Wahba (1983), J. R. Statist. Soc. B 45, 133 (covariance);
-    Wahba (1985), Ann. Statist. 13, 1378 (likelihood); Nychka (1988), J. Am. Statist. Assoc. 83, 1134 (coverage).
+    A spline minimises sum (y - f)^2 + p integral (d^m f/dt^m)^2 dt. No m and p are chosen: the curve is the mean over m of 2,
+    3, 4 and all p, each weighted by the restricted likelihood of the record. The covariance is that of the curve given the
+    record: of the noise, of what each spline does not follow of its motion (sudden changes of the acceleration, for m = 3),
+    and of the differences between the splines. Cubics are free in all of them, so that their likelihoods compare.
+
+    Source: Wahba (1983), J. R. Statist. Soc. B 45, 133 (covariance); Wahba (1985), Ann. Statist. 13, 1378 (likelihood); Nychka
+    (1988), J. Am. Statist. Assoc. 83, 1134 (coverage); Hoeting et al. (1999), Statist. Sci. 14, 382 (mean over models).
     """
-    basis = _Spline(times, used)
-    return [_smoothed(basis, column[used]) for column in columns.T]
+    splines = _splines(np.ascontiguousarray(times, float).tobytes(), np.ascontiguousarray(used, np.bool_).tobytes())
+    return [_averaged(splines, column[used]) for column in columns.T]
 
 
-def _smoothed(basis: _Spline, y: Floats) -> Smooth:
-    from scipy.optimize import minimize_scalar
+class _Fit(NamedTuple):
+    """A spline of one smoothness p to a record, whose curve has the coefficients `curve` (m,).
 
-    n, m = basis.fitted.shape
-    z = basis.fitted.T @ y
-    beyond = float(((y - basis.fitted @ z) ** 2).sum())
-    rough = basis.roughness[basis.roughness > 0]
-    at = z[basis.roughness > 0] ** 2
+    cost : minus the logarithm of its restricted likelihood. kept (m,) : share of each coefficient of the record that is in the
+    curve. variance : of a reading. freedom : number of parameters. through (m, j), spread (j, j) : the directions in which the
+    cubics are free, and the covariance of their coefficients for readings of variance 1.
+    """
 
-    def likelihood(exponent: float) -> float:
-        p = 10.0**exponent * rough
-        energy = beyond + float((at * (p / (1 + p))).sum())
-        return float(np.log1p(1 / p).sum() + (n - PENALISED) * np.log(max(energy, 1e-300)))
+    spline: _Spline
+    cost: float
+    kept: Floats
+    curve: Floats
+    variance: float
+    freedom: float
+    through: Floats
+    spread: Floats
 
-    grid = np.arange(-8.0, 2.0 - np.log10(rough.min()), 0.5)
-    best = grid[int(np.argmin([likelihood(one) for one in grid]))]
-    found = minimize_scalar(likelihood, bounds=(best - 0.5, best + 0.5), method="bounded")
-    keep = 1 / (1 + 10.0**found.x * basis.roughness)
-    left = beyond + float((z**2 * (1 - keep) ** 2).sum())
-    freedom = float(keep.sum())
-    noise = np.sqrt(left / (n - freedom))
-    jet = (basis.at @ (keep * z)).T
-    covariance = noise**2 * np.einsum("ari,bri,i->rab", basis.at, basis.at, keep, optimize=True)
-    error = noise / np.sqrt(2 * (n - freedom))
+
+def _fits(spline: _Spline, y: Floats) -> Iterator[_Fit]:
+    """Splines from one through every row to one that is hardly more than a cubic."""
+    n, z = len(y), spline.fitted.T @ y
+    beyond = float(((y - spline.fitted @ z) ** 2).sum())
+    rough = spline.roughness[spline.roughness > 0]
+    for exponent in np.arange(-8.0 - np.log10(rough.max()), 2.0 - np.log10(rough.min()), STEP):
+        # the inverse of the covariance 1 + 1/(p roughness) of a coefficient of the record
+        left = 10.0**exponent * spline.roughness
+        left /= 1 + left
+        through = left[:, None] * spline.cubic
+        spread = np.linalg.inv(spline.cubic.T @ through)
+        free = spread @ (through.T @ z)
+        freedom = float((1 - left).sum() + np.einsum("ka,ab,kb->", through, spread, through))
+        if freedom < CUBIC + LEAST_FREEDOM:
+            return
+        energy = beyond + float((left * z**2).sum() - free @ (through.T @ z))
+        cost = (n - CUBIC) * np.log(max(energy, 1e-300)) - np.log(left[left > 0]).sum() - np.linalg.slogdet(spread)[1]
+        curve = (1 - left) * z + through @ free
+        yield _Fit(spline, cost / 2, 1 - left, curve, energy / (n - CUBIC), freedom, through, spread)
+
+
+def _averaged(splines: tuple[_Spline, ...], y: Floats) -> Smooth:
+    """The mean of all splines, weighted by their likelihood."""
+    found = [one for spline in splines for one in _fits(spline, y)]
+    least = min(one.cost for one in found)
+    found = [one for one in found if one.cost < least - math.log(LEAST_WEIGHT)]
+    weight = np.exp(least - np.array([one.cost for one in found]))
+    weight /= weight.sum()
+    jets = np.stack([(one.spline.at @ one.curve).T for one in found])
+    jet = np.tensordot(weight, jets, 1)
+    apart = jets - jet
+    covariance = np.einsum("k,kra,krb->rab", weight, apart, apart)
+    for spline in splines:
+        mine = [(w, one) for w, one in zip(weight, found, strict=True) if one.spline is spline]
+        if mine:
+            kept = sum(w * one.variance * one.kept for w, one in mine)
+            covariance += np.einsum("ari,bri,i->rab", spline.at, spline.at, kept, optimize=True)
+        for w, one in mine:
+            free = spline.at @ one.through
+            covariance += w * one.variance * np.einsum("ari,ij,brj->rab", free, one.spread, free)
+    noise = math.sqrt(sum(w * one.variance for w, one in zip(weight, found, strict=True)))
+    freedom = sum(w * one.freedom for w, one in zip(weight, found, strict=True))
+    n, m = splines[0].fitted.shape
+    error = noise / math.sqrt(2 * (n - freedom))
     return Smooth(jet=jet, covariance=covariance, noise=noise, noise_error=error, freedom=freedom, rough=freedom > ROUGH * m)
 
 

@@ -16,8 +16,10 @@ from kinetruss.kinematics.modes.layout import Equations, Layout
 from kinetruss.kinematics.modes.rigid_groups import rigid_groups
 from kinetruss.kinematics.path.assemble import _row_of as row_of
 from kinetruss.kinematics.path.assemble import given_lengths
-from kinetruss.mechanics import System, block_triangular, compile, jacobian
+from kinetruss.kinematics.rates.singularity import singularity_at
+from kinetruss.mechanics import System, block_triangular, compile
 from kinetruss.mechanics.configuration import row_values
+from kinetruss.mechanics.constraints import matching
 from kinetruss.model import Model
 from kinetruss.results import variable
 
@@ -45,9 +47,9 @@ def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, 
     Returns
     -------
     Dataset. ``position`` (mode, node, axis) m; ``distance`` (mode): root mean square distance of the nodes from the model's own
-    configuration, m, by which the modes are sorted; ``singularity`` (mode): smallest singular value of the prescribed rows of
-    unit size. attrs: ``complex_solutions`` of each block of equations, ``lost``: paths that could not be followed to their end
-    (0: the list is complete, with probability one).
+    configuration, m, by which the modes are sorted; ``singularity`` (mode): distance from a singular position, as
+    `Motion.singularity`. attrs: ``complex_solutions`` of each block of equations, ``lost``: paths that could not be followed
+    to their end (0: the list is complete, with probability one).
 
     Raises
     ------
@@ -150,10 +152,9 @@ def _outside(system: System) -> NDArray[np.bool_]:
 def _blocks(equations: Equations) -> list[tuple[NDArray[np.int64], NDArray[np.int64]]]:
     """Rows and columns of square blocks, each depending on earlier ones only; unused rows are checked at the end."""
     from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import maximum_bipartite_matching
 
     touches = np.any(equations.D != 0, axis=1)
-    row_of_column = maximum_bipartite_matching(csr_array(touches), perm_type="row")
+    row_of_column = matching(csr_array(touches.T))
     if np.any(row_of_column < 0):
         raise InputError("The structure can move with its drives held, so it has infinitely many configurations. Add drives.")
     found = []
@@ -197,14 +198,11 @@ def _dataset(
     distance = np.array([np.sqrt(np.mean(np.sum((x - system.x0) ** 2, axis=1))) for x in good])
     order = np.argsort(distance, kind="stable")
     position = np.array(good).reshape(-1, len(system.nodes), 3)[order][:, :, : system.dim]
-    values = system.drive_start.copy()
-    driven = system.row_drive >= 0
-    values[system.row_drive[driven]] = wanted[driven]
-    gauge = [float(np.linalg.svd(jacobian(system, good[k], values), compute_uv=False).min(initial=np.inf)) for k in order]
+    gauge = singularity_at(system, np.array(good).reshape(len(good), -1)[order])
     data = {
         "position": variable(("mode", "node", "axis"), position, "m", "node position"),
         "distance": variable(("mode",), distance[order], "m", "root mean square distance from the model's configuration"),
-        "singularity": variable(("mode",), np.array(gauge), "", "smallest singular value of the rows"),
+        "singularity": variable(("mode",), gauge, "", "distance from a singular position"),
     }
     coords = {"mode": np.arange(1, len(good) + 1), "node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim]}
     return xr.Dataset(data, coords=coords, attrs={"kind": "assembly_modes", "complex_solutions": counts, "lost": lost})

@@ -20,11 +20,13 @@ from kinetruss.kinematics.path.out_of_reach import out_of_reach
 from kinetruss.kinematics.path.passed import Passed
 from kinetruss.kinematics.path.redundant import LEAST, PARTED, Path, sweep, sweep_redundant
 from kinetruss.kinematics.path.sample import Sampled, check_trajectory, sample
+from kinetruss.kinematics.rates.singularity import singularity_at
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.configuration import POSE, departs, number_of, pose_values, positions_of
 from kinetruss.mechanics.freedom import held_shapes, mobility_at, shaped, underdriven
-from kinetruss.model import Model
+from kinetruss.model import Model, turned_far
+from kinetruss.model.beams import line_advice, spin_note
 from kinetruss.results import Motion, Status
 
 if TYPE_CHECKING:
@@ -62,8 +64,8 @@ def follow(
     Returns
     -------
     Motion with position, velocity, acceleration (time, node, axis) m, m/s, m/s^2; length and its rates (time, member);
-    drive_position and its rates (time, drive); singularity (time): smallest singular value of the Jacobian's blocks,
-    rows scaled to unit length.
+    drive_position and its rates (time, drive); singularity (time): distance from a singular position, 0 in one: the smallest
+    singular value of the Jacobian's blocks, rows of unit length, where the shape of rigid parts does not count.
 
     Raises
     ------
@@ -100,7 +102,9 @@ def follow(
         motion = motion.with_(status=Status.NOT_CONVERGED, message=beyond)
     if raise_on_failure and not motion.status.ok:
         raise AnalysisError(motion.message, motion)
-    return with_note(with_note(motion, table_notes(model, trajectory)), _of_shapes(system))
+    for note in (*map(str, turned_far(model, trajectory)), table_notes(model, trajectory), _of_shapes(system)):
+        motion = with_note(motion, note)
+    return motion
 
 
 def _of_shapes(system: System) -> str:
@@ -109,7 +113,8 @@ def _of_shapes(system: System) -> str:
     if held is None:
         return ""
     names = [held.elements.names[k] for k in held.beams]
-    return f"Beams keep their shape: {few(names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
+    text = f"Beams keep their shape: {few(names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
+    return f"{text} {spin_note(system.model)}".rstrip()
 
 
 def with_note(motion: Motion, note: str) -> Motion:
@@ -287,13 +292,19 @@ def _named(model: Model, name: str) -> Any:
     return model.trajectories[name]
 
 
+def _way_out(system: System) -> str:
+    """How to start elsewhere; of bars on one line, how to make the link."""
+    advice = line_advice(system.model)
+    return f"{advice}." if advice else "Start it near that position, or drive another member there."
+
+
 def _verdict(system: System, path: Path, reason: int, good: int, reached: float, x: NDArray[np.float64]) -> tuple[Status, str]:
     if reason == kernel.DONE:
         return Status.COMPLETED, ""
     if good == 0 and (reason == kernel.WEAK or np.allclose(path.drive[0][0], system.drive_start, rtol=0, atol=1e-12)):
         return Status.SINGULAR, (
             f"The path starts (t = {path.t[0]:g} s) in a singular position, in which the drives do not determine how the "
-            "structure moves on. Start it near that position, or drive another member there."
+            f"structure moves on. {_way_out(system)}"
         )
     if good == 0:
         return Status.NOT_CONVERGED, (
@@ -303,9 +314,8 @@ def _verdict(system: System, path: Path, reason: int, good: int, reached: float,
     here, last = path.t[min(good, len(path.t) - 1)], path.t[good - 1]
     # if continuation failed, row `good` holds the last state it reached on the way to that sample
     end = good if reason == kernel.STUCK else good - 1
-    weakest = mobility_at(system, x[end].reshape(-1, 3)).smallest_singular_value
-    first = mobility_at(system, x[0].reshape(-1, 3)).smallest_singular_value
-    text = f"between t = {last:g} s and {here:g} s (smallest singular value {first:.2g} at the start, {weakest:.1g} there)"
+    first, weakest = singularity_at(system, x[[0, end]])
+    text = f"between t = {last:g} s and {here:g} s (singularity measure {first:.2g} at the start, {weakest:.1g} there)"
     good_to = f"The motion is good up to t = {last:g} s."
     if reason in (kernel.STUCK, PARTED) and weakest > max(0.05 * first, 1e-3):
         return Status.NOT_CONVERGED, f"The lengths cannot be closed {text}. {good_to} Correct the path there."

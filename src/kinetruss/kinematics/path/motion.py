@@ -83,7 +83,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
         "drive_position": variable(driven, drive[0][:count], unit, "drive coordinate"),
         "drive_velocity": variable(driven, drive[1][:count], f"{unit}/s", "drive rate"),
         "drive_acceleration": variable(driven, drive[2][:count], f"{unit}/s^2", "drive acceleration"),
-        "singularity": variable(("time",), gauge, "", "smallest singular value of the Jacobian's blocks"),
+        "singularity": variable(("time",), gauge, "", "distance from a singular position"),
     }
     if found.passed is not None:
         data |= found.passed.variables(system)

@@ -21,6 +21,7 @@ from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measured, rearrange
 from kinetruss.mechanics.configuration import shortest
 from kinetruss.mechanics.freedom import mobility_at
+from kinetruss.model.beams import shared_rotations
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -179,10 +180,17 @@ def _fight(system: System, path: Path, extra: NDArray[np.int64], k: int, x: NDAr
     """The error if redundant constraints do not agree with the others at sample k."""
     miss = np.abs(misses(system, extra, path.drive[0][k : k + 1], x[k : k + 1])[0])
     r = int(extra[np.argmax(miss)])
+    said = shared_rotations(system.model)
     return InputError(
-        f"The drives contradict each other: {system.row_name(r)!r} is fixed by the others ({_partners(system, r)}) and "
-        f"cannot follow its prescribed values from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). Drive one of them less."
+        f"The drives contradict each other: {_part(system, r)!r} is fixed by the others ({_partners(system, r)}) and "
+        f"cannot follow its prescribed values from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). "
+        f"{f'{said} Or drive' if said else 'Drive'} one of them less."
     )
+
+
+def _part(system: System, r: Any) -> str:
+    """The user's part that a row belongs to."""
+    return system.part_name(system.row_name(r))
 
 
 def misses(system: System, rows: NDArray[np.int64], values: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -214,4 +222,4 @@ def _partners(system: System, r: int) -> str:
     shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
     shared[r] = False
     rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
-    return ", ".join(dict.fromkeys(system.row_name(k) for k in rows[:6])) or "its supports"
+    return ", ".join(list(dict.fromkeys(_part(system, k) for k in rows))[:6]) or "its supports"

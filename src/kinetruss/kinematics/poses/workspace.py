@@ -17,6 +17,7 @@ from kinetruss.kernels.tasks.sweeps import Drives
 from kinetruss.kinematics.objectives.knots import KNOTTED
 from kinetruss.kinematics.path.redundant import LEAST
 from kinetruss.kinematics.poses.prescribed import Slice, places
+from kinetruss.kinematics.rates.singularity import singularity_at
 from kinetruss.kinematics.targets.along import Choice, cannot, choice_of, divided
 from kinetruss.kinematics.targets.courses import at_values
 from kinetruss.kinematics.targets.inverse import task_of
@@ -334,11 +335,12 @@ def _dataset(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float
         words[cell] = "singular"
     for cell, first in (kept | found.poses).items():
         pose = kept.get(cell, first)
-        held = _smallest(rows_of(system, pose.state.x.reshape(-1, 3), pose.state.q))
-        if held[0] < least:
+        held = float(singularity_at(system, pose.state.x.reshape(1, -1))[0])
+        if held < least:
             words[cell] = "singular"
             continue
-        drives[cell], serial[cell], (parallel[cell], conditioning[cell]) = pose.state.q, pose.gauge, held
+        drives[cell], serial[cell], parallel[cell] = pose.state.q, pose.gauge, held
+        conditioning[cell] = _share(rows_of(system, pose.state.x.reshape(-1, 3), pose.state.q))
         within[cell] = cell in kept
         words[cell] = "" if within[cell] else _stopped(system, pose.state.q, bounds)
     reachable = ~np.isnan(serial)
@@ -353,7 +355,7 @@ def _dataset(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float
         "stroke": variable((*per, "drive"), stroke, "", "share of the stroke of each drive"),
         "drive_position": variable((*per, "drive"), drives, drive_unit(system)[0], "drives there"),
         "serial": variable(per, serial, "", "smallest singular value of the task by the drives"),
-        "parallel": variable(per, parallel, "", "gauge of the drives' hold"),
+        "parallel": variable(per, parallel, "", "singularity measure, drives held"),
         "conditioning": variable(per, conditioning, "", "smallest over largest singular value, drives held"),
     }
     units = {one.name: given.tasks.unit(one) for one in given.tasks.asked}
@@ -363,12 +365,12 @@ def _dataset(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float
     return xr.Dataset(data, coords=coords | {"drive": list(system.drives)} | drive_unit(system)[1], attrs={"kind": "workspace"})
 
 
-def _smallest(J: NDArray[np.float64]) -> tuple[float, float]:
-    """Smallest singular value, and as a fraction of the largest; 1 where nothing is unknown."""
+def _share(J: NDArray[np.float64]) -> float:
+    """Smallest singular value as a fraction of the largest; 1 where nothing is unknown."""
     if not J.size:
-        return 1.0, 1.0
+        return 1.0
     found = np.linalg.svd(J, compute_uv=False)
-    return float(found[-1]), float(found[-1] / found[0])
+    return float(found[-1] / found[0])
 
 
 def _stopped(system: System, q: NDArray[np.float64], bounds: NDArray[np.float64]) -> str:

@@ -11,9 +11,9 @@ import xarray as xr
 from kinetruss.errors import InputError
 from kinetruss.kinematics.poses.body_nodes import nodes_of
 from kinetruss.kinematics.rates.jacobian import jacobian, state_of
-from kinetruss.mechanics import System, compile
-from kinetruss.mechanics import jacobian as rows_of
-from kinetruss.mechanics.configuration import centred, drive_values, number_of
+from kinetruss.kinematics.rates.singularity import singularity_at
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.configuration import centred, number_of
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 from kinetruss.results.records import drive_unit
@@ -88,7 +88,7 @@ def platform_jacobian(
             ("time", "drive", "twist"), np.linalg.pinv(J, rcond=1e-12), f"{unit}/twist_unit", "drives per twist"
         ),
         "serial": variable(("time",), values[:, -1] / np.maximum(values[:, 0], 1e-300), "", "smallest over largest value"),
-        "parallel": variable(("time",), _least_of_rows(system, x), "", "smallest singular value of the rows"),
+        "parallel": variable(("time",), singularity_at(system, x), "", "singularity measure"),
         "manipulability": variable(("time",), np.prod(values, axis=1), "", "product of the singular values"),
     }
     twist = list(TWIST[model.dim])
@@ -97,14 +97,6 @@ def platform_jacobian(
     attrs = {"kind": "platform_jacobian", "length": float(scale[-1])}
     found = xr.Dataset(data, coords=coords, attrs=attrs)
     return found.isel(time=0) if time is None else found.assign_coords(time=time)
-
-
-def _least_of_rows(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Smallest singular value (times,) of the prescribed rows of unit size, at flat positions x (times, 3 n)."""
-    nodes = x.reshape(len(x), -1, 3)
-    values = drive_values(system, nodes, 0 * nodes, 0 * nodes)[0]
-    rows = (rows_of(system, one, given) for one, given in zip(nodes, values, strict=True))
-    return np.array([np.linalg.svd(one, compute_uv=False)[-1] for one in rows])
 
 
 def twists(arms: NDArray[np.float64], moved: NDArray[np.float64], dim: int) -> NDArray[np.float64]:
