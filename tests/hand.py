@@ -52,9 +52,13 @@ class Hand:
         self.settle()
 
     def press(self, *keys: str) -> None:
+        self.press_at_once(*keys)
+        self.settle()
+
+    def press_at_once(self, *keys: str) -> None:
+        """Press, and wait for no answer."""
         for key in keys:
             self.page.keyboard.press(key)
-        self.settle()
 
     def write(self, label: str, words: str) -> None:
         """Type into a field."""

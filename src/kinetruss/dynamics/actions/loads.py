@@ -131,5 +131,7 @@ def _pressure(system: System, bars: Bars, name: str, load: Pressure) -> Found:
     i = bars.between(nodes[0], nodes[1]) if len(nodes) == 2 else -1
     if i >= 0 and not system.two_rods[i]:
         yield Action(source=name, kind="load", member=i, worth=partial(_load, i, name), place=None)
-    elif inside := bars.inside(set(nodes)):
+        return
+    beams = tuple(beam for beam, one in system.model.beams.items() if set(one.ends) <= set(load.face))
+    if inside := (*bars.inside(set(nodes)), *beams):
         yield NotOnBars(source=name, kind="load", nodes=tuple(load.face), members=inside)

@@ -19,7 +19,7 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.path import Course, motion_of, refined
 from kinetruss.mechanics.assembly import Loads, case_loads
-from kinetruss.mechanics.configuration import drive_values
+from kinetruss.mechanics.configuration import drive_places, drive_values
 from kinetruss.results import Arrays, Axes, Forces, Motion, Simulation, provenance, variable
 from kinetruss.results.records import happened
 
@@ -93,10 +93,11 @@ def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
     value, rate, second = drive_values(system, whole.x.reshape(shape), whole.v.reshape(shape), whole.a.reshape(shape))
     if not len(t):
         return value, rate, second
-    before, at = work.angles[1], work.angles[2]
+    # of each state by itself: turns counted within a block and taken off again would leave round-off
+    before, at, angles = work.angles[1], work.angles[2], drive_places(system, whole.x.reshape(shape))
     for r in np.flatnonzero((system.row_kind != LENGTH) & (system.row_drive >= 0)):
         d = system.row_drive[r]
-        principal = np.remainder(value[:, d] + np.pi, TURN) - np.pi
+        principal = np.remainder(angles[:, d] + np.pi, TURN) - np.pi
         rates = np.concatenate([[before[d] if np.isfinite(at[d]) else rate[0, d]], rate[:, d]])
         ahead = 0.5 * (rates[1:] + rates[:-1]) * np.diff(np.concatenate([[at[d] if np.isfinite(at[d]) else t[0]], t]))
         steps = np.diff(np.concatenate([[work.angles[0, d]], principal])) - ahead

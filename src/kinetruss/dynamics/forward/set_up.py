@@ -46,6 +46,7 @@ from kinetruss.model import (
     task_faults,
     trajectory_faults,
 )
+from kinetruss.model.beams import spin_note
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -151,6 +152,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     unsure = _not_unique(system, reduced, eq, x)
     notes += [not_unique_note(unsure)] if unsure else []
     notes += [] if motors is not None else _still_note(model, system, eq)
+    notes += [said] if (said := spin_note(model)) else []
     if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is used: only it chooses the independent constraints anew during the motion."]
     found = Problem(
@@ -267,7 +269,7 @@ def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
     if not eq.redundant.any() or len(eq.free) > LARGEST_DENSE:
         return []
     there = mobility_at(reduced, x.reshape(-1, 3))
-    ways = [moves_text(mode, there.node_names) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
+    ways = [moves_text(reduced, mode) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
     if not ways:
         return []
     stiff = "Stiff to second order only, so that small loads cause large motions and the result is uncertain"

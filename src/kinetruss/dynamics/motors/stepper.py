@@ -7,7 +7,7 @@ never smoothed. A step is a function of the state at its beginning alone, so tha
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 __all__ = ["MotorStepper"]
 
 STATE = "motor_state"
+SAMPLED = "motor_sampled"
 CHATTER = 100
 """Changes one after the other without any time between them from which on it goes no further."""
 PAUSES = 64
@@ -52,7 +53,6 @@ class _Taken:
     sides: NDArray[np.float64]
     stops: bool
     evaluations: int
-    sampled: list[float] = field(default_factory=list)
 
     @property
     def begin(self) -> float:
@@ -81,6 +81,7 @@ class MotorStepper(Stepper):
         self.memory.stop, self.memory.h_old = np.inf, problem.method.first_step or 0.0
         self.memory.y[0] = self.modes.begin(np.concatenate([problem.x0[eq.free], problem.v0[eq.free], start]))
         self.step: _Taken | None = None
+        self.sampled: list[float] = []  # s, samples of this step so far
         self.failure = m.DONE
 
     def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
@@ -105,20 +106,21 @@ class MotorStepper(Stepper):
             if memory.stiff_steps > CHATTER:
                 return m.STEP_TOO_SMALL
             step = self.step
-            final = step.end >= self.t_end or step.stops
-            reach = step.end if not final else np.nextafter(step.end, np.inf) if step.stops else np.inf
-            while self._done < last and samples.times[self._done] < reach:
-                self._fill(samples, step, min(float(samples.times[self._done]), step.end))
-            if step.stops and self._done < last:
+            while self._done < last and samples.times[self._done] < step.end:
+                self._fill(samples, step, float(samples.times[self._done]))
+            if self._done == last:  # those that come later, of another block, may lie in this step too
+                return m.DONE
+            if step.stops:
                 samples.times[self._done] = step.end
                 self._fill(samples, step, step.end)
                 self._commit(step)
                 return m.EVENT
-            if self._done == last and not final:
+            if step.end >= self.t_end:
+                while self._done < last:
+                    self._fill(samples, step, step.end)
+                self._commit(step)
                 return m.DONE
             self._commit(step)
-            if final:
-                return m.EVENT if step.stops else m.DONE
         return m.PAUSED
 
     def _taken(self) -> _Taken | None:
@@ -192,7 +194,7 @@ class MotorStepper(Stepper):
         memory.steps += 1
         memory.rejected += step.rejected
         memory.evaluations += step.evaluations
-        self.step = None
+        self.step, self.sampled = None, []
 
     def _note(self, step: _Taken) -> None:
         """Keep states between samples, as kernels.integrate.between does."""
@@ -203,10 +205,10 @@ class MotorStepper(Stepper):
         system, rates = self.problem.system, np.zeros(3)
         turn_rates(system.p, system.q, x, v, rates)
         turn, s, turned = float(rates.max()) * h, 0.0, float(memory.turned)
-        if step.sampled:
-            s, turned = (step.sampled[-1] - step.begin) / h, 0.0
+        if self.sampled:
+            s, turned = (self.sampled[-1] - step.begin) / h, 0.0
         # samples inside the step are taken for all that lies before the last of them
-        marks = sorted({*step.sampled, step.begin, step.end})
+        marks = sorted({*self.sampled, step.begin, step.end})
         gap = max(b - a for a, b in pairwise(marks)) / h * turn
         if gap > TURN:
             kept = np.arange(step.begin, step.end, 0.9 * TURN / turn * h)[1:]
@@ -221,7 +223,7 @@ class MotorStepper(Stepper):
 
     def _fill(self, samples: Samples, step: _Taken, t: float) -> None:
         """One sample within a step."""
-        step.sampled.append(t)
+        self.sampled.append(t)
         k, interval = self._done, int(self.memory.interval)
         y, _ = self.modes.projected(t, interval, step.step.at(t), ())
         instant = self.modes.instant(t, interval, y)
@@ -244,7 +246,7 @@ class MotorStepper(Stepper):
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Where it stands, as plain arrays."""
-        return super().arrays() | {STATE: self.modes.table}
+        return super().arrays() | {STATE: self.modes.table, SAMPLED: np.array(self.sampled)}
 
     def restore(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Stand where another one stood; what follows is the same to the last bit.
@@ -258,4 +260,4 @@ class MotorStepper(Stepper):
             raise StoreError(f"The stored state of the integration does not fit this model ({STATE}). Run it again.")
         super().restore(arrays)
         self.modes.table = given
-        self.step = None
+        self.step, self.sampled = None, [float(t) for t in arrays.get(SAMPLED, ())]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +24,13 @@ __all__ = ["Given", "Quickest", "quickest"]
 
 Given = Mapping[str, float] | float | None
 """A limit of all drives, or of some by name."""
+
+EXACT = 1e-9
+"""Share of a limit that counts as round-off: no result exceeds a limit by more."""
+NOISE = 1e-13
+"""Changes of a force with the pace below this part of the largest are round-off."""
+ROUNDS, TRIES, STEP, FASTEST = 8, 200, 1.5, 1e3
+"""Rounds of the closed form; paces tried to enclose the largest; between two of them; where only motors limit it, the first."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -46,10 +53,10 @@ class Quickest:
 
 
 @dataclass(frozen=True)
-class _Bound:
-    """Smallest factor of time that one limit allows, and where."""
+class _Share:
+    """Largest share of one limit, of which drive, at which sample."""
 
-    factor: float
+    share: float
     limit: str
     drive: str
     sample: int
@@ -81,14 +88,14 @@ def quickest(
     Raises
     ------
     InputError : no limit at all; a limit that is not positive; a force limit that the load at rest exceeds by itself; a motion
-        that ended early.
+        that ended early; limits that no even stretch of time keeps.
 
     Notes
     -----
-    With time times k, rates are those of the motion over k and accelerations over k^2; forces are static + dynamic/k^2, where
-    inertia is the only thing that depends on the rates (no dampers, friction of bearings, moving loads). So k follows in closed
-    form from rates, accelerations and forces. Motor limits depend on k through friction and back-emf; there k is found by
-    bisection (Brent, 1973).
+    With time times k, rates are those of the motion over k and accelerations over k^2. Forces are S + A/k + B/k^2 with weight
+    and springs in S, linear dampers in A, inertia in B: three evaluations give all three, and k follows in closed form. Other
+    forces (friction, quadratic dampers, loads in time, motors) change with k otherwise: from the closed form, k is then found
+    by Brent's method (1973). The forces along the motion that is returned are computed in every case, and no limit is exceeded.
 
     Examples
     --------
@@ -105,66 +112,179 @@ def quickest(
     names = [str(name) for name in motion.arrays["drive"].values]
     limits = {what: limit_values(names, given, what) for what, given in
               (("rate", rate), ("acceleration", acceleration), ("force", force))}  # fmt: skip
-    found = [
-        *_bounds(names, "rate", motion.arrays["drive_velocity"].values, limits["rate"], 1.0),
-        *_bounds(names, "acceleration", motion.arrays["drive_acceleration"].values, limits["acceleration"], 0.5),
-    ]
-    if np.isfinite(limits["force"]).any():
-        found += _force_bounds(model, motion, names, limits["force"], load_case)
-    asked = _motor_limits(model, motion, load_case) if motors and model.actuators else []
-    if not found and not asked:
+    asked = bool(motors and model.actuators and _motor_limits(model, motion, load_case))
+    if not asked and not any(np.isfinite(one).any() for one in limits.values()):
         raise InputError("There is no limit to keep. Give rate, acceleration or force, or motors with limits.")
-    moves = [one for one in found if one.factor > 0]
-    best = max(moves, key=lambda one: one.factor) if moves else None
-    if asked:
-        best = _with_motors(model, motion, load_case, best)
-    if best is None:
+    search = _Search(model, motion, names, limits, load_case, asked)
+    pace = min(search.pace_of_rates(), search.pace_of_forces())
+    if not np.isfinite(pace) and not asked:
         raise InputError("No drive moves, so there is nothing to make quicker. Give a motion that moves.")
-    t = motion.arrays["time"].values
-    made = _scaled(motion, best.factor)
+    made, worst = search.kept(pace if np.isfinite(pace) else FASTEST)
+    t, factor = motion.arrays["time"].values, 1.0 / search.pace
     if asked:
         made.attrs.pop(MOTORS_UNCHECKED, None)
-    use = _use(model, made, best, limits, load_case)
     return Quickest(
         motion=made,
-        duration=float(best.factor * (t[-1] - t[0])),
-        factor=best.factor,
-        limit=best.limit,
-        drive=best.drive,
-        time=float(made.arrays["time"].values[best.sample]),
-        use=use,
+        duration=float(factor * (t[-1] - t[0])),
+        factor=factor,
+        limit=worst.limit,
+        drive=worst.drive,
+        time=float(made.arrays["time"].values[worst.sample]),
+        use=worst.share,
     )
 
 
-def _bounds(names: list[str], what: str, y: NDArray[np.float64], limit: NDArray[np.float64], power: float) -> list[_Bound]:
-    """k = (|y|/limit)^power of each drive that has a limit."""
-    found = []
-    for d in np.flatnonzero(np.isfinite(limit)):
-        at = int(np.argmax(np.abs(y[:, d])))
-        found.append(_Bound(float((abs(y[at, d]) / limit[d]) ** power), what, names[d], at))
-    return found
+@dataclass
+class _Search:
+    """Looks for the largest pace, one over the factor of time, with which a motion keeps limits; `pace` is the last tried."""
 
+    model: Model
+    motion: Motion
+    names: list[str]
+    limits: Mapping[str, NDArray[np.float64]]
+    load_case: str | None
+    motors: bool
+    pace: float = field(default=1.0, init=False)
 
-def _force_bounds(model: Model, motion: Motion, names: list[str], limit: Any, load_case: str | None) -> list[_Bound]:
-    """Largest 1/k^2 with |static + dynamic/k^2| <= limit at all samples."""
-    forces = inverse(model, motion, load_case)
-    if forces.static is None:
-        raise InputError("The forces at rest are not known. Give a motion of this model.")
-    rest = forces.static.arrays["drive_force"].values
-    moving, found = forces.arrays["drive_force"].values - rest, []
-    for d in np.flatnonzero(np.isfinite(limit)):
-        if (over := np.abs(rest[:, d]) >= limit[d]).any():
-            k = int(np.argmax(over))
+    def pace_of_rates(self) -> float:
+        """The largest pace that keeps the limits of rates and accelerations."""
+        data, paces = self.motion.arrays, [np.inf]
+        for what, name, power in (("rate", "drive_velocity", 1.0), ("acceleration", "drive_acceleration", 0.5)):
+            share = np.abs(data[name].values).max(axis=0, initial=0.0) / self.limits[what]
+            paces += [float(one) ** -power for one in share if one > 0]
+        return min(paces)
+
+    def pace_of_forces(self) -> float:
+        """The largest pace that keeps the limits of forces if these are S + A/k + B/k^2; infinite if they do not change.
+
+        The three are taken from paces around the last result, at which they are as large as each other.
+        """
+        limit, pace, last = self.limits["force"], 1.0, np.inf
+        if not np.isfinite(limit).any():
+            return np.inf
+        self._refuse_at_rest(limit)
+        steps = np.array([0.5, 1.0, 2.0])
+        for _ in range(ROUNDS):
+            F = np.array([self._forces(pace * step) for step in steps])
+            parts = np.linalg.solve(np.vander(steps, increasing=True), F.reshape(3, -1)).reshape(F.shape)
+            parts[1:][np.abs(parts[1:]) < NOISE * np.abs(F).max(axis=(0, 1))] = 0.0
+            found = _quickest_pace(parts, limit)
+            if not np.isfinite(found):
+                return np.inf
+            pace *= found
+            if abs(found - 1.0) <= 1e-15 or abs(found - 1.0) >= last:
+                break
+            last = abs(found - 1.0) if abs(found - 1.0) < 1e-6 else np.inf
+        return pace
+
+    def kept(self, pace: float) -> tuple[Motion, _Share]:
+        """The motion at the largest pace near the given one that keeps all limits, and what governs there."""
+        from scipy.optimize import brentq
+
+        made, worst = self._at(pace)
+        if abs(worst.share - 1.0) <= EXACT:
+            return made, worst
+        top = self.pace_of_rates()
+        low = high = pace
+        for _ in range(TRIES):  # downwards to a pace that keeps them, or upwards to one that does not
+            step = STEP if worst.share < 1 else 1 / STEP
+            other = min(low * step, top)
+            if other == low:
+                return self._at(top)
+            low, high, last = other, low, worst
+            made, worst = self._at(low)
+            if abs(worst.share - 1.0) <= EXACT:
+                return made, worst
+            if (worst.share < 1) != (last.share < 1):
+                break
+        else:
             raise InputError(
-                f"{names[d]!r} carries {rest[k, d]:.6g} at rest (t = {motion.arrays['time'].values[k]:g} s), its limit is "
-                f"{limit[d]:.6g}: no time is long enough. Raise the limit, or lower the load."
+                f"{worst.limit} of {worst.drive!r} is {worst.share:.4g} times its limit however slow the motion is: no time is "
+                "long enough. Raise the limit, or lower the load."
+                if worst.share > 1
+                else "No drive needs more of its limit in a quicker motion, so there is no quickest one. Give a limit of rates."
             )
-        room = limit[d] - np.sign(moving[:, d]) * rest[:, d]
-        with np.errstate(divide="ignore"):
-            most = np.where(moving[:, d] != 0, room / np.abs(moving[:, d]), np.inf)
-        k = int(np.argmin(most))
-        found.append(_Bound(0.0 if np.isinf(most[k]) else float(most[k] ** -0.5), "force", names[d], k))
-    return found
+        pace = float(np.exp(brentq(lambda p: self._at(float(np.exp(p)))[1].share - 1.0, *np.log([low, high]), xtol=1e-15)))
+        made, worst = self._at(pace)
+        for back in (1e-15, 1e-14, 1e-13, 1e-12, 1e-9):  # to the side that keeps them
+            if worst.share <= 1.0 + EXACT:
+                return made, worst
+            made, worst = self._at(pace * (1.0 - back))
+        # a force that jumps with the pace: from the side that keeps the limits
+        made, worst = self._at(min(low, high))
+        if worst.share > 1.0 + EXACT:
+            raise InputError(f"{worst.limit} of {worst.drive!r} jumps over its limit with the pace. Give a limit of rates.")
+        return made, worst
+
+    def _refuse_at_rest(self, limit: NDArray[np.float64]) -> None:
+        forces = inverse(self.model, self.motion, self.load_case)
+        if forces.static is None:
+            raise InputError("The forces at rest are not known. Give a motion of this model.")
+        rest = forces.static.arrays["drive_force"].values
+        for d in np.flatnonzero((np.abs(rest) >= limit).any(axis=0)):
+            k = int(np.argmax(np.abs(rest[:, d]) >= limit[d]))
+            raise InputError(
+                f"{self.names[d]!r} carries {rest[k, d]:.6g} at rest (t = {self.motion.arrays['time'].values[k]:g} s), its "
+                f"limit is {limit[d]:.6g}: no time is long enough. Raise the limit, or lower the load."
+            )
+
+    def _forces(self, pace: float) -> NDArray[np.float64]:
+        forces = inverse(self.model, _scaled(self.motion, 1.0 / pace), self.load_case, static=False)
+        return np.asarray(forces.arrays["drive_force"].values)
+
+    def _at(self, pace: float) -> tuple[Motion, _Share]:
+        """The motion at a pace, and the largest share of a limit that it takes."""
+        self.pace = pace
+        made, found = _scaled(self.motion, 1.0 / pace), []
+        needed = self.motors or np.isfinite(self.limits["force"]).any()
+        forces = inverse(self.model, made, self.load_case, static=False) if needed else None
+        sizes = {"rate": made.arrays["drive_velocity"].values, "acceleration": made.arrays["drive_acceleration"].values}
+        if forces is not None:
+            sizes["force"] = forces.arrays["drive_force"].values
+        for what, y in sizes.items():
+            share = np.abs(y) / self.limits[what]
+            i, d = np.unravel_index(int(share.argmax()), share.shape)
+            found.append(_Share(float(share[i, d]), what, self.names[int(d)], int(i)))
+        if self.motors:
+            found.append(_of_motors(self.model, made, forces))
+        return made, max(found, key=lambda one: one.share)
+
+
+def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> float:
+    """The largest u with |S + A u + B u^2| <= limit (d,) at all samples; parts (3, samples, d) are S, A, B.
+
+    Each sample excludes the ranges of u in which it is beyond its limit; the last of them has no end.
+    """
+    begins, ends = [], []
+    for which in (1.0, -1.0):
+        S, A, B = (which * one[:, np.isfinite(limit)] for one in parts)
+        room = np.isfinite(limit)
+        beyond = S - limit[room]  # beyond + A u + B u^2 > 0 is excluded
+        with np.errstate(all="ignore"):
+            root = np.sqrt(A**2 - 4 * B * beyond)
+            # both roots without a difference of equal numbers
+            half = -0.5 * (A + np.where(A < 0, -root, root))
+            roots = np.sort(np.array([half / B, beyond / half]), axis=0)
+        for one, two, b, a in zip(roots[0].flat, roots[1].flat, B.flat, A.flat, strict=True):
+            if b == 0.0:
+                if a > 0:
+                    begins, ends = [*begins, one if np.isfinite(one) else two], [*ends, np.inf]
+            elif np.isfinite(two) and two > 0:
+                if b < 0 and one > 0:  # between the roots
+                    begins, ends = [*begins, one], [*ends, two]
+                elif b > 0:  # behind the larger one; below zero lies the other
+                    begins, ends = [*begins, two], [*ends, np.inf]
+    if not begins:
+        return np.inf
+    order = np.argsort(begins)
+    begin, end = np.array(begins)[order], np.array(ends)[order]
+    reach = np.maximum.accumulate(end)
+    # the range without end begins behind the last gap
+    apart = np.flatnonzero(begin[1:] >= reach[:-1])
+    first = int(apart[-1]) + 1 if len(apart) else 0
+    if np.isfinite(reach[-1]):
+        return np.inf
+    return float(begin[first])
 
 
 def _scaled(motion: Motion, k: float) -> Motion:
@@ -181,66 +301,19 @@ def _scaled(motion: Motion, k: float) -> Motion:
     return motion.with_(data=data.assign_coords(time=data["time"].values * k))
 
 
-def _peaks(model: Model, motion: Motion, load_case: str | None) -> Any:
-    return actuators.evaluate(model, motion, inverse(model, motion, load_case, static=False))
+def _motor_limits(model: Model, motion: Motion, load_case: str | None) -> bool:
+    """Whether a motor or amplifier has a limit that depends on the pace."""
+    data = actuators.evaluate(model, motion, inverse(model, motion, load_case, static=False)).data
+    return bool(np.isfinite(data["limit"].values[:, data["quantity"].values != "stroke"]).any())
 
 
-def _motor_limits(model: Model, motion: Motion, load_case: str | None) -> list[tuple[str, str]]:
-    """Drives and quantities that have a limit of a motor."""
-    data = _peaks(model, motion, load_case).data
-    limit = data["limit"].sel(quantity=[q for q in data["quantity"].values if q not in ("stroke",)])
-    return [(str(a), str(q)) for a in limit["active"].values for q in limit["quantity"].values
-            if np.isfinite(limit.sel(active=a, quantity=q))]  # fmt: skip
-
-
-def _worst(model: Model, motion: Motion, load_case: str | None) -> tuple[float, str, str, float]:
-    """Largest share of a motor limit, its quantity, drive and time."""
-    data = _peaks(model, motion, load_case).data
+def _of_motors(model: Model, motion: Motion, forces: Any) -> _Share:
+    """Largest share of a limit of a motor or amplifier."""
+    data = actuators.evaluate(model, motion, forces).data
     share = (data["value"] / data["limit"]).where(data["quantity"] != "stroke").values
     if np.isnan(share).all():
-        return 0.0, "", "", 0.0
+        return _Share(0.0, "", "", 0)
     i, j = np.unravel_index(int(np.nanargmax(share)), share.shape)
-    return (
-        float(share[i, j]),
-        str(data["quantity"].values[j]),
-        str(data["active"].values[i]),
-        float(data["time_of"].values[i, j]),
-    )
-
-
-def _with_motors(model: Model, motion: Motion, load_case: str | None, best: _Bound | None) -> _Bound | None:
-    """The factor that also keeps the limits of motors."""
-    from scipy.optimize import brentq
-
-    low = best.factor if best is not None else 1e-3
-
-    def over(log_k: float) -> float:
-        return _worst(model, _scaled(motion, float(np.exp(log_k))), load_case)[0] - 1.0
-
-    if over(np.log(low)) <= 0:
-        return best
-    high = np.log(low) + 1.0
-    while over(high) > 0:
-        high += 1.0
-        if high > np.log(low) + 20:
-            raise InputError(
-                "A motor limit is exceeded even at rest: no time is long enough. Take a larger motor, or less load."
-            )
-    log_k = brentq(over, np.log(low), high, xtol=1e-13, rtol=1e-14)
-    k = float(np.exp(log_k))
-    _, quantity, drive, when = _worst(model, _scaled(motion, k), load_case)
-    t = motion.arrays["time"].values * k
+    when, t = float(data["time_of"].values[i, j]), motion.arrays["time"].values
     at = 0 if np.isnan(when) else int(np.argmin(np.abs(t - when)))
-    return _Bound(k, quantity, drive, at)
-
-
-def _use(model: Model, made: Motion, best: _Bound, limits: Mapping[str, Any], load_case: str | None) -> float:
-    """Share of the governing limit in the quickest motion."""
-    if best.limit not in limits:
-        return _worst(model, made, load_case)[0]
-    d = [str(name) for name in made.arrays["drive"].values].index(best.drive)
-    if best.limit == "force":
-        y = inverse(model, made, load_case, static=False).arrays["drive_force"].values
-    else:
-        y = made.arrays["drive_velocity" if best.limit == "rate" else "drive_acceleration"].values
-    return float(np.abs(y[:, d]).max() / limits[best.limit][d])
+    return _Share(float(share[i, j]), str(data["quantity"].values[j]), str(data["active"].values[i]), at)

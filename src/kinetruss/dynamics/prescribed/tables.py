@@ -315,17 +315,18 @@ def _power(
     if system.continua is not None:
         energy[:, :2] += strain_balance(system.continua, x, v)
         energy[:, 2] += beam_losses(system.continua, x, v)
-    power = np.einsum("td,td->t", drive_force, read.drive_velocity)
+    # sums of rows, not einsum, whose order of terms is another for one sample alone than for many
+    power = (drive_force * read.drive_velocity).sum(axis=1)
     if len(loads.node):
         nodal = v.reshape(len(v), len(system.nodes), 3)
-        power += np.einsum("tkc,tkc->t", loads.force, nodal[:, loads.node])
+        power += (loads.force * nodal[:, loads.node]).sum(axis=(1, 2))
     if loads.base is not None:
         pushed = fictitious_forces(system, States(x, v, a), States(x, solved["v"], solved["a"]))
-        power += np.einsum("tc,tc->t", pushed, v)
+        power += (pushed * v).sum(axis=1)
     if "bearing" in solved:
         place, moving = (y.reshape(len(y), -1, 3) for y in (x, v))
-        energy[:, 2] -= np.einsum("tkc,tkc->t", solved["bearing"], relative_rates(system, place, moving))
-    power -= np.einsum("tc,tc->t", solved["rest"][:, held], v[:, held])
+        energy[:, 2] -= (solved["bearing"] * relative_rates(system, place, moving)).sum(axis=(1, 2))
+    power -= (solved["rest"][:, held] * v[:, held]).sum(axis=1)
     time = ("time",)
     resists = system.damping.any() or system.friction.any() or system.spring_law[:, 2:4].any() or "bearing" in solved
     resists = resists or (system.continua is not None and system.continua.damped)

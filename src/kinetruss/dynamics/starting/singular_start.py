@@ -13,7 +13,7 @@ from kinetruss.dynamics.starting.singular import EXACTLY, Singular
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.mechanics.constraints import moves_text
-from kinetruss.mechanics.freedom import mobility_at, released
+from kinetruss.mechanics.freedom import beam_deformations, mobility_at, released
 from kinetruss.model import ERROR_CONTROLLED
 
 if TYPE_CHECKING:
@@ -72,8 +72,8 @@ def _freedoms(problem: Problem) -> str:
     system = released(problem.system, held_by_none(problem.system, dict(problem.tasks)))
     if len(system.free) > LARGEST:
         return ""
-    there = mobility_at(system, problem.x0.reshape(-1, 3))
-    texts = [moves_text(mode, there.node_names) for mode in there.mechanisms[:SHOWN]]
+    there = mobility_at(system, problem.x0.reshape(-1, 3), beam_deformations)
+    texts = [moves_text(system, mode) for mode in there.mechanisms[:SHOWN]]
     more = f", and {there.undriven - SHOWN} more" if there.undriven > SHOWN else ""
     return f", with {there.undriven} degrees of freedom ({'; '.join(texts)}{more})"
 

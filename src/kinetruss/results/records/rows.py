@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from kinetruss.results.records.arrays import Columns
 
-__all__ = ["NOT_CHECKED", "Row", "row_text", "rows_of"]
+__all__ = ["NOT_CHECKED", "Row", "most_used", "row_text", "rows_of"]
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
 COLUMNS = ("part", "rule", "value", "limit", "utilisation", "margin", "time", "station", "load_case", "note")
@@ -30,7 +30,8 @@ class Row:
     """One entry of a utilisation table.
 
     part : bar, active member or its ``.base`` or ``.tube``; member : the member it belongs to. rule : what was checked.
-    value, limit : in `unit`. utilisation : value/limit; margin : 1/utilisation - 1 (negative: not enough).
+    value, limit : in `unit`. utilisation : value/limit; margin : 1/utilisation - 1 (negative: not enough). Infinite, and -1,
+    for a beam-column whose compression reaches Euler's load; `note` says so.
     time : s, of the worst instant; station : fraction of the part's length from its end towards A, and position : m from end
     A (NaN if the entry has no place). pose : name of the worst pose, for forces of poses at rest.
     note : the formula used, or why it was not checked (then the numbers are NaN).
@@ -61,6 +62,8 @@ class Row:
         """``crank, yield: 3.6 % (8.451 MPa of 235 MPa)``; of an entry not checked its note."""
         if not self.checked:
             return f"{self.part}, {self.rule}: {self.note}"
+        if math.isinf(self.utilisation) and self.note:
+            return f"{self.part}, {self.rule}: {self.note}"
         given = f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}"
         return f"{given} ({quantity(self.value, self.unit)} of {quantity(self.limit, self.unit)})" if self.unit else given
 
@@ -69,8 +72,8 @@ class Row:
 
 
 def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
-    """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last; of several infinite ones that
-    of the part with the highest finite utilisation.
+    """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last. An infinite one, of a
+    beam-column beyond Euler's load, follows the finite one of its part that says by how much the limit is exceeded.
 
     Entries that do not apply (NaN without a note) are omitted.
 
@@ -111,21 +114,36 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
                 **found,
             )
         )
-    # beyond a buckling load the interaction is infinite: the part of the highest other utilisation comes first
-    most: dict[str, float] = {}
+    of: dict[str, list[float]] = {}
     for row in rows:
-        if math.isfinite(row.utilisation):
-            most[row.part] = max(most.get(row.part, 0.0), row.utilisation)
-    return sorted(rows, key=lambda row: (_worst_first(row), -most.get(row.part, 0.0) if math.isinf(row.utilisation) else 0.0))
+        of.setdefault(row.part, []).append(row.utilisation)
+    most = {part: most_used(values) for part, values in of.items()}
+    infinite = {row.part for row in rows if math.isinf(row.utilisation)}
+
+    def worst_first(row: Row) -> tuple[bool, float, str, bool]:
+        beyond = math.isinf(row.utilisation)
+        used = most[row.part] if beyond else row.utilisation if row.checked else 0.0
+        # rows of one part stay together where one of them is infinite
+        return not row.checked, -used, row.part if row.part in infinite and used == most[row.part] else "", beyond
+
+    return sorted(rows, key=worst_first)
+
+
+def most_used(values: Iterable[float]) -> float:
+    """The highest of the utilisations of a part, NaN if none is known. An infinite one, of a beam-column beyond Euler's load,
+    gives way to a finite one from 1 on: that of buckling says by how much.
+
+    >>> most_used([0.3, math.inf, 1.29]), most_used([0.3, math.inf]), most_used([math.nan])
+    (1.29, inf, nan)
+    """
+    known = [value for value in values if not math.isnan(value)]
+    finite = max((value for value in known if math.isfinite(value)), default=math.nan)
+    return finite if finite >= 1 or not known else max(known)
 
 
 def _column(data: xr.Dataset | Columns, key: str, count: int, rules: int, missing: Any) -> Any:
     """Values over (subject, rule) as lists."""
     return data[key].values.tolist() if key in data else [[missing] * rules] * count
-
-
-def _worst_first(row: Row) -> tuple[bool, float]:
-    return not row.checked, -row.utilisation if row.checked else 0.0
 
 
 def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:

@@ -32,7 +32,11 @@ REPORT = "report"
 STATE = "state"
 DRAFT = ".kinetruss.part"
 """Temporary files of a run in one file, in its folder; a killed process may leave them."""
-OWN = (MODEL, ARRAYS, PACKED, PICTURES, REPORT, STATE, LEDGER)
+PART = ".part"
+"""End of the name of a file until it is complete; a killed process may leave it."""
+LEFT = (LOCK, DRAFT, LEDGER + PART, MODEL + PART)
+"""What a process that is killed before its ledger stands may leave in a folder."""
+OWN = (MODEL, ARRAYS, PACKED, PICTURES, REPORT, STATE, MODEL + PART, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,8 +94,8 @@ def check_target(path: Path, overwrite: bool) -> None:
         return
     if not path.is_dir():
         raise InputError(f"{path} is a file. Name a folder for the run.")
-    if all(item.name in (LOCK, DRAFT) for item in path.iterdir()):
-        return  # left by a killed process
+    if all(item.name in LEFT for item in path.iterdir()):
+        return
     if is_store(path) and not overwrite:
         raise InputError(f"{path} holds a run already. Name another folder, or replace it with --overwrite (overwrite=True).")
     if not is_store(path):
@@ -130,7 +134,7 @@ def ledger_text(ledger: Ledger) -> str:
 
 def atomic(target: Path, text: str, *, durable: bool = True) -> None:
     """Replace a file in one step; `durable` also waits until the disk has it."""
-    draft = target.with_name(target.name + ".part")
+    draft = target.with_name(target.name + PART)
     try:
         with draft.open("w", encoding="utf-8") as file:
             file.write(text)

@@ -66,7 +66,8 @@ def pack(path: Path, ledger: Ledger, model_text: str, datasets: Mapping[str, xr.
             (draft / LEDGER).write_text(ledger_text(ledger), "utf-8")
             if is_store(path):
                 clear(path, ledger=False)
-            for name in (PACKED, LEDGER, MODEL):  # without its model the folder is not yet a run
+            # the ledger first, by which the folder is known as this package's; without its model it is not yet a run
+            for name in (LEDGER, PACKED, MODEL):
                 (draft / name).rename(path / name)
         except OSError as error:
             raise StoreError(failure(path, replace(ledger, committed=0), error)) from error

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext, suppress
@@ -15,7 +16,7 @@ from kinetruss.errors import InputError
 from kinetruss.io import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.results import Status
-from kinetruss.results.records import NOT_CHECKED
+from kinetruss.results.records import NOT_CHECKED, most_used
 from kinetruss.results.store import check_target, check_unlocked, clear, holding, is_store, key, pack, read_ledger
 from kinetruss.runs._result import RunResult, load
 from kinetruss.runs._run import ledger_of, run
@@ -256,8 +257,8 @@ def _worst(data: Any) -> tuple[str, str, float, float] | None:
     values = data["utilisation"].values
     if np.isnan(values).all():
         return None
-    i, j = np.unravel_index(np.nanargmax(values), values.shape)
-    value = values[i, j]
+    value = max(map(most_used, values.tolist()), key=lambda one: -1.0 if math.isnan(one) else one)
+    i, j = (int(k[0]) for k in np.nonzero(values == value))
     if value == 0 and any(str(note).startswith(NOT_CHECKED) for note in data["note"].values.flat):
         return None  # no checked entry has a demand, and some entries were not checked
     return str(data["part"].values[i]), str(data["rule"].values[j]), float(value), float(data["time_of"].values[i, j])
