@@ -274,7 +274,8 @@ def test_a_run_that_ended_early_says_so_on_top():
     assert f"This run is not complete. {done.status.value} {done.good} of 41 samples are good" in top
     assert done.message in top
     assert "exceeded in the part that was computed" in page.words
-    assert "∞" in page.cells  # past the buckling load: no number
+    assert "∞" not in page.cells  # past Euler's load: the number is that of buckling, and words say why
+    assert "exceeds Euler's load" in page.words
     assert "Infinity" in {one["utilisation"] for one in embedded(text)["strength"]}
     assert re.search(
         r"NOT COMPLETE", re.sub(r"\\([0-9a-f]+) ", lambda found: chr(int(found[1], 16)), text)

@@ -108,7 +108,8 @@ def _governing_rows(run: RunResult, record: Mapping[str, Any]) -> list[Mapping[s
     drives = [row for row in record["limits"] if row["utilisation"] is not None and _sample_of(run, row) is not None]
     if drives:
         found["drive"] = max(drives, key=lambda row: float(row["utilisation"]))
-    return sorted(found.values(), key=lambda row: -float(row["utilisation"]))
+    shares = ((row, float(row["utilisation"])) for row in found.values())
+    return [row for row, _ in sorted(shares, key=lambda pair: -pair[1] if np.isfinite(pair[1]) else -1.0)]
 
 
 def _of_row(run: RunResult, row: Mapping[str, Any]) -> list[Subject]:
@@ -119,7 +120,7 @@ def _of_row(run: RunResult, row: Mapping[str, Any]) -> list[Subject]:
     if sample is None or row["load_case"] not in run.forces:
         return []
     place, share = row.get("position"), float(row["utilisation"])
-    why = f"{row['rule']} {quantity(share, '%') if np.isfinite(share) else 'beyond the buckling load'}"
+    why = f"{row['rule']} {quantity(share, '%')}" if np.isfinite(share) else f"{row['rule']} without finite value"
     return _subjects(run, row["load_case"], sample, [name], why, None if place is None else float(place))
 
 

@@ -19,6 +19,7 @@ from kinetruss.report.document.parts import sections as parts
 from kinetruss.report.document.parts.constants import section_constants
 from kinetruss.report.document.parts.diagrams import diagrams_of
 from kinetruss.report.document.parts.inputs import inputs
+from kinetruss.report.document.parts.lists import lists
 from kinetruss.report.document.parts.pictures import picture
 from kinetruss.report.document.parts.recompute import recompute
 from kinetruss.report.document.result.assumptions import assumptions
@@ -167,8 +168,8 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
 
 
 def basis(run: RunResult) -> list[Markup]:
-    """The tables of inputs, with the constants of sections."""
-    return [*inputs(run), *section_constants(run.model)]
+    """The tables of inputs, with the nodes, the members and the constants of sections."""
+    return [*inputs(run), *lists(run.model), *section_constants(run.model)]
 
 
 def _changes(run: RunResult) -> bool:

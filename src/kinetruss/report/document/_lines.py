@@ -16,7 +16,7 @@ __all__ = ["lines"]
 
 
 def lines(run: RunResult) -> tuple[str, str, str]:
-    r"""Three lines: the governing member or drive with its demand and limit; limits exceeded; strength that was not verified.
+    r"""Three lines: the governing member or drive with its demand and limit; limits exceeded; what strength was checked.
 
     They are the first lines of a report (`document_page`). Of a mission they are those of all its pairs.
 
@@ -27,6 +27,6 @@ def lines(run: RunResult) -> tuple[str, str, str]:
     >>> print("\n".join(kt.report.lines(kt.run(model, "pull"))))
     Governing: yield of bar, 5.42 % of what is allowed: 12.73 MPa of 235 MPa (all loads).
     None of the 3 limits that were checked is exceeded.
-    Strength verified by every rule: 1 part.
+    Strength checked by every rule: 1 part.
     """
     return mission_lines(run) if isinstance(run, MissionRun) else result_lines(document_record(run, []))

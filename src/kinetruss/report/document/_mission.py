@@ -15,6 +15,7 @@ from kinetruss.report.document.frame.short import summary_parts
 from kinetruss.report.document.parts.constants import section_constants
 from kinetruss.report.document.parts.diagrams import diagrams_of
 from kinetruss.report.document.parts.inputs import inputs, worded
+from kinetruss.report.document.parts.lists import lists
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.recompute import recompute
 from kinetruss.report.document.result.assumptions import assumptions
@@ -90,6 +91,7 @@ def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
         "strength": record["envelope"],
         "limits": trains,
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
+        "checks": {"not_held": [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))},
         "units": _units(run.extremes, "quantity"),
         "largest_forces": [],
         "drive_loads": [],
@@ -133,7 +135,7 @@ def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries
     yield from envelopes(entries, record | {"pairs": pairs})
     if pair is not None:
         name = f"mission {run.name}, pair {_label(run, entries)}"
-        basis = [*inputs(pair, name), *_conditions(run), *section_constants(pair.model)]
+        basis = [*inputs(pair, name), *_conditions(run), *lists(pair.model), *section_constants(pair.model)]
         yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
         yield Part("method", "Method and sources", "", _methods(pair))
     yield Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))

@@ -125,7 +125,7 @@ def mission_tables(run: MissionRun) -> Iterator[tuple[str, tuple[str, ...], list
 
 
 def _few(names: Sequence[str]) -> str:
-    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")
+    return ", ".join(names)
 
 
 def _worst(row: Row) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ from kinetruss.display import instant
 from kinetruss.model.beams import FRAME, shown_kinds, shown_names
 from kinetruss.report.pictures.pictured import arrows, curves_of
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
+from kinetruss.report.run_text.columns import moment, poses_of
 from kinetruss.report.run_text.summary import worst_rows
 from kinetruss.runs.missions import check_histories
 
@@ -27,6 +28,10 @@ __all__ = ["figures", "specifications"]
 CURVES = 7
 """Largest number of curves in one panel: the number of colours that all readers can distinguish."""
 BARS = 14
+POSES, ALIKE = 101, 0.02
+"""Samples among which the poses of a shape are chosen; distance of two, as a share of the way from the first, that makes them
+alike.
+"""
 
 
 def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
@@ -92,7 +97,8 @@ def _shape(run: RunResult) -> Shape:
     # nodes and bars of the frames of beams are left out
     seen = np.array([not node.director for node in model.nodes.values()], bool)
     index = {name: k for k, name in enumerate(name for name, node in model.nodes.items() if not node.director)}
-    chosen = sorted({0, len(time) // 2, len(time) - 1})
+    poses = poses_of(run)
+    chosen = _apart(position[:, seen])
     members = [name for name, kind in shown_kinds(model).items() if kind != FRAME]
     driven = tuple(_driven(model, members))
     loads = arrows(model, time, position, next(iter(run.forces), None), chosen)
@@ -107,7 +113,7 @@ def _shape(run: RunResult) -> Shape:
         held=tuple(index[name] for name in model.fixed if name in index),
         poses=tuple(
             Pose(
-                caption=f"t = {instant(time[k])}",
+                caption=moment(time[k], poses),
                 position=position[k][seen],
                 loads=tuple(pairs),
                 curves=curves_of(model, position[k]),
@@ -116,6 +122,27 @@ def _shape(run: RunResult) -> Shape:
         ),
         members=tuple(map(shown_names(model).__getitem__, members)),
     )
+
+
+def _apart(position: NDArray[np.float64]) -> list[int]:
+    """At most three samples of positions (t, n, dim) that show different poses: first, middle and last, or where two of them
+    are alike (after a full turn, a way back) those that are farthest apart.
+    """
+    few = np.unique(np.linspace(0, len(position) - 1, min(len(position), POSES)).round().astype(int))
+    reach = float(np.abs(position[few] - position[0]).max(initial=0.0))
+
+    def far(k: int, others: Sequence[int]) -> float:
+        return min(float(np.abs(position[k] - position[i]).max(initial=0.0)) for i in others)
+
+    chosen = sorted({0, len(position) // 2, len(position) - 1})
+    if all(far(k, [i for i in chosen if i != k]) > ALIKE * reach for k in chosen[1:]):
+        return chosen
+    chosen = [0]
+    for _ in range(2):
+        best = max(few.tolist(), key=lambda k: far(k, chosen))
+        if reach and far(best, chosen) > ALIKE * reach:
+            chosen.append(best)
+    return sorted(chosen)
 
 
 def _driven(model: Model, members: list[str]) -> Iterator[bool]:

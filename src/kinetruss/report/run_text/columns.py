@@ -3,13 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
-from kinetruss.display import Table
+from kinetruss.display import Table, instant
 
-__all__ = ["IDLE", "telling"]
+__all__ = ["IDLE", "moment", "poses_of", "telling"]
 
 IDLE = {"load case": "all", "of it by motion": "-"}
 """Column -> the cell that says nothing, if all are equal to it."""
+
+
+def poses_of(run: Any) -> list[str]:
+    """Names of the poses of a run at rest; empty for a motion, whose samples have times."""
+    data = run.motion.data
+    return [str(name) for name in data["pose"].values] if "pose" in data.coords else []
+
+
+def moment(time: float, poses: Sequence[str]) -> str:
+    """When a value is found: the name of a pose, whose time is its number, or the time.
+
+    >>> moment(1.0, ["low", "high"]), moment(0.5, [])
+    ('pose high', 't = 0.5 s')
+    """
+    return f"pose {poses[round(time)]}" if poses and time == time else f"t = {instant(time)}"
 
 
 def telling(head: Sequence[str], rows: Sequence[Sequence[str]], idle: Mapping[str, str] = IDLE) -> str:

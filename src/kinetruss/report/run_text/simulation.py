@@ -38,11 +38,23 @@ def simulation_record(run: RunResult) -> dict[str, Any] | None:
 
 
 def _energy(found: Simulation) -> dict[str, float]:
-    """Energy at start and end, and its largest change other than the work done, J."""
+    """Energy at start and end, its largest change, and the largest kinetic energy, J; the largest powers that drives and loads
+    feed, and that dampers and friction take, W.
+    """
     energy, kinetic = found.data["energy"].values, found.data["kinetic_energy"].values
     most = float(kinetic.max())
     change = float(np.abs(energy - energy[0]).max())
-    return {"start": float(energy[0]), "end": float(energy[-1]), "largest_change": change, "largest_kinetic": most}
+    powers = found.forces.data
+    known = (powers[name].values if name in powers else np.zeros(1) for name in ("power", "dissipation"))
+    fed, taken = (float(np.nanmax(np.abs(one), initial=0.0)) for one in known)
+    return {
+        "start": float(energy[0]),
+        "end": float(energy[-1]),
+        "largest_change": change,
+        "largest_kinetic": most,
+        "fed": fed,
+        "dissipation": taken,
+    }
 
 
 def _motors(found: Simulation) -> list[dict[str, Any]]:
@@ -91,10 +103,18 @@ def simulation_lines(run: RunResult) -> Iterator[tuple[str, str]]:
 
 
 def _change(energy: dict[str, float]) -> str:
-    """Change of the energy, as a fraction of the largest kinetic energy if anything moves."""
+    """Change of the energy: where nothing feeds it or takes from it the error, as a fraction of the largest kinetic energy if
+    anything moves; else what does.
+    """
     change, kinetic = energy["largest_change"], energy["largest_kinetic"]
     if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
         return f"nothing moves; changes by at most {quantity(change, 'J')}"
+    sources = [
+        *([f"drives and loads feed or take up to {quantity(energy['fed'], 'W')}"] if energy["fed"] else []),
+        *([f"dampers and friction take up to {quantity(energy['dissipation'], 'W')}"] if energy["dissipation"] else []),
+    ]
+    if sources:
+        return f"{'; '.join(sources)}; largest kinetic energy {quantity(kinetic, 'J')}"
     return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J')})"
 
 

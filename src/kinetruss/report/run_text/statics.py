@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import instant, number, quantity
+from kinetruss.display import number, quantity
 from kinetruss.model.motion import FLEXIBLE
+from kinetruss.report.run_text.columns import moment, poses_of
 
 if TYPE_CHECKING:
     from kinetruss.results import Result
@@ -112,9 +113,9 @@ def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:
         if "displacement" in one:
             far = one["displacement"]
             vector = ", ".join(quantity(value, "m") for value in far["vector"])
-            when = f" at t = {instant(far['time'])}" if len(run.motion.data["time"]) > 1 else ""
+            when = f" at {moment(far['time'], poses_of(run))}" if len(run.motion.data["time"]) > 1 else ""
             yield f"displacement, {case}", f"largest {quantity(far['size'], 'm')} at {far['node']}: ({vector}){when}"
-        yield from _elastic_lines(case, one)
+        yield from _elastic_lines(case, one, poses_of(run))
         if "strain_energy" in one:
             yield f"strain energy, {case}", quantity(one["strain_energy"], "J")
         if "least_stiffness" in one:
@@ -123,7 +124,7 @@ def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:
             yield f"stability, {case}", f"{state}; least stiffness {number(one['least_stiffness'], 4)} N/m"
 
 
-def _elastic_lines(case: str, one: dict[str, Any]) -> Iterator[tuple[str, str]]:
+def _elastic_lines(case: str, one: dict[str, Any], poses: list[str]) -> Iterator[tuple[str, str]]:
     """Rows of elastic members along a motion."""
     if "frequencies" in one:
         ranges = []
@@ -134,7 +135,7 @@ def _elastic_lines(case: str, one: dict[str, Any]) -> Iterator[tuple[str, str]]:
     for name, words, unit in (("change", "change of length", "m"), ("difference", "force less the rigid one", "N")):
         if name in one:
             most = one[name]
-            where = f"largest {quantity(most['value'], unit)}, {most['of']} at t = {instant(most['time'])}"
+            where = f"largest {quantity(most['value'], unit)}, {most['of']} at {moment(most['time'], poses)}"
             yield f"{words}, {case}", where
     if "error" in one:
         yield f"remaining error, {case}", f"{one['error']:.1e} m or rad"

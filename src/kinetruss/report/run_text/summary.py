@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Table, instant, margin, number, quantity
+from kinetruss.display import Table, counted, instant, margin, number, quantity
 from kinetruss.errors import one_line
+from kinetruss.model import inner_parts
 from kinetruss.report._page import Page
 from kinetruss.report.missions import mission_record, mission_text
-from kinetruss.report.run_text.columns import IDLE, telling
+from kinetruss.report.run_text.columns import IDLE, moment, poses_of, telling
 from kinetruss.report.run_text.drives import drive_loads, drives_text, pose_at
 from kinetruss.report.run_text.simulation import simulation_lines, simulation_record
 from kinetruss.report.run_text.springs import spring_loads, springs_text
@@ -54,7 +55,7 @@ def summary(run: RunResult) -> Page:
 
 def summary_record(run: RunResult) -> dict[str, Any]:
     """The page as plain data (NaN becomes None)."""
-    time = run.motion.data["time"].values
+    time, inner = run.motion.data["time"].values, inner_parts(run.model)
     record = {
         "run": run.name,
         "out": None if run.path is None else str(run.path),
@@ -66,8 +67,9 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "whole": run.whole,
         "samples": {"asked": run.samples, "good": run.good},
         "time": [float(time[0]), float(time[-1])] if len(time) else [],
-        "nodes": len(run.model.nodes),
-        "bars": len(run.model.bars),
+        "poses": poses_of(run),
+        "nodes": sum(name not in inner.nodes for name in run.model.nodes),
+        "bars": sum(name not in inner.bars for name in run.model.bars),
         "beams": len(run.model.beams),
         "active_members": len(run.model.active),
         "verdict": headline(run.verdict, run.demand, timed=_timed(run)).record,
@@ -99,9 +101,12 @@ def _text(run: RunResult) -> str:
     if forces := largest_forces(run):
         parts.append(f"Largest member forces (tension positive)\n{_columns(run, FORCE_HEAD, [*map(_force_cells, forces)])}")
     if rows := worst_rows(run):
-        parts.append(f"Worst members (utilisation: 100 % is the limit)\n{_columns(run, WORST_HEAD, [*map(_cells, rows)])}")
+        beyond = "".join(f"\n{words}" for words in _beyond(run))
+        parts.append(
+            f"Worst members (utilisation: 100 % is the limit)\n{_columns(run, WORST_HEAD, [*map(_cells, rows)])}{beyond}"
+        )
     if run.verdict is not None and (missing := run.verdict.not_checked()):
-        parts.append("Not checked\n" + "\n".join(f"{what} ({_counted(names)})" for what, names in missing.items()))
+        parts.append("Not checked\n" + "\n".join(f"{what} ({', '.join(names)})" for what, names in missing.items()))
     found = motors(run)
     parts += drives_text(drive_loads(run, found), timed=_timed(run))
     parts += springs_text(spring_loads(run))
@@ -128,16 +133,11 @@ def _near(motor: Mapping[str, Any]) -> tuple[float, float]:
     return (round(limit["utilisation"], 6) if limit else 0.0, abs(motor["motor_torque"]))
 
 
-def _counted(names: list[str]) -> str:
-    more = f" and {len(names) - WORST} more" if len(names) > WORST else ""
-    return ", ".join(names[:WORST]) + more
-
-
 def _head(run: RunResult) -> str:
     time = run.motion.data["time"].values
-    poses = [str(name) for name in run.motion.data["pose"].values] if "pose" in run.motion.data else []
+    poses = poses_of(run)
     span = f", t = {number(time[0])} to {instant(time[-1])}" if len(time) > 1 else ""
-    span = f", poses {_counted(poses)}" if poses else span
+    span = f", poses {', '.join(poses)}" if poses else span
     count = "1 sample" if run.samples == 1 else f"{run.samples} samples"
     count = count if run.whole else f"{run.good} of {run.samples} samples are good"
     state = {
@@ -150,11 +150,15 @@ def _head(run: RunResult) -> str:
         lines.append(_verdict(run))
     if run.message:
         lines.append(run.message)
-    active = f", {len(run.model.active)} active members" if run.model.active else ""
-    active += f", {len(run.model.beams)} beams" if run.model.beams else ""
-    lines.append(
-        f"{count}{span}; {len(run.model.nodes)} nodes, {len(run.model.bars)} bars{active}; {quantity(run.wall_time, 's', 3)}"
+    active = f", {counted(len(run.model.active), 'active member')}" if run.model.active else ""
+    active += f", {counted(len(run.model.beams), 'beam')}" if run.model.beams else ""
+    inner = inner_parts(run.model)
+    nodes, bars = (
+        sum(name not in inner.nodes for name in run.model.nodes),
+        sum(name not in inner.bars for name in run.model.bars),
     )
+    parts = f"{counted(nodes, 'node')}, {counted(bars, 'bar')}{active}"
+    lines.append(f"{count}{span}; {parts}; {quantity(run.wall_time, 's', 3)}")
     return "\n".join(lines)
 
 
@@ -164,8 +168,10 @@ def _timed(run: RunResult) -> bool:
 
 
 def _columns(run: RunResult, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    """A table of the run; of one pose at rest without its time."""
+    """A table of the run; of one pose at rest without its time, of several with their names."""
     at = rows[0][head.index("time")]
+    if poses_of(run):
+        return telling([{"time": "pose"}.get(name, name) for name in head], rows)
     return telling(head, rows, IDLE if _timed(run) else IDLE | {"time": at})
 
 
@@ -222,6 +228,16 @@ def worst_rows(run: RunResult, count: int = WORST) -> list[Row]:
         if row.checked and row.utilisation > 0:
             first.setdefault(row.part, row)
     return list(first.values())[:count]
+
+
+def _beyond(run: RunResult) -> Iterable[str]:
+    """Beam-columns without a finite value: the parts by their reason."""
+    found: dict[str, list[str]] = {}
+    for row in () if run.verdict is None else run.verdict.table():
+        if math.isinf(row.utilisation):
+            case = "" if row.load_case == "all" else f", {row.load_case}"
+            found.setdefault(f"{row.note.partition(';')[0]}, so beam-column has no finite value{case}", []).append(row.part)
+    return (f"{', '.join(parts)}: {words}" for words, parts in found.items())
 
 
 def motors(run: RunResult) -> list[dict[str, Any]]:
@@ -322,10 +338,16 @@ def _stands_still(run: RunResult) -> bool:
 
 
 def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
-    """Largest error of the power balance, and its ratio to the largest power."""
+    """Largest error of the power balance, and its ratio to the largest power: that of a single drive, of drives and loads
+    together, or between kinetic and potential energy.
+    """
     data = forces.data
     miss = float(np.max(np.abs(data["energy_balance"].values)))
-    largest = float(max(np.max(np.abs(data["power"].values)), np.max(np.abs(data["energy_rate"].values)), exchanged))
+    drives = (
+        data["drive_force"].values * forces.motion.data["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
+    )
+    powers = [np.nanmax(np.abs(one), initial=0.0) for one in (drives, data["power"].values, data["energy_rate"].values)]
+    largest = float(max(*powers, exchanged))
     return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}
 
 
@@ -335,7 +357,8 @@ def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
         share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W")
         yield "energy balance", f"power of drives and loads = rate of energy to {share} of the largest power ({power})"
     if (gauge := found["singularity"]) is not None:
-        yield "singularity", f"smallest measure {number(gauge['smallest'], 3)} at t = {instant(gauge['time'])} (0 is singular)"
+        when = moment(gauge["time"], poses_of(run))
+        yield "singularity", f"smallest measure {number(gauge['smallest'], 3)} at {when} (0 is singular)"
     if run.forces:
         unique = found["not_unique"]
         yield "unique forces", "all" if not unique else f"all but {', '.join(unique)}"

@@ -34,7 +34,7 @@ def _records(found: VariantRuns) -> list[dict[str, Any]]:
     for name, settings in found.settings.items():
         worst = found.worst.get(name)
         highest = None if worst is None else dict(zip(("part", "rule", "utilisation", "time"), worst, strict=True))
-        if worst is not None and highest is not None and math.isinf(worst[2]):  # beyond its buckling load; JSON has no infinity
+        if worst is not None and highest is not None and math.isinf(worst[2]):  # JSON has no infinity
             highest["utilisation"] = None
         path, status = found.paths.get(name), found.status.get(name)
         records.append(

@@ -12,7 +12,7 @@ from kinetruss.display import instant, number
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.assembly import case_loads
 from kinetruss.report.document.parts.words import cased, is_over, share_of, value_of
-from kinetruss.report.document.result.lines import few, governing_entry
+from kinetruss.report.document.result.lines import governing_entry
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -64,7 +64,7 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
         member = worst["part"].rpartition(".")[0] if worst["part"] not in _names(model) else worst["part"]
         used = share_of(worst["utilisation"])
         over = is_over(worst)
-        governing = (member, f"{worst['part']}: {worst['rule']} {'beyond buckling' if '∞' in used else used}")
+        governing = (member, f"{worst['part']}: {worst['rule']} {used}")
     return Loaded(
         model=model,
         position=run.motion.data["position"].values[k],
@@ -112,7 +112,7 @@ def _caption(run: RunResult, case: str | None, k: int, governing: tuple[str, str
         words.append("arrows: forces on nodes")
     others = [name for name, load in model.loads.items() if type(load).__name__ != "NodalForce"]
     if others:
-        words.append(f"not drawn: {few(others)}")
+        words.append(f"not drawn: {', '.join(others)}")
     if model.gravity and any(model.gravity):
         words.append(f"gravity {number(float(np.linalg.norm(model.gravity)))} m/s², grey arrow")
     return "; ".join(words) + "."

@@ -76,7 +76,8 @@ def drawn(figure: Loaded, tallest: float = TALLEST) -> Canvas:
         for start, end, words in arrows:
             pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
             ax.annotate("", tuple(end), tuple(start), arrowprops=pen)
-            labels.put(words, (start + end) / 2, LOAD)
+            if words:
+                labels.put(words, (start + end) / 2, LOAD)
         _drives(figure, axes, labels)
         _names(figure, points, labels)
         _aside(canvas, figure, scale, height)
@@ -164,21 +165,23 @@ def _governing(ax: Any, figure: Loaded, lines: Mapping[str, Array], labels: Labe
 
 
 def _arrows(figure: Loaded) -> list[tuple[Array, Array, str]]:
-    """Start and end on paper of each force, and its value: it ends away from its node, or at it where it would else lie on a
-    member.
+    """Start and end on paper of each force, and the value of the largest `NAMED`: it ends away from its node, or at it where it
+    would else lie on a member.
     """
     if not figure.loads:
         return []
     size = float(np.linalg.norm(np.ptp(figure.position, axis=0)))
     largest = max(float(np.linalg.norm(force)) for _, force in figure.loads)
     found = []
+    least = sorted((float(np.linalg.norm(force)) for _, force in figure.loads), reverse=True)[:NAMED][-1]
     for node, force in figure.loads:
         way = force * (ARROW * size / largest)
         start = figure.position[node] - (way if _along_member(figure, node, way) else 0.0)
         end = start + way
-        words = f"{list(figure.model.nodes)[node]}: {quantity(float(np.linalg.norm(force)), 'N')}"
+        size_of = float(np.linalg.norm(force))
+        words = quantity(size_of, "N") if size_of >= least else ""
         found.append((projected(start[None])[0], projected(end[None])[0], words))
-    return found[:NAMED]
+    return found
 
 
 def _along_member(figure: Loaded, node: int, way: Array) -> bool:
@@ -208,9 +211,10 @@ def _names(figure: Loaded, points: Array, labels: Labels) -> None:
     loaded = {node for node, _ in figure.loads}
     used, held = {k for pair in _ends(figure).values() for k in pair}, model.fixed
     for k, node in enumerate(model.nodes):
-        important = node in model.fixed and len(model.fixed) <= NAMED
-        if k not in loaded and k in used and (len(used) <= NAMED or important):
-            labels.put(node, points[k], QUIET, most=np.inf if important and len(held) < FEW else CROWDED)
+        important = (node in model.fixed and len(model.fixed) <= NAMED) or (k in loaded and len(loaded) <= NAMED)
+        always = (node in held and len(held) < FEW) or (k in loaded and len(loaded) < FEW)
+        if (k in used or k in loaded) and (len(used) <= NAMED or important):
+            labels.put(node, points[k], QUIET, most=np.inf if always else CROWDED)
 
 
 def _aside(canvas: Canvas, figure: Loaded, scale: float, height: float) -> None:

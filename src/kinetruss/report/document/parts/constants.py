@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 
 __all__ = ["section_constants"]
 
-MOST = 20
-
 
 def section_constants(model: Model) -> list[Markup]:
     """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
@@ -31,9 +29,8 @@ def section_constants(model: Model) -> list[Markup]:
                 sections.setdefault(worded(section), section)
     if not sections:
         return []
-    shown = dict(list(sections.items())[:MOST])
-    every = list(shown.values())
-    table = Columns().words("section", list(shown)).words("used by", [listed(users[text]) for text in shown])
+    every, several = list(sections.values()), sum(map(len, users.values()))
+    table = Columns().words("section", list(sections)).words("used by", [listed(users[text], several) for text in sections])
     table.measured("A (mm²)", [1e6 * one.area for one in every], "")
     seconds = [[1e12 * one.second_moments[k] for one in every] for k in (0, 1)]
     moduli = [[1e9 * one.second_moments[k] / one.extreme_fibres[1 - k] for one in every] for k in (0, 1)]
@@ -44,5 +41,4 @@ def section_constants(model: Model) -> list[Markup]:
         table.together(["I₂ (mm⁴)", "I₃ (mm⁴)"], seconds, "").together(["W₂ (mm³)", "W₃ (mm³)"], moduli, "")
         table.together(["r₂ (mm)", "r₃ (mm)"], radii, "")
     table.measured("J (mm⁴)", [None if one.torsion_constant is None else 1e12 * one.torsion_constant for one in every], "")
-    more = f" {len(sections) - MOST} more are in the model." if len(sections) > MOST else ""
-    return [table.html("Constants of the sections", f"Axes 2 and 3 are across the member, 3 is z in the plane.{more}")]
+    return [table.html("Constants of the sections", "Axes 2 and 3 are across the member, 3 is z in the plane.")]

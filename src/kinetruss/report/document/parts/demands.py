@@ -41,12 +41,11 @@ def strength(record: Record) -> list[Markup]:
     worst = list(first.values())
     if not worst:
         return []
-    shown = worst[:MOST]
-    table = _held(Columns(), "part", shown)
-    _times(table, shown, record)
-    table.measured("station", [row["position"] for row in shown], "m")
-    table.words("load case", [named(row["load_case"]) for row in shown])
-    note = f"{left_out(worst)}{SCALE} Station: distance from the member's first end."
+    table = _held(Columns(), "part", worst)
+    _times(table, worst, record)
+    table.measured("station", [row["position"] for row in worst], "m")
+    table.words("load case", [named(row["load_case"]) for row in worst])
+    note = f"{SCALE} Station: distance from the member's first end."
     return [table.html("Governing rule of each part, worst first", note)]
 
 

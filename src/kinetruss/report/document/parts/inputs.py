@@ -16,9 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["WORDS", "inputs", "listed", "sources", "worded"]
 
-MOST = 30
-"""Largest number of rows of an input table; the page includes the whole model."""
 NAMES = 8
+"""Largest number of values of a table in a record that are shown; the page includes the whole model."""
 DIGITS = 6
 """Significant digits of the model's numbers."""
 WORDS = {
@@ -68,10 +67,8 @@ def inputs(run: RunResult, name: str = "") -> list[Markup]:
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
     for caption, head, rows in lists:
-        shown = list(rows)
-        more = f"and {len(shown) - MOST} more, in the model below" if len(shown) > MOST else ""
-        if shown:
-            found.append(Table((head, "what"), shown[:MOST], caption, more).html)
+        if shown := list(rows):
+            found.append(Table((head, "what"), shown, caption).html)
     return found
 
 
@@ -167,8 +164,9 @@ def _parts(model: Model) -> Iterator[tuple[str, str]]:
         material = model.material_of(skin)
         if material is not None:
             users.setdefault(worded(material), []).append(name)
+    several = len({name for names in users.values() for name in names})
     for text, names in users.items():
-        yield listed(names), text
+        yield listed(names, several), text
 
 
 def _trains(model: Model) -> Iterator[tuple[str, str]]:
@@ -253,10 +251,10 @@ def _vector(values: Iterable[float], unit: str) -> str:
     return f"({', '.join(f'{value:g}' for value in values)}) {unit}"
 
 
-def listed(names: Iterable[str]) -> str:
-    """Some names, and how many more."""
+def listed(names: Iterable[str], every: int = 0) -> str:
+    """All names; that they are all, if they are `every` one of many: another table names each."""
     shown = list(names)
-    return ", ".join(shown[:NAMES]) + (f" and {len(shown) - NAMES} more" if len(shown) > NAMES else "")
+    return f"all {every} parts" if every == len(shown) > NAMES else ", ".join(shown)
 
 
 def sources(model: Model) -> list[str]:

@@ -11,6 +11,7 @@ from kinetruss.report.document.frame import Columns
 from kinetruss.report.document.parts.inputs import WORDS, sources
 from kinetruss.report.document.parts.methods import methods
 from kinetruss.report.document.parts.words import MOST, at, cased, is_single, left_out, named
+from kinetruss.report.run_text.columns import moment, poses_of
 from kinetruss.report.run_text.statics import statics_lines, statics_record, statics_title
 
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ def _displaced(run: RunResult, cases: dict[str, Record]) -> Markup:
     sides = [[one["vector"][k] for one in far] for k in range(run.model.dim)]
     table.together(["largest", *axes], [[one["size"] for one in far], *sides], "m")
     if run.good > 1:
-        table.measured("at (s)", [one["time"] for one in far], "")
+        _times(table, {"at": [one["time"] for one in far]}, poses_of(run))
     if all("strain_energy" in one for one in cases.values()):
         table.measured("strain energy", [one["strain_energy"] for one in cases.values()], "J")
     return table.html("Largest displacement of a node, with its components")
@@ -148,12 +149,13 @@ def forces(record: Record) -> list[Markup]:
     cases = {case: [one for one in found if one["member"] not in inner] for case, found in record["envelopes"].items()}
     cases = {case: found for case, found in cases.items() if found}
     every = [one[key] for entries in cases.values() for one in entries for key in ("least", "largest")]
-    parts = list(_singles(cases)) if single else [_envelope(case, entries, every) for case, entries in cases.items()]
+    poses = record["poses"]
+    parts = list(_singles(cases)) if single else [_envelope(case, entries, every, poses) for case, entries in cases.items()]
     inside = {one["member"] for found in record["envelopes"].values() for one in found} & inner
     if inside:
         words = f"Forces in the {len(inside)} bars that hold bodies together are in the data of this page."
         parts.append(element("p", words, class_="note"))
-    return [*parts, *_reactions(record["reactions"], single), *_driven(record["drive_loads"])]
+    return [*parts, *_reactions(record["reactions"], single, record["poses"]), *_driven(record["drive_loads"])]
 
 
 def _singles(cases: dict[str, list[Record]]) -> Iterator[Markup]:
@@ -182,7 +184,16 @@ def _single(cases: dict[str, list[Record]]) -> Markup:
     return table.html(f"Member forces, {words}: mean axial force, tension positive", note)
 
 
-def _reactions(found: Sequence[Record], single: bool) -> list[Markup]:
+def _times(table: Columns, columns: dict[str, list[float]], poses: Sequence[str]) -> None:
+    """Columns of times, s, or of the poses that they number."""
+    if poses:
+        for head, values in columns.items():
+            table.words(f"{head.removesuffix('at').strip()} in pose".strip(), [poses[round(one)] for one in values])
+    else:
+        table.together([f"{head} (s)" for head in columns], list(columns.values()), "")
+
+
+def _reactions(found: Sequence[Record], single: bool, poses: Sequence[str]) -> list[Markup]:
     if not found:
         return []
     shown, axes = found[:MOST], list(found[0]["force"])
@@ -195,7 +206,7 @@ def _reactions(found: Sequence[Record], single: bool) -> list[Markup]:
         turned = [[one["moment"][axis] if "moment" in one else None for one in shown] for axis in about]
         table.together([f"moment about {axis}" for axis in about], turned, "N m")
     if not single:
-        table.measured("at (s)", [one["time"] for one in shown], "")
+        _times(table, {"at": [one["time"] for one in shown]}, poses)
     words = f", and the moment of a clamp{'' if single else ' at that instant'}" if about else ""
     return [table.html(f"Largest force of each support on the structure, with its components{words}", left_out(found))]
 
@@ -214,7 +225,7 @@ def _driven(found: Sequence[Record]) -> list[Markup]:
     return [table.html("Drives without a motor: largest values of the motion, with their signs", left_out(found))]
 
 
-def _envelope(case: str, entries: list[Record], every: list[float]) -> Markup:
+def _envelope(case: str, entries: list[Record], every: list[float], poses: Sequence[str]) -> Markup:
     """The envelope of a load case. every : forces of all of them, which share their unit."""
     least = min((one["least"] for one in entries), default=0.0)
     most = max((one["largest"] for one in entries), default=0.0)
@@ -225,9 +236,8 @@ def _envelope(case: str, entries: list[Record], every: list[float]) -> Markup:
     rest = any(one["at_rest"] is not None for one in shown)
     keys = {"least": "least", "largest": "largest"} | ({"at rest": "at_rest"} if rest else {})
     table.together(list(keys), [[one[key] for one in shown] for key in keys.values()], "N", every)
-    table.together(
-        ["least at (s)", "largest at (s)"], [[one[key] for one in shown] for key in ("least_time", "largest_time")], ""
-    )
+    times = {"least at": "least_time", "largest at": "largest_time"}
+    _times(table, {head: [one[key] for one in shown] for head, key in times.items()}, poses)
     note = (
         f"{left_out(entries)}Bars run from the least to the largest force of the run: compression to the left of the line, "
         f"tension to the right, from {quantity(least, 'N')} to {quantity(most, 'N')}. At rest: in the pose of the larger one."
@@ -250,13 +260,14 @@ def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
         yield "energy balance", f"{number(balance['relative'], 3)} of the largest power", words
     if closed is not None:
         share = f"{number(closed['relative'], 2)} of its length"
-        words = f"largest departure of a bar from its length: {closed['member']} at {at(closed['time'])}, {share}; 0 is exact"
+        when = moment(closed["time"], record["poses"])
+        words = f"largest departure of a bar from its length: {closed['member']} at {when}, {share}; 0 is exact"
         yield "constraint error", quantity(closed["error"], "m"), words
     if run.simulation is not None and run.simulation.data.sizes["time"]:
         drift = float(run.simulation.data["constraint_error"].values.max())
         yield "drift of a step", number(drift, 3), "largest constraint error before the projection onto the constraints"
     if gauge is not None:
-        words = f"smallest at {at(gauge['time'])}; 0 is singular, 1 is as far from it as can be"
+        words = f"smallest at {moment(gauge['time'], record['poses'])}; 0 is singular, 1 is as far from it as can be"
         yield "singularity margin", number(gauge["smallest"], 3), words
     if record["envelopes"] and any(record["envelopes"].values()):
         names = found["not_unique"]

@@ -65,20 +65,20 @@ def value_of(value: Any) -> float:
 
 
 def share_of(value: Any) -> str:
-    """A utilisation as text; an infinite one is above the buckling load."""
+    """A utilisation as text."""
     share = value_of(value)
     return quantity(0.0 if abs(share) < ROUND_OFF else share, "%")
 
 
 def used_of(value: Any) -> str:
     """A utilisation within a sentence."""
-    return "beyond its buckling load" if math.isinf(value_of(value)) else f"{share_of(value)} of what is allowed"
+    return f"{share_of(value)} of what is allowed"
 
 
 def margin_of(row: dict[str, Any]) -> str:
     """A margin as text, if there is a demand."""
     used = value_of(row["utilisation"])
-    if used < ROUND_OFF:
+    if used < ROUND_OFF or math.isinf(used):
         return "-"
     left = value_of(row["margin"])
     return margin(0.0 if abs(left) < ROUND_OFF else left)

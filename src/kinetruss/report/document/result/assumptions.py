@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, Table, element
+from kinetruss.display import Markup, Table, counted, element
 from kinetruss.model.beams import CHORD, FRAME, shown_kinds
-from kinetruss.report.document.result.lines import few, unverified
+from kinetruss.report.document.result.lines import unchecked
 from kinetruss.report.document.result.warnings import checked_words, not_held
 
 if TYPE_CHECKING:
@@ -26,22 +26,21 @@ NEVER = (
 
 
 def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = True) -> list[Markup]:
-    """What was assumed, and what was not checked, headed by the strength that was not verified.
+    """What was assumed, and what was not checked, headed by the strength that was not checked.
 
     condition : with that of the run; a mission has several.
     """
     found = [element("ul", [element("li", words) for words in _assumed(run, record, condition=condition)])]
-    left, count = unverified(record)
+    left, count = unchecked(record)
     if left:
-        head = f"Strength not verified: {len(left)} of {count} parts."
+        head = f"Strength not fully checked: {len(left)} of {counted(count, 'part')}."
         found.append(element("p", element("strong", head), class_="headline"))
-        rows = [
-            (checked_words(what, demands=False), str(len(parts)), few(parts)) for what, parts in record["not_checked"].items()
-        ]
+        missing = record["not_checked"].items()
+        rows = [(checked_words(what, demands=False), str(len(parts)), ", ".join(parts)) for what, parts in missing]
         found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
     elif not count:
         found.append(
-            element("p", element("strong", "Strength not verified: the run has no strength check."), class_="headline")
+            element("p", element("strong", "Strength was not checked: the run has no strength check."), class_="headline")
         )
     unlimited = sorted({row["rule"] for row in record["limits"] if row["utilisation"] is None})
     never = [*([f"drives: no limit is given for {', '.join(unlimited)}"] if unlimited else []), *NEVER]
@@ -72,7 +71,7 @@ def _assumed(run: RunResult, record: dict[str, Any], *, condition: bool) -> Iter
         yield "Drives: friction is that of the records, at constant coefficients; the heating of motors was not computed."
     names = [name for one in run.forces.values() for name in one.data.attrs.get("not_unique", [])]
     if names:
-        yield f"The forces of {few(list(dict.fromkeys(names)))} are not unique: they depend on stiffness or convention."
+        yield f"The forces of {', '.join(dict.fromkeys(names))} are not unique: they depend on stiffness or convention."
     if run.verdict is not None:
         yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
     if condition and run.definition.condition is not None:

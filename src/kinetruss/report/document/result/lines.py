@@ -1,27 +1,25 @@
-"""The result in three lines: what governs, whether a limit is exceeded, and what strength was not verified."""
+"""The result in three lines: what governs, whether a limit is exceeded, and what was checked."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from kinetruss.display import counted, instant, quantity
 from kinetruss.report.document.parts.words import cased, is_over, is_single, used_of, value_of
 
-__all__ = ["governing_entry", "result_lines", "unverified"]
-
-SHOWN = 6
-"""Number of names in a line."""
+__all__ = ["governing_entry", "result_lines", "unchecked"]
 
 
 def result_lines(record: Mapping[str, Any]) -> tuple[str, str, str]:
     """Three lines of a report, from its record: the governing member or drive first."""
-    return _governing(record), _limits(record), _verified(record)
+    return _governing(record), _limits(record), _checked(record)
 
 
 def governing_entry(record: Mapping[str, Any]) -> dict[str, Any] | None:
     """The entry of highest utilisation of members and drives; None if no limit was checked."""
-    held = [row for row in (*record["strength"], *record["limits"]) if row["utilisation"] is not None]
+    # entries of strength are worst first, a finite number before one that has none
+    held = [row for row in (*record["strength"][:1], *record["limits"]) if row["utilisation"] is not None]
     return max(held, key=lambda row: value_of(row["utilisation"]), default=None)
 
 
@@ -75,22 +73,18 @@ def _limits(record: Mapping[str, Any]) -> str:
     return f"None of the {counted(len(held), 'limit')} that were checked is exceeded{scope}."
 
 
-def unverified(record: Mapping[str, Any]) -> tuple[list[str], int]:
+def unchecked(record: Mapping[str, Any]) -> tuple[list[str], int]:
     """Parts with a rule that was not checked, and the number of all parts."""
     parts = list(dict.fromkeys(row["part"] for row in record["strength"]))
     left = dict.fromkeys(part for names in record["not_checked"].values() for part in names)
     return list(left), len(parts)
 
 
-def _verified(record: Mapping[str, Any]) -> str:
-    left, count = unverified(record)
+def _checked(record: Mapping[str, Any]) -> str:
+    left, count = unchecked(record)
     if not count:
-        return "Strength not verified: the run has no strength check."
+        return "Strength was not checked: the run has no strength check."
     if left:
-        return f"Strength not verified: {len(left)} of {count} parts ({few(left)})."
-    return f"Strength verified by every rule: {'all ' if count > 1 else ''}{counted(count, 'part')}."
-
-
-def few(names: Sequence[str]) -> str:
-    """Some names, and how many more."""
-    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")
+        return f"Strength not fully checked: {len(left)} of {counted(count, 'part')} ({', '.join(left)})."
+    without = ", without every action" if record["checks"]["not_held"] else ""
+    return f"Strength checked by every rule: {'all ' if count > 1 else ''}{counted(count, 'part')}{without}."

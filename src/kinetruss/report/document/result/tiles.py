@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, element, instant, number, quantity
-from kinetruss.report.document.parts.words import at, cased, is_over, is_single, share_of
+from kinetruss.report.document.parts.words import cased, is_over, is_single, share_of
+from kinetruss.report.run_text.columns import moment
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -21,6 +22,8 @@ def span_of(record: Record) -> str:
     span = record["time"]
     if is_single(record):
         return "one position"
+    if record["poses"]:
+        return f"poses {', '.join(record['poses'])}"
     return f"t = {number(span[0])} to {instant(span[1])}, {record['samples']['good']} samples" if span else "no good sample"
 
 
@@ -77,7 +80,8 @@ def _tiles(record: Record) -> Iterator[Markup]:
 def _when(one: Record, record: Record) -> str:
     if one.get("pose"):
         return f", pose {one['pose']}"
-    return "" if is_single(record) else f", t = {at(one['time'])}".replace(" = ", "\u00a0=\u00a0").replace(" s", "\u00a0s")
+    when = moment(one["time"], record["poses"]).replace(" = ", "\u00a0=\u00a0").replace(" s", "\u00a0s")
+    return "" if is_single(record) else f", {when}"
 
 
 def _tile(name: str, value: str, words: str, alarming: bool = False) -> Markup:

@@ -7,8 +7,9 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from kinetruss.display import instant, number, quantity
+from kinetruss.display import number, quantity
 from kinetruss.report.document.parts.words import cased, exceeds
+from kinetruss.report.run_text.columns import moment, poses_of
 from kinetruss.report.run_text.summary import checks
 from kinetruss.report.run_text.trains import exceeded
 
@@ -55,13 +56,11 @@ def not_held(words: str) -> str:
 def _limits(run: RunResult) -> Iterator[str]:
     rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked and exceeds(row.utilisation)]
     for row in rows[:MOST]:
-        share = (
-            f"at {quantity(row.utilisation, '%')} of what is allowed"
-            if math.isfinite(row.utilisation)
-            else "beyond its buckling load"
-        )
-        when = f" at t = {instant(row.time)}" if run.good > 1 else ""
-        yield f"{row.part}: {row.rule} is {share}{when} ({cased(row.load_case)})."
+        when = f" at {f'pose {row.pose}' if row.pose else moment(row.time, ())}" if run.good > 1 else ""
+        words = f"{row.rule} is at {quantity(row.utilisation, '%')} of what is allowed{when}"
+        if math.isinf(row.utilisation):
+            words = f"{row.note.partition(';')[0]}{when}, so {row.rule} has no finite utilisation"
+        yield f"{row.part}: {words} ({cased(row.load_case)})."
     if len(rows) > MOST:
         yield f"{len(rows) - MOST} more entries of the strength table are above 100 %."
     found = exceeded(run)
@@ -81,8 +80,8 @@ def _unsure(run: RunResult) -> Iterator[str]:
         )
     if gauge is not None and gauge["smallest"] < NEAR_SINGULAR:
         yield (
-            f"The structure comes near a singular position: measure {number(gauge['smallest'], 3)} at t = "
-            f"{instant(gauge['time'])} (0 is singular). Forces there are large and sensitive."
+            f"The structure comes near a singular position: measure {number(gauge['smallest'], 3)} at "
+            f"{moment(gauge['time'], poses_of(run))} (0 is singular). Forces there are large and sensitive."
         )
     if found["not_unique"]:
         yield (
@@ -101,5 +100,4 @@ def _incomplete(run: RunResult) -> Iterator[str]:
         yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
         parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)
         if parts:
-            names = ", ".join(list(parts)[:MOST]) + (f" and {len(parts) - MOST} more" if len(parts) > MOST else "")
-            yield f"{UNCHECKED}: see the table of what was not, for {names}."
+            yield f"{UNCHECKED}: see the table of what was not, for {', '.join(parts)}."

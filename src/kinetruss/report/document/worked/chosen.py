@@ -33,7 +33,7 @@ def worked(run: RunResult) -> list[Sheet]:
     found += [sheet for row, case in governing_demands(run) if (sheet := demand_sheet(run, row, case)) is not None]
     for sheet in found:
         sheet.timed = run.good > 1
-    return sorted(found, key=lambda sheet: -sheet.row.utilisation)
+    return sorted(found, key=lambda sheet: -sheet.rank)
 
 
 def governing_rows(run: RunResult) -> Iterator[Row]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from kinetruss import strength
 from kinetruss.report.document.worked.place import Cut, constants, cuts, made_of
 from kinetruss.report.document.worked.sheet import Sheet
+from kinetruss.strength.verdict import beyond_euler
 
 if TYPE_CHECKING:
     from kinetruss.model import Model
@@ -50,7 +51,8 @@ def beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     section, _ = made_of(model, bent.part)
     lowest = min(sheet.values[name] for name in ("P_e", "P_e2", "P_e3") if name in sheet.values)
     if sheet.values["n_b"] * sheet.values["P"] >= lowest:
-        sheet.notes.append("The compression with its safety factor reaches Euler's load: no equilibrium, utilisation infinite.")
+        words = beyond_euler(sheet.values["n_b"] * sheet.values["P"], lowest, model.safety.buckling)
+        sheet.notes.append(f"{words[0].upper()}{words[1:]}: the interaction has no finite value.")
         sheet.values["s"], sheet.units["s"] = math.inf, ""
     else:
         terms = ["n_b*P/P_cr"]

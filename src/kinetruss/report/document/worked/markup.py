@@ -150,9 +150,10 @@ def _outcome(sheet: Sheet) -> Markup:
     row = sheet.row
     value, limit = valued(sheet.demand, row.unit), valued(sheet.capacity, row.unit)
     used = quantity(sheet.values["u"], "%")
-    words = (
-        f"Result: {value} of {limit} allowed, utilisation {used}: {'exceeded' if exceeds(sheet.values['u']) else 'satisfied'}. "
-    )
+    state = "exceeded" if exceeds(sheet.values["u"]) else "satisfied"
+    words = f"Result: {value} of {limit} allowed, utilisation {used}: {state}. "
+    if math.isinf(sheet.values["u"]):
+        words = "Result: no finite utilisation: exceeded. "
     if sheet.agrees:
         return element("p", words, "The run has the same values.", class_="outcome")
     own = f"{valued(row.value, row.unit)} of {valued(row.limit, row.unit)}"

@@ -38,7 +38,7 @@ class Pairs:
 def worked_pairs(pairs: Pairs, given: Mapping[str, Any]) -> list[Sheet]:
     """The calculations, worst first. given : rows of members and drives with the labels of their pairs (`lined`)."""
     found = list(_sheets(pairs, given))
-    return sorted(found, key=lambda sheet: -sheet.row.utilisation)
+    return sorted(found, key=lambda sheet: -sheet.rank)
 
 
 def _sheets(pairs: Pairs, given: Mapping[str, Any]) -> Iterator[Sheet]:

@@ -102,6 +102,11 @@ class Sheet:
         return max(_apart(one, other) for one, other in pairs)
 
     @property
+    def rank(self) -> float:
+        """The utilisation by which calculations are sorted; one without a finite value follows those of exceeded limits."""
+        return 1.0 if math.isinf(self.row.utilisation) else self.row.utilisation
+
+    @property
     def agrees(self) -> bool:
         """True if the worked result equals that of the entry to round-off."""
         return self.difference <= ROUND_OFF
