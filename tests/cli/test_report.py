@@ -38,13 +38,13 @@ def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
     done = call("report", turn, "-o", tmp_path / "out", "--no-open", "--no-pdf")
     page = tmp_path / "out" / "report.html"
     assert (done.exit_code, done.stderr) == (0, "")
-    first, over, verified, *rest = done.stdout.splitlines()
+    first, over, checked, *rest = done.stdout.splitlines()
     assert first.startswith("Governing: yield of crank, ")
     assert over.startswith("None of the ")
-    assert verified == "Strength verified by every rule: all 3 parts."
+    assert checked == "Strength checked by every rule: all 3 parts."
     assert rest == [str(page)]
     text = page.read_text()
-    assert [re.sub("<.*?>", "", line) for line in re.findall('<p class="line">(.*?)</p>', text)] == [first, over, verified]
+    assert [re.sub("<.*?>", "", line) for line in re.findall('<p class="line">(.*?)</p>', text)] == [first, over, checked]
     assert "kinetruss-scene" in text
     assert "four-bar" in text
     assert opened == []

@@ -14,7 +14,10 @@ import pytest
 from click.testing import CliRunner
 
 import kinetruss as kt
-from kinetruss.cli import _compile, main
+from kinetruss import runs
+from kinetruss.cli import _compile, _progress, main
+from kinetruss.kernels.compiled import caches, jit
+from kinetruss.kernels.compiled.progress import Progress
 
 ROOT = Path(__file__).parents[2]
 FOURBAR = kt.library.example_files()["four_bar"][0]
@@ -54,7 +57,7 @@ def test_ctrl_c_during_imports_ends_in_one_line(tmp_path, module, words):
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (130, "")
     assert words in done.stderr
-    assert len(done.stderr.splitlines()) == 1
+    assert len([line for line in done.stderr.splitlines() if "compil" not in line]) == 1
     assert (tmp_path / "run").exists() == (module == "kinetruss.report")  # what is read or drawn comes after the run
 
 
@@ -84,10 +87,57 @@ def test_compiling_says_how_far_it_is(monkeypatch):
     counts = [int(line.split()[3]) for line in done.stderr.splitlines()]
     assert counts
     assert all(later - sooner == _compile.STEP for sooner, later in pairwise(counts))
-    assert all("of at most" in line for line in done.stderr.splitlines())
+    assert all(line.endswith("so far") for line in done.stderr.splitlines())  # how many there will be is not known
     assert "45 kernels compiled" in done.stdout
     assert json.loads(CliRunner().invoke(main, ["compile", "--json"]).stdout)["compiled"] == 45
     assert CliRunner().invoke(main, ["compile", "-q"]).output == ""
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ([], ["compiling (first start only) ...", "compiled 10 kernels in 50 s."]),
+        (["--json"], ["compiling (first start only) ...", "compiled 10 kernels in 50 s."]),
+        (["-q"], []),
+    ],
+)
+def test_a_run_off_a_terminal_says_that_it_compiles_and_when_that_is_done(monkeypatch, tmp_path, more, said):
+    clock = [0.0]
+    monkeypatch.setattr(jit.keeper, "progress", Progress(clock=lambda: clock[0]))
+    run = runs.run
+
+    def cold(*given, **chosen):
+        for _ in range(10):  # as Numba asks for what is kept, and saves it
+            jit.keeper.progress.begin()
+            clock[0] += 5.0
+            jit.keeper.progress.compiled()
+            if not caches.log.handlers:
+                jit.keeper.progress.tell()
+        return run(*given, **chosen)
+
+    monkeypatch.setattr(runs, "run", cold)
+    done = CliRunner().invoke(main, ["run", str(FOURBAR), "-o", str(tmp_path / "run"), *more])
+    assert done.exit_code == 0, done.output
+    assert done.stderr.splitlines() == [f"kinetruss: {words}" for words in said]
+    if "--json" in more:
+        assert json.loads(done.stdout)["status"] == "COMPLETED"
+
+
+def test_a_long_computation_off_a_terminal_is_not_silent_and_its_count_ends_at_its_total(monkeypatch, capsys):
+    clock = [0.0]
+    monkeypatch.setattr(_progress.time, "monotonic", lambda: clock[0])
+    with _progress.bar(False) as shown:
+        for done in range(0, 101, 20):
+            shown(done, 100)
+            clock[0] += 10.0
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "kinetruss: 40 of 100 samples, 20 s"
+    assert lines[-1] == "kinetruss: 100 of 100 samples, 50 s"
+    with _progress.bar(False) as shown:
+        shown(100, 100)
+    assert capsys.readouterr().err == ""
+    with _progress.bar(False, "bodies", first=" of arm.xml"):
+        assert capsys.readouterr().err == "kinetruss: bodies of arm.xml ...\n"
 
 
 def test_kernels_that_cannot_be_kept_end_with_1(monkeypatch):
@@ -133,3 +183,13 @@ def test_in_the_background_tests_hear_ctrl_c_all_the_same():
 
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "tests", preexec_fn=ignore, check=False)
     assert done.returncode == 0
+
+
+def test_no_line_of_the_help_is_cut():
+    """A line that ends in dots after its noun says less than a shorter one."""
+    from click.testing import CliRunner
+
+    from kinetruss.cli import main
+
+    text = CliRunner().invoke(main, ["-h"], terminal_width=80).output
+    assert "..." not in text.partition("Commands:")[2]

@@ -354,8 +354,10 @@ export class App {
     for (const view of this.views) view.aim(view.scene.dim === 2 ? "plane" : name);
   }
 
+  /** Turn (rad) and approach (factor); a planar structure stays flat. */
   orbit(across, upward, factor) {
-    this.views[0].orbit(across, upward, factor);
+    const turns = this.views[0].scene.dim === 3;
+    this.views[0].orbit(turns ? across : 0, turns ? upward : 0, factor);
   }
 
   follow(moved) {

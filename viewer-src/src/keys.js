@@ -51,6 +51,7 @@ export const KEYS = [
   ]],
 ];
 
+const TURNING = new Set([..."1234ikjo"]); // keys of the camera that a planar structure does not have
 const TYPING = new Set(["text", "search", "number"]);
 
 /** Let the keys act on an app; typing into a field stays typing. */
@@ -83,9 +84,11 @@ export function listen(app, target, signal) {
 }
 
 export function helpPage(app) {
-  const lists = KEYS.map(([title, rows]) => el("div", {}, el("h3", {}, title), el("dl", {}, rows.map(([name, words, , shown]) => [el("dt", {}, el("kbd", {}, shown || name.toUpperCase())), el("dd", {}, words)]).flat())));
+  const flat = app.views[0].scene.dim === 2;
+  const known = KEYS.map(([title, rows]) => [title, rows.filter(([name]) => !flat || !TURNING.has(name))]);
+  const lists = known.map(([title, rows]) => el("div", {}, el("h3", {}, title), el("dl", {}, rows.map(([name, words, , shown]) => [el("dt", {}, el("kbd", {}, shown || name.toUpperCase())), el("dd", {}, words)]).flat())));
   const close = el("button", { type: "button", onclick: () => app.toggleHelp() }, app.hint("Close", "Esc"));
-  const hands = app.touch ? "Drag to turn, two fingers to shift and approach, tap to pick." : "Drag to turn, right-drag to shift, wheel to approach, click to pick.";
+  const hands = app.touch ? `${flat ? "Drag to shift, two fingers to approach" : "Drag to turn, two fingers to shift and approach"}, tap to pick.` : `${flat ? "Drag to shift" : "Drag to turn, right-drag to shift"}, wheel to approach, click to pick.`;
   const marks = `Bars thinner than a hundredth of the usual length are drawn thicker, to be seen. Green: what moves by itself (collars at the screw, rings at motors). Cones: supports. Violet arrows: loads. Striped: not checked, or a force that is not unique. ${hands}`;
   // the button is the only thing in it that takes the focus: it keeps it until the page is closed
   const kept = (event) => {

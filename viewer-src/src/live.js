@@ -1,6 +1,7 @@
 // The live page: a model that answers. One message out, one answer back; what is drawn is always a pose that was reached.
 
 import { App } from "./app.js";
+import { Busy } from "./busy.js";
 import { Controls } from "./controls.js";
 import { el } from "./dom.js";
 import { fromBase64, readScene } from "./scene.js";
@@ -24,7 +25,7 @@ function throughSocket(live) {
   const [how] = performance.getEntriesByType("navigation");
   if (how?.type === "reload") live.page = sessionStorage.getItem(live.store) || ""; // a copied tab begins anew
   const connect = () => {
-    const socket = new WebSocket(live.page ? `${address}?page=${live.page}` : address);
+    const socket = new WebSocket(`${address}?busy=1${live.page ? `&page=${live.page}` : ""}`); // busy: told what an answer waits for
     socket.binaryType = "arraybuffer";
     socket.addEventListener("open", () => live.open((text) => socket.send(text)));
     socket.addEventListener("message", ({ data }) => live.hear(data));
@@ -53,6 +54,8 @@ export class Live {
   constructor(root) {
     Object.assign(this, { root, app: null, running: false, waiting: null, queue: [], wanted: null, answers: 0, closed: false, adopt: true, page: "" });
     this.controls = new Controls(this);
+    this.doing = el("p", { class: "busy", hidden: true });
+    this.busy = new Busy((words) => this.showBusy(words));
   }
 
   // -- asking ------------------------------------------------------------------------------------------------------
@@ -60,7 +63,7 @@ export class Live {
   /** Ask for something; the promise holds the header of the answer. */
   ask(command) {
     return new Promise((resolve) => {
-      this.queue.push({ command, resolve });
+      this.queue.push({ command, resolve, since: performance.now() });
       this.pump();
     });
   }
@@ -72,10 +75,25 @@ export class Live {
   }
 
   pump() {
+    this.send();
+    const awaited = this.waiting || this.queue[0];
+    if (awaited) this.busy.wait("Computing ...", awaited.since);
+    else this.busy.end();
+  }
+
+  /** What is computed; the numbers of the pose before are dimmed. */
+  showBusy(words) {
+    this.doing.hidden = !words;
+    this.doing.textContent = words;
+    this.root.classList.toggle("awaiting", Boolean(words));
+    if (!this.app && this.root.dataset.state !== "failed") this.root.replaceChildren(words ? el("p", { class: "failure busy" }, words) : "");
+  }
+
+  send() {
     if (this.waiting || this.closed) return;
     if (this.wanted) {
       this.sent = this.wanted;
-      this.waiting = { resolve: () => {} };
+      this.waiting = { resolve: () => {}, since: performance.now() };
       this.post(JSON.stringify({ do: "move", values: this.wanted }));
       this.wanted = null;
     } else if (this.queue.length) {
@@ -88,6 +106,10 @@ export class Live {
 
   async hear(data) {
     const header = typeof data === "string" ? JSON.parse(data) : await this.take(data);
+    if (header.kind === "busy") {
+      if (this.busy.words || !this.app) this.busy.say(header.text);
+      return;
+    }
     if (header.kind === "failed") {
       this.fail(header.message);
       return;
@@ -113,6 +135,7 @@ export class Live {
   async still() {
     const [source] = document.querySelectorAll("script.kinetruss-scene");
     if (this.app || this.answers || !source) return;
+    this.busy.end();
     this.app = new App(this.root, [await readScene(fromBase64(source.textContent))]);
     window.kinetruss.app = this.app;
     window.kinetruss.ready = true;
@@ -140,6 +163,7 @@ export class Live {
     const before = this.app;
     before?.end();
     const app = new App(this.root, [scene], [], this.controls.node);
+    app.stage.append(this.doing);
     if (before) {
       app.shown = before.shown;
       app.apply();
@@ -183,6 +207,7 @@ export class Live {
   open(post) {
     this.post = post;
     this.adopt = true;
+    if (!this.app) this.busy.wait("Computing ...", performance.now());
   }
 
   /** Go on with the changes that a page of an earlier studio has left, or remove them. */
@@ -224,6 +249,7 @@ export class Live {
     for (const { resolve } of [this.waiting, ...this.queue].filter(Boolean)) resolve({ kind: "lost" });
     Object.assign(this, { waiting: null, queue: [], wanted: null });
     clearTimeout(this.timer);
+    this.busy.end();
     if (!this.app) {
       this.fail("The studio does not answer. Start it again, and open the address that it prints.");
       return;

@@ -1,7 +1,7 @@
 // One picture of one scene, drawn by WebGL: what is drawn, and from where.
 
 import {
-  AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene as World, Vector3, WebGLRenderer,
+  AmbientLight, Color, DirectionalLight, MOUSE, PerspectiveCamera, Scene as World, TOUCH, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bars } from "./bars.js";
@@ -63,6 +63,11 @@ export class View extends Picture {
     this.lamp = new DirectionalLight("#ffffff", 2.1);
     this.world.add(new AmbientLight("#ffffff", 1.45), this.lamp);
     this.controls = new OrbitControls(this.camera, canvas);
+    if (scene.dim === 2) { // stays flat: what would turn it shifts it
+      this.controls.enableRotate = false;
+      this.controls.mouseButtons.LEFT = MOUSE.PAN;
+      this.controls.touches.ONE = TOUCH.PAN;
+    }
     this.controls.addEventListener("change", () => this.onCamera?.(this));
     this.triad = new Triad(scene);
     this.build();

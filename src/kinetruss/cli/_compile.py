@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import sys
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -14,7 +15,7 @@ from pkgutil import walk_packages
 
 import click
 
-from kinetruss.cli._progress import bar
+from kinetruss.cli._progress import KERNELS, bar, heard
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 
 __all__ = ["compile_kernels"]
@@ -30,7 +31,7 @@ The groups share few kernels, so each group is compiled in its own process."""
 POLL = 0.5
 """Seconds between two checks of the kernels compiled by other processes."""
 STEP = 20
-"""Number of kernels per printed line, if there is no terminal for a progress bar."""
+"""Number of kernels per printed line, if there is no terminal."""
 
 
 @click.command("compile", cls=Verb, context_settings=HELP, epilog=EPILOG)
@@ -50,7 +51,7 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
     from kinetruss.kernels.compiled import jit
 
     began = time.perf_counter()
-    with bar(quiet or as_json, "kernels", first="") as seen:
+    with bar(quiet or as_json or not sys.stderr.isatty(), "kernels", kernels=False) as seen:
         shown = seen or (_silent if quiet or as_json else _lines())
         try:
             with _counted(shown) as (compiled, look), warnings.catch_warnings():
@@ -83,13 +84,18 @@ def _run_all(look: Callable[[], None]) -> None:
         for group in RUNS:
             _run_group(group)
         return
-    with ProcessPoolExecutor(len(others), mp_context=get_context("spawn")) as pool:
+    with ProcessPoolExecutor(len(others), get_context("spawn"), _silenced) as pool:
         running = [pool.submit(_run_group, group) for group in others]
         _run_group(first)
         while wait(running, POLL).not_done:
             look()
         for one in running:
             one.result()
+
+
+def _silenced() -> None:
+    """This process reports what all of them compile."""
+    logging.getLogger(KERNELS).addHandler(logging.NullHandler())
 
 
 def _compile_rare() -> None:
@@ -115,46 +121,37 @@ def _run_group(group: Sequence[tuple[str, str]]) -> None:
 
 
 @contextmanager
-def _counted(shown: Callable[[int, int], None]) -> Iterator[tuple[set[str], Callable[[], None]]]:
+def _counted(shown: Callable[[int, None], None]) -> Iterator[tuple[set[str], Callable[[], None]]]:
     """Names of the compiled kernels, and a function that counts those of other processes too; reports the count after each."""
     from kinetruss.kernels.compiled import jit
-    from kinetruss.kernels.compiled.caches import count_kernels
 
-    count, kept, compiled = count_kernels(jit.folder), jit.keeper.kept(), set[str]()
+    kept, compiled = jit.keeper.kept(), set[str]()
 
     def look() -> None:
         compiled.update(jit.keeper.kept() - kept)
-        shown(len(kept | compiled), count)
+        shown(len(compiled), None)
 
     class Counter(logging.Handler):
         def emit(self, record: logging.LogRecord) -> None:
             compiled.add(record.getMessage().removeprefix("compiled "))
             look()
 
-    logger, counter = logging.getLogger("kinetruss.kernels"), Counter()
-    level = logger.level
-    logger.addHandler(counter)
-    logger.setLevel(logging.INFO)
-    shown(len(kept), count)
-    try:
+    with heard(Counter()):
         yield compiled, look
-    finally:
-        logger.setLevel(level)
-        logger.removeHandler(counter)
 
 
-def _silent(_done: int, _count: int) -> None:
+def _silent(_done: int, _total: None) -> None:
     pass
 
 
-def _lines() -> Callable[[int, int], None]:
+def _lines() -> Callable[[int, None], None]:
     """A function that prints a line after every `STEP` kernels."""
     last = 0
 
-    def shown(done: int, count: int) -> None:
+    def shown(done: int, _total: None) -> None:
         nonlocal last
         if done // STEP > last:
             last = done // STEP
-            click.echo(f"Compiling the kernels: {last * STEP} of at most {count}", err=True)
+            click.echo(f"Compiling the kernels: {last * STEP} so far", err=True)
 
     return shown

@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from kinetruss.cli._codes import INTERRUPTED
+from kinetruss.cli._progress import compiling
 from kinetruss.errors import InputError, KinetrussError, ModelError
 
 __all__ = [
@@ -90,7 +91,7 @@ class Verb(click.Command):
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; turn an error into its text and exit code, and a warning into a line on stderr."""
         try:
-            with warnings.catch_warnings():
+            with warnings.catch_warnings(), compiling(bool(ctx.params.get("quiet"))):
                 warnings.showwarning = _warned  # type: ignore[assignment]
                 return super().invoke(ctx)
         except KeyboardInterrupt:

@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
@@ -20,9 +21,17 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(
+    cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Recompute published and exact results on this machine."
+)
 @json_option
-@click.option("--filter", "wanted", metavar="TEXT", help="Only cases whose id, class or source contains TEXT.")
+@click.option(
+    "--filter",
+    "wanted",
+    metavar="TEXT",
+    shell_complete=_complete.tests,
+    help="Only cases whose id, class or source contains TEXT.",
+)
 def verify(as_json: bool, wanted: str | None) -> None:
     """Compare this installation with all published and exact references of kinetruss.
 

@@ -16,6 +16,7 @@ from starlette.responses import HTMLResponse, PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kinetruss.errors import KinetrussError
+from kinetruss.studio._busy import Busy
 from kinetruss.studio._commands import MOST
 from kinetruss.studio._session import Session
 from kinetruss.studio.editor import Desk
@@ -38,6 +39,9 @@ STALE = (
     "A studio in which something was changed keeps its address for the next studio of the same file."
 )
 """The answer to the link of an earlier start."""
+
+SOON = 0.25
+"""Seconds after which a page is told what its answer waits for, and between two such messages."""
 
 REST = 0.4
 """Seconds without a message after which a changed pose is kept."""
@@ -145,8 +149,8 @@ def _same(given: str, token: str) -> bool:
 async def _talk(socket: WebSocket, new: Callable[[str], Session]) -> None:
     """Answer every message of a page, one after the other; the work is done in a thread outside the event loop."""
     try:
-        session = await run_in_threadpool(new, socket.query_params.get("page", ""))
-        first = await run_in_threadpool(session.first)
+        session = await _meanwhile(socket, new, socket.query_params.get("page", ""))
+        first = await _meanwhile(socket, session.first)
     except KinetrussError as error:
         await _send(socket.send_text, {"kind": "failed", "message": f"This model cannot be shown live. {error}"})
         await socket.close(1011)
@@ -165,7 +169,7 @@ async def _talk(socket: WebSocket, new: Callable[[str], Session]) -> None:
         if len(given) > MOST:
             await socket.close(1009, "too long")
             return
-        found = await run_in_threadpool(_answer, session, given)
+        found = await _meanwhile(socket, _answer, session, given)
         if isinstance(found, bytes):
             await socket.send_bytes(found)
         else:
@@ -174,7 +178,7 @@ async def _talk(socket: WebSocket, new: Callable[[str], Session]) -> None:
 
 async def _draw(socket: WebSocket, desk: Desk, pages: set[WebSocket]) -> None:
     """Answer every message of a drawing page; the other drawing pages get what was changed."""
-    await _send(socket.send_text, await run_in_threadpool(desk.first))
+    await _send(socket.send_text, await _meanwhile(socket, desk.first))
     pages.add(socket)
     while True:
         message = await socket.receive()
@@ -182,12 +186,22 @@ async def _draw(socket: WebSocket, desk: Desk, pages: set[WebSocket]) -> None:
             return
         text = message.get("text")
         before = desk.drawing.revision
-        found = await run_in_threadpool(_answer, desk, text if text is not None else message.get("bytes") or b"")
+        found = await _meanwhile(socket, _answer, desk, text if text is not None else message.get("bytes") or b"")
         await _send(socket.send_text, found)
         if desk.drawing.revision == before or found["kind"] not in ("drawing", "moved"):
             continue
         for other in pages - {socket}:
             await _send(other.send_text, {**found, "made": {}, "other": True})
+
+
+async def _meanwhile(socket: WebSocket, work: Callable[..., Any], *given: Any) -> Any:
+    """What the work returns, done in a thread; while that takes long, a page that asks for it is told what is done."""
+    if "busy" not in socket.query_params:
+        return await run_in_threadpool(work, *given)
+    busy, task = Busy(), asyncio.ensure_future(run_in_threadpool(work, *given))
+    while not (await asyncio.wait({task}, timeout=SOON))[0]:
+        await _send(socket.send_text, {"kind": "busy", "text": busy.text()})
+    return task.result()
 
 
 def _answer(session: Session | Desk, text: str | bytes) -> Any:

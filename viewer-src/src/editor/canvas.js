@@ -77,7 +77,8 @@ export class Canvas {
   }
 
   paint(state, picked, shown) {
-    const sizes = (state.force || []).filter((value) => value !== null).map(Math.abs);
+    const forces = this.draw.stale ? null : state.force; // not those before an edit that is computed
+    const sizes = (forces || []).filter((value) => value !== null).map(Math.abs);
     const largest = Math.max(...sizes, 0) || 1;
     this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
     fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
@@ -86,7 +87,7 @@ export class Canvas {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
       bar.setAttribute("d", path([a, b]));
-      const force = state.force?.[k] ?? null;
+      const force = forces?.[k] ?? null;
       const sure = force !== null && !state.unsure.includes(name);
       bar.style.stroke = shown.force && sure ? `rgb(${colourOf("diverging", force, [-largest, largest]).map(Math.round).join(" ")})` : KINDS[kind] || KINDS.rigid;
       bar.classList.toggle("picked", picked.members.has(name));

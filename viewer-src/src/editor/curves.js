@@ -3,6 +3,7 @@
 import { el, section, svg } from "../dom.js";
 import { plot } from "../plot.js";
 import { button, choice, refill } from "./fields.js";
+import { holding } from "./status.js";
 
 export class Curves {
   constructor(draw) {
@@ -60,7 +61,7 @@ export class Curves {
     this.plot.hidden = false;
     const unit = found.unit === "rad" ? "N m" : "N", factor = found.unit === "rad" ? 180 / Math.PI : 1;
     const x = found.values.map((value) => value * factor), y = found.force.map((value) => value ?? NaN);
-    plot(this.plot, [{ x, y, label: found.drive }], { unit, xUnit: found.unit === "rad" ? "deg" : "m", title: "holds with" });
+    plot(this.plot, [{ x, y, label: found.drive }], { unit, xUnit: found.unit === "rad" ? "deg" : "m", title: holding([found]) });
   }
 
   /** A path that could not be found is not shown any more. */

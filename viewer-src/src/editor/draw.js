@@ -1,5 +1,6 @@
 // The drawing page: what the server says of the drawing, what is picked, and the one message that is on its way.
 
+import { Busy } from "../busy.js";
 import { el } from "../dom.js";
 import { Camera } from "./camera.js";
 import { Canvas } from "./canvas.js";
@@ -18,10 +19,13 @@ import { Whole } from "./whole.js";
 
 const AGAIN = 2000; // ms between attempts to reach a lost server
 const OFTEN = 6; // moves of a drag after which the curve may follow
+const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
+// what does not change the drawing; while anything else is computed, nothing is shown of the state before
+const ASIDE = { curve: "Computing the path ...", run: "Starting the run ...", stop: "Stopping the run ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
 
 export class Draw {
   constructor(root) {
-    Object.assign(this, { root, state: null, tool: "bar", snap: true, waiting: null, queue: [], want: null, closed: true, cursor: null, rubber: null, pointed: null, several: false, moves: 0 });
+    Object.assign(this, { root, state: null, tool: "bar", snap: true, waiting: null, queue: [], want: null, closed: true, cursor: null, rubber: null, pointed: null, several: false, moves: 0, stale: false });
     this.picked = { nodes: new Set(), members: new Set() };
     this.shown = { names: true, force: true };
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -29,6 +33,8 @@ export class Draw {
     this.camera = new Camera();
     this.banner = el("p", { class: "banner", role: "status", hidden: true });
     this.spoken = el("p", { class: "spoken", role: "status", "aria-live": "polite" });
+    this.doing = el("p", { class: "busy", hidden: true });
+    this.busy = new Busy((words) => this.showBusy(words));
     this.picture = new Picture(this);
     this.curves = new Curves(this);
     this.readout = new Readout(this);
@@ -42,18 +48,18 @@ export class Draw {
     this.files = new Files(this);
     this.rail = new ToolRail(this);
     this.tools = new Tools(this);
-    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), this.status.details, this.properties.node,
-      this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node);
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.readout.node, this.spoken), panel));
+    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
+      this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.doing, this.readout.node, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
   // -- asking ------------------------------------------------------------------------------------------------------
 
-  /** Ask for something; the promise holds the answer. */
-  ask(command) {
+  /** Ask for something; the promise holds the answer. since : when it was wished for, ms. */
+  ask(command, since = performance.now()) {
     return new Promise((resolve) => {
-      this.queue.push({ command, resolve });
+      this.queue.push({ command, resolve, since });
       this.pump();
     });
   }
@@ -86,21 +92,54 @@ export class Draw {
   }
 
   pump() {
+    this.send();
+    this.watch();
+  }
+
+  send() {
     if (this.waiting || this.closed) return;
     const stale = this.curves.stale && (!this.want || this.moves >= OFTEN);
     if (this.want && !stale) {
       this.moves++;
-      this.waiting = { resolve: () => {} };
-      this.post(JSON.stringify(this.want));
+      this.dispatch(this.want);
       this.want = null;
     } else if (this.queue.length) {
       this.waiting = this.queue.shift();
       this.post(JSON.stringify(this.waiting.command));
     } else if (stale) {
       this.moves = 0;
-      this.waiting = { resolve: () => {} };
-      this.post(JSON.stringify(this.curves.command()));
+      this.dispatch(this.curves.command());
     }
+  }
+
+  /** Send what nobody waits for. */
+  dispatch(command) {
+    this.waiting = { command, resolve: () => {}, since: performance.now() };
+    this.post(JSON.stringify(command));
+  }
+
+  /** Say what is awaited, once that takes long. */
+  watch() {
+    if (!this.state) return;
+    const awaited = [this.waiting, ...this.queue].filter((one) => one && !QUIET.has(one.command.do));
+    const edit = awaited.find(({ command }) => !(command.do in ASIDE)), [first] = edit ? [edit] : awaited;
+    this.changing = Boolean(edit);
+    if (first) this.busy.wait(ASIDE[first.command.do] || "Computing ...", first.since);
+    else this.busy.end();
+  }
+
+  /** What is computed; the state before an edit is not shown as if it were the answer to it. */
+  showBusy(words) {
+    const stale = Boolean(words && this.changing && this.state);
+    if (words && this.doing.hidden) this.say(words);
+    this.doing.hidden = !words;
+    this.doing.textContent = words;
+    this.root.classList.toggle("awaiting", Boolean(words));
+    this.status.wait(stale ? words : "");
+    if (stale === this.stale) return;
+    this.stale = stale;
+    this.root.classList.toggle("stale", stale);
+    this.canvas.update();
   }
 
   // -- hearing -----------------------------------------------------------------------------------------------------
@@ -108,6 +147,10 @@ export class Draw {
   hear(data) {
     const answer = JSON.parse(data);
     if (answer.kind === "failed") return this.fail(answer.message);
+    if (answer.kind === "busy") {
+      if (this.busy.words || !this.state) this.busy.say(answer.text);
+      return;
+    }
     if (answer.kind === "drawing") this.take(answer);
     else if (answer.kind === "moved") this.place(answer);
     else if (answer.kind === "curve") this.curves.take(answer);
@@ -278,6 +321,7 @@ export class Draw {
     this.closed = false;
     this.setEnded(false);
     if (this.state) this.tell("The studio answers again.");
+    else this.busy.wait("Opening ...", performance.now());
   }
 
   fail(message) {
@@ -292,6 +336,7 @@ export class Draw {
     for (const { resolve } of [this.waiting, ...this.queue]
       .filter(Boolean)) resolve({ kind: "lost" });
     Object.assign(this, { waiting: null, queue: [], want: null });
+    this.busy.end();
     if (!this.state) return this.fail("The studio does not answer. Start it again, and open the address that it prints.");
     this.setEnded(true);
     this.tell("The studio has ended. The drawing stays as it was last confirmed and cannot be changed. It is kept beside its file: start the studio again in the same folder, and this page goes on with it.", true);

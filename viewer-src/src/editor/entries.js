@@ -80,14 +80,14 @@ export class Entries {
     const add = () => this.draw.make("run");
     refill(this.runs, el("div", { class: "row" }, names.length ? choice("Run", names, this.run, (name) => { this.run = name; this.rebuild(); }, "run") : el("span", { class: "faint" }, "No run yet: a run moves the drives, or computes the equilibrium."),
       button("New run", add), this.run && !doing ? button("Do it", () => this.start(this.run), { "aria-label": `do run ${this.run}` }) : null),
-      doing ? this.progress(doing) : null, this.result(this.ran[this.run]), this.run ? this.form("runs", this.run) : null);
+      doing ? this.progress(doing) : null, doing?.name === this.run ? null : this.result(this.ran[this.run]), this.run ? this.form("runs", this.run) : null);
   }
 
   /** The run that is computed; what is drawn meanwhile does not change it. */
   progress({ name, done, total }) {
-    this.bar = el("progress", { max: total || 1, value: done, "aria-label": `progress of ${name}` });
-    this.share = el("span", {}, total ? `${done} of ${total}` : "");
-    return el("div", { class: "row doing" }, el("span", {}, `${name} is computed`), this.bar, this.share, button("Stop", () => this.stop(), { "aria-label": `stop run ${name}` }));
+    this.bar = el("progress", { max: total || 1, value: done || undefined, "aria-label": `progress of ${name}` });
+    this.share = el("span", { role: "status", "aria-live": "off" }, shareOf(this.doing));
+    return el("div", { class: "row doing" }, this.share, this.bar, button("Stop", () => this.stop(), { "aria-label": `stop run ${name}` }));
   }
 
   result(found) {
@@ -98,6 +98,8 @@ export class Entries {
   }
 
   async start(name) {
+    this.doing = { name };
+    this.rebuild();
     this.hear(await this.draw.ask({ do: "run", name }));
   }
 
@@ -118,8 +120,9 @@ export class Entries {
       this.draw.tell(`The run ${answer.name} is done.`);
     }
     if (!this.doing || !before) return this.rebuild();
-    Object.assign(this.bar, { max: answer.total || 1, value: answer.done }); // what is typed in the form stays
-    this.share.textContent = answer.total ? `${answer.done} of ${answer.total}` : "";
+    this.bar.max = answer.total || 1;
+    if (answer.done) this.bar.value = answer.done; // what is typed in the form stays
+    this.share.textContent = shareOf(answer);
   }
 
   async follow() {
@@ -131,4 +134,9 @@ export class Entries {
     if (running?.kind === "running") this.hear(running);
     else if (running?.kind === "ran") this.ran[running.name] = running;
   }
+}
+
+/** How far a run is. note : what is done before its first samples. */
+function shareOf({ name, done, total, what = "samples", note = "" }) {
+  return `Computing ${name}${total ? `: ${done} of ${total} ${what}` : " ..."}${note ? `. ${note}` : ""}`;
 }

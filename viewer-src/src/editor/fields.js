@@ -2,6 +2,7 @@
 
 import { el } from "../dom.js";
 
+const WIDEST = 34; // letters of a field
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 /** What was typed: a number, a text with a unit, or null for nothing. */
@@ -14,23 +15,37 @@ export function typed(text) {
 /** A field with its label; `set` gets what was typed. */
 export function field(label, value, set, { hint = "", size = 9, name = label } = {}) {
   const input = el("input", { type: "text", size, "aria-label": name, placeholder: hint, inputmode: "text", autocomplete: "off", spellcheck: "false" });
-  input.value = value ?? "";
+  input.dataset.size = size;
+  showIn(input, value ?? "");
   const commit = () => {
     delete input.dataset.dirty;
     set(typed(input.value));
   };
-  input.addEventListener("input", () => (input.dataset.dirty = "yes"));
+  input.addEventListener("input", () => {
+    input.dataset.dirty = "yes";
+    widen(input);
+  });
   input.addEventListener("change", commit);
   input.addEventListener("blur", () => input.isConnected && input.dataset.dirty && commit()); // typed before the panel was made anew
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") input.blur();
     if (event.key === "Escape") {
-      input.value = value ?? "";
+      showIn(input, value ?? "");
       delete input.dataset.dirty;
       input.blur();
     }
   });
   return el("label", { class: "entry" }, el("span", {}, label), input);
+}
+
+/** Show a value in a field of the panel, which is made wide enough for it. */
+export function showIn(input, value) {
+  input.value = value;
+  widen(input);
+}
+
+function widen(input) {
+  input.size = Math.min(Math.max(Number(input.dataset.size) || 1, input.value.length), WIDEST);
 }
 
 /** A list to choose from; options are names or [value, text]. */
@@ -64,7 +79,7 @@ export function refill(node, ...content) {
   if (!again) return;
   again.focus({ preventScroll: true });
   if (words === null) return;
-  again.value = words;
+  showIn(again, words);
   again.dataset.dirty = "yes";
   again.setSelectionRange(caret, caret);
 }

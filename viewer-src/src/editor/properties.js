@@ -3,7 +3,7 @@
 import { el, section } from "../dom.js";
 import { quantity } from "../format.js";
 import { Forms } from "./forms.js";
-import { button, check, choice, field, refill } from "./fields.js";
+import { button, check, choice, field, refill, showIn } from "./fields.js";
 
 const KINDS = [["rigid", "rigid"], ["driven", "driven length"], ["elastic", "elastic (spring)"], ["cable", "cable"], ["free", "free (measures only)"]];
 const OTHER = [["active", "active member (rods, screw, motor)"], ["beam", "beam (bends)"]];
@@ -67,7 +67,7 @@ export class Properties {
 
   ofNode(name) {
     const { draw } = this, { state } = draw, entry = this.entry("nodes", name);
-    const places = AXES.slice(0, state.dim).map((axis, k) => field(axis, entry.at?.[k], (value) => {
+    const places = AXES.slice(0, state.dim).map((axis, k) => field(axis, shortened(entry.at?.[k]), (value) => {
       if (value === null) return this.rebuild();
       const at = [...entry.at];
       at[k] = value;
@@ -106,7 +106,7 @@ export class Properties {
     if (!(name in (state.data.bars || {}))) return this.ofOther(name in (state.data.beams || {}) ? "beams" : "active", name);
     const entry = this.entry("bars", name);
     const kind = entry.kind || "rigid";
-    this.span = el("small", {}, this.spanText(name));
+    this.span = el("small", { class: "span" }, this.spanText(name));
     const soft = kind === "elastic" || kind === "cable";
     const length = soft ? field("Natural length", entry.natural_length, (value) => this.set(["bars", name, "natural_length"], value), { hint: "as drawn", name: `natural length of ${name}` })
       : field("Length", entry.length, (value) => this.set(["bars", name, "length"], value), { hint: "as drawn", name: `length of ${name}` });
@@ -121,7 +121,7 @@ export class Properties {
 
   /** An active member or a beam: all its fields. */
   ofOther(table, name) {
-    this.span = el("small", {}, this.spanText(name));
+    this.span = el("small", { class: "span" }, this.spanText(name));
     const kind = table === "beams" ? "beam" : "active";
     return [this.naming(table, name), this.span, el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
       table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), this.forms.entry(table, name)];
@@ -202,9 +202,14 @@ export class Properties {
     const [name] = picked.nodes;
     state.places[state.nodes.indexOf(name)].forEach((value, k) => {
       const input = this.body.querySelector(`[aria-label="${AXES[k]} of ${CSS.escape(name)}"]`);
-      if (input) input.value = Number(value.toPrecision(9));
+      if (input) showIn(input, shortened(value));
     });
   }
+}
+
+/** A number as short as a micrometre in ten metres allows; the model has all its digits. */
+function shortened(value) {
+  return typeof value === "number" ? Number(value.toPrecision(7)) : value;
 }
 
 /** How many and which: "2 nodes: A, B". */

@@ -10,7 +10,7 @@ export function startDraw(root) {
   const draw = new Draw(root);
   window.kinetruss.draw = draw;
   const connect = () => {
-    const socket = new WebSocket(`${location.origin.replace(/^http/, "ws")}${location.pathname}live`);
+    const socket = new WebSocket(`${location.origin.replace(/^http/, "ws")}${location.pathname}live?busy=1`); // told what an answer waits for
     socket.addEventListener("open", () => draw.open((text) => socket.send(text)));
     socket.addEventListener("message", ({ data }) => draw.hear(data));
     socket.addEventListener("close", () => draw.close(connect));

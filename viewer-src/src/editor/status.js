@@ -9,17 +9,24 @@ const HEADS = { mechanism: "moves", redundant: "redundant", drive: "drive", open
 export class Status {
   constructor(draw) {
     this.draw = draw;
+    this.doing = el("p", { class: "busy", hidden: true });
     this.words = el("div", { class: "words", role: "status", "aria-live": "polite" });
     this.tables = el("div", {});
     this.mobility = el("pre", {});
-    this.node = el("section", { class: "verdicts", "aria-label": "state of the drawing" }, this.words);
+    this.node = el("section", { class: "verdicts", "aria-label": "state of the drawing" }, this.doing, this.words);
     this.details = el("div", { class: "state" }, this.tables, el("details", {}, el("summary", {}, "Mobility"), this.mobility));
+  }
+
+  /** What is computed, in place of what was found before. */
+  wait(words) {
+    this.doing.hidden = !words;
+    this.doing.textContent = words;
   }
 
   rebuild() {
     const { state } = this.draw;
     const rows = [];
-    for (const text of state.missing) rows.push(["missing", text]);
+    for (const text of state.missing) rows.push(["", text, "missing"]);
     for (const { kind, text } of state.warnings) rows.push([HEADS[kind] || kind, text]);
     for (const text of state.alarms) rows.push(["limit", text]);
     for (const { text, line } of state.faults || []) rows.push(["fault", line ? `Line ${line}: ${text}` : text]);
@@ -28,8 +35,8 @@ export class Status {
     if (key !== this.last) {
       this.last = key;
       const good = !rows.length && state.force;
-      this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `${state.drives.length ? `It stands, and ${state.drives.length === 1 ? "one drive moves" : `${state.drives.length} drives move`} it.` : "It stands; no drive moves it."} ${state.why}` : state.why),
-        el("ul", {}, rows.slice(0, 14).map(([head, text]) => el("li", { class: `of-${head.split(" ")[0]}` }, el("b", {}, head), " ", text)), hints.map((text) => el("li", {}, el("b", {}, "note"), " ", text))));
+      this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `Stable, ${driven(state.drives.length)}. ${state.why}` : state.why),
+        el("ul", {}, rows.slice(0, 14).map(([head, text, kind = head.split(" ")[0]]) => el("li", { class: `of-${kind}` }, head ? el("b", {}, head) : null, head ? " " : null, text)), hints.map((text) => el("li", {}, el("b", {}, "note"), " ", text))));
     }
     this.mobility.textContent = state.mobility ? state.mobility.text || "It follows when the pointer rests." : "";
     this.numbers(state);
@@ -38,7 +45,7 @@ export class Status {
   numbers(state) {
     const tables = [];
     if (state.drives.length) {
-      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "drive"), el("th", {}, "at"), el("th", {}, "holds with")),
+      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "drive"), el("th", {}, "at"), el("th", {}, holding(state.drives))),
         state.drives.slice(0, 40).map(({ name, unit, value, force }) => el("tr", {}, el("th", {}, name), el("td", {}, quantity(value, unit)), el("td", {}, force === null ? "-" : quantity(force, unit === "rad" ? "N m" : "N"))))));
     }
     const axes = [..."xyz"].slice(0, state.dim);
@@ -51,4 +58,14 @@ export class Status {
     }
     refill(this.tables, ...tables);
   }
+}
+
+function driven(count) {
+  return count ? `with ${count === 1 ? "one drive" : `${count} drives`}` : "without a drive";
+}
+
+/** What holds drives: a torque about an axis, a force along a length. */
+export function holding(drives) {
+  const turning = drives.filter(({ unit }) => unit === "rad").length;
+  return turning === drives.length ? "holding torque" : turning ? "holding force or torque" : "holding force";
 }

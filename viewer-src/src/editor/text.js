@@ -2,7 +2,7 @@
 
 import { el, section } from "../dom.js";
 
-const PAUSE = 400; // ms after the last key at which the text is taken
+const PAUSE = 240; // ms after the last key at which the text is taken
 
 export class Text {
   constructor(draw) {
@@ -17,6 +17,7 @@ export class Text {
 
   typed() {
     this.dirty = true;
+    this.since = performance.now();
     this.number([]);
     clearTimeout(this.timer);
     const { typing } = this;
@@ -25,7 +26,7 @@ export class Text {
 
   async send(drag) {
     const text = this.area.value;
-    const answer = await this.draw.ask({ do: "text", text, drag });
+    const answer = await this.draw.ask({ do: "text", text, drag }, this.since);
     if (this.area.value !== text || answer.kind === "lost") return;
     if (answer.kind === "faults") this.show(answer.faults, true);
     else if (answer.kind === "drawing") {

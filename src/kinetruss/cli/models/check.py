@@ -19,7 +19,9 @@ Example:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(
+    cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="All faults of a model file, each with its place and mend."
+)
 @click.argument("model", type=FILE)
 @json_option
 @max_size_option

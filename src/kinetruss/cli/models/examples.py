@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
@@ -21,8 +22,8 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
-@click.argument("name", required=False)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="List the examples, or copy one to a folder.")
+@click.argument("name", required=False, shell_complete=_complete.examples)
 @click.option("--copy", "folder", type=click.Path(path_type=Path), metavar="DIR", help="Copy the example's files into DIR.")
 @json_option
 def examples(name: str | None, folder: Path | None, as_json: bool) -> None:

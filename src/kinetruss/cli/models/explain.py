@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import FILE, HELP, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.errors import InputError
 
@@ -24,16 +25,24 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Free body of a member or node at one instant.")
 @click.argument("model", metavar="MODEL|OUT", type=FILE)
-@click.option("--member", help="Cut this member free (for an active member: base rod and tube).")
-@click.option("--node", help="Cut this node free.")
+@click.option(
+    "--member", shell_complete=_complete.members, help="Cut this member free (for an active member: base rod and tube)."
+)
+@click.option("--node", shell_complete=_complete.nodes, help="Cut this node free.")
 @click.option("--system", is_flag=True, help="The equations of Newton and Euler of the whole model, with names.")
-@click.option("--run", "name", metavar="RUN", help="A run of the model (may be omitted if there is only one).")
+@click.option(
+    "--run",
+    "name",
+    metavar="RUN",
+    shell_complete=_complete.runs,
+    help="A run of the model (may be omitted if there is only one).",
+)
 @click.option(
     "--time", metavar="TIME", callback=instant, help="The instant, s, or text such as '250 ms' (default: of the largest force)."
 )
-@click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
+@click.option("--case", metavar="CASE", shell_complete=_complete.cases, help="Load case (default: the run's first).")
 @click.option("--rest", is_flag=True, help="The same pose at rest.")
 @click.option("--rods", type=click.Choice(["together", "apart"]), help="With --system: base and tube as one body, or as two.")
 @click.option("--csv", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write the table to this file.")

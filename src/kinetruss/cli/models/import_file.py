@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
 from kinetruss.errors import InputError, UnitError
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = ["import_file"]
 
+ROBOTS = (".urdf", ".xml", ".mjcf")
 EPILOG = """\b
 Examples:
   kinetruss import robot.urdf --closures robot.yaml -o robot_model.yaml
@@ -57,6 +59,7 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 @click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
 @click.option("--arcs", type=int, metavar="N", help="DXF: circles, arcs and splines become N bars for a whole turn.")
+@click.option("--hidden", is_flag=True, help="DXF: take what is on layers that are off or frozen, and what is invisible, too.")
 @click.option("--skip", multiple=True, metavar="LAYER", help="DXF: leave these layers out, e.g. centre lines.")
 @click.option("--active", multiple=True, metavar="LAYER", help="DXF: lines on these layers (with * and ?) change their length.")
 @click.option(
@@ -85,8 +88,12 @@ def import_file(file: Path, out: Path, overwrite: bool, as_json: bool, max_size:
         raise InputError(f"{out} has the suffix {out.suffix!r}. Name a file that ends in .yaml, .yml, .json.")
     from kinetruss import exchange, io
 
-    found = exchange.read(file, max_size=max_size, **options)
-    lines = found.lines()
+    with bar(as_json, "bodies", kernels=False) as shown:
+        if shown is None and not as_json:
+            click.echo(f"Reading {file.name} ...", err=True)
+        progress = {} if file.suffix.lower() not in ROBOTS else {"progress": shown}
+        found = exchange.read(file, max_size=max_size, **progress, **options)
+        lines = found.lines()
     written = io.write(found.model, out)
     if as_json:
         print_json("import", {"file": str(file), "model": str(written), **_record(found)})
@@ -112,11 +119,13 @@ def _next(found: Imported) -> list[str]:
 
 
 def _record(found: Imported) -> dict[str, Any]:
-    mobility = found.mobility
+    from kinetruss.model import inner_parts
+
+    mobility, inner = found.mobility, inner_parts(found.model)
     return {
-        "nodes": len(found.model.nodes),
-        "bars": len(found.model.bars),
-        "bodies": len(found.model.bodies),
+        "nodes": sum(name not in inner.nodes for name in found.model.nodes),
+        "bars": sum(name not in inner.bars for name in found.model.bars),
+        "bodies": sum(name not in inner.bodies for name in found.model.bodies),
         "drives": list(found.model.all_drives),
         "degrees_of_freedom": mobility.degrees_of_freedom,
         "undriven": mobility.undriven,

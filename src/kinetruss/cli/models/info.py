@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.errors import one_line
 
@@ -25,8 +26,8 @@ Examples:
 @click.option(
     "--joints", is_flag=True, help="Print the force on every member at both ends, and every support force, at one instant."
 )
-@click.option("--member", help="With --joints: only this member.")
-@click.option("--node", help="With --joints: only this node.")
+@click.option("--member", shell_complete=_complete.members, help="With --joints: only this member.")
+@click.option("--node", shell_complete=_complete.nodes, help="With --joints: only this node.")
 @click.option("--axis", type=click.Choice(["x", "y", "z"]), help="With --joints: only this global axis.")
 @click.option(
     "--time",
@@ -34,7 +35,7 @@ Examples:
     callback=instant,
     help="With --joints: the instant, s, or text such as '250 ms' (the nearest sample; default: of the largest force).",
 )
-@click.option("--case", help="With --joints: the load case (default: the first).")
+@click.option("--case", shell_complete=_complete.cases, help="With --joints: the load case (default: the first).")
 @json_option
 @max_size_option
 def info(
@@ -86,14 +87,18 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
     from kinetruss.cli.models.beam_lines import beam_records, beam_text
     from kinetruss.cli.models.body_lines import body_records, body_text
     from kinetruss.cli.models.joint_lines import joint_records, joint_text
+    from kinetruss.display import counted
     from kinetruss.io import read
     from kinetruss.kinematics import mobility
+    from kinetruss.model import inner_parts
 
     model = read(path, max_size=max_size)
     found = mobility(model)
+    inner = inner_parts(model)
+    nodes, bars = sum(name not in inner.nodes for name in model.nodes), sum(name not in inner.bars for name in model.bars)
     counts = {
-        "nodes": len(model.nodes),
-        "bars": len(model.bars),
+        "nodes": nodes,
+        "bars": bars,
         "active_members": len(model.active),
         "dimension": model.dim,
         "coordinates": found.coordinates,
@@ -112,8 +117,10 @@ def _model(path: Path, as_json: bool, max_size: int) -> None:
         print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
         return
     click.echo(one_line(model.title or str(path), 200))
-    active = f", {len(model.active)} active members" if model.active else ""
-    click.echo(f"{'planar' if model.dim == 2 else 'spatial'}: {len(model.nodes)} nodes, {len(model.bars)} bars{active}")
+    active = f", {counted(len(model.active), 'active member')}" if model.active else ""
+    active += f", {counted(len(model.beams), 'beam')}" if model.beams else ""
+    parts = f"{counted(nodes, 'node')}, {counted(bars, 'bar')}{active}"
+    click.echo(f"{'planar' if model.dim == 2 else 'spatial'}: {parts}")
     click.echo(str(found))
     for one in beam_records(model):
         click.echo(beam_text(one))

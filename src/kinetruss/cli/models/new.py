@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
@@ -34,13 +35,14 @@ ROUND_OFF = 1e-14
 SCHEMA = "# yaml-language-server: $schema="
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Make a model file to start from.")
 @click.argument("name")
 @click.option(
     "--like",
     default="four_bar",
     show_default=True,
     metavar="EXAMPLE",
+    shell_complete=_complete.sources,
     help="An example, or a mechanism of the library.",
 )
 @json_option

@@ -18,7 +18,7 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Lightest tubes and smallest drives that are enough.")
 @click.argument("model", type=FILE)
 @click.argument("mission", type=FILE)
 @click.option("-o", "--out", type=click.Path(dir_okay=False, path_type=Path), help="File for the sized model (.yaml or .json).")

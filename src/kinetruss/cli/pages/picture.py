@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 
 __all__ = ["picture", "width"]
@@ -33,7 +34,7 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
         return text
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Draw a model or a run as a picture for print.")
 @click.argument("what", metavar="MODEL|OUT", type=PLACE)
 @click.option(
     "-o", "--output", "file", required=True, type=click.Path(dir_okay=False, path_type=Path), help="A .pdf, .svg or .png file."
@@ -41,19 +42,39 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
 @click.option(
     "--at", multiple=True, metavar="TIME", callback=instants, help="Instants of a run, side by side (default: the start)."
 )
-@click.option("--colour", "--color", "colour", help="force, stress or utilisation (default: the kinds of members).")
-@click.option("--case", help="Load case (default: the first).")
+@click.option(
+    "--colour",
+    "--color",
+    "colour",
+    shell_complete=_complete.one_of("force", "stress", "utilisation"),
+    help="force, stress or utilisation (default: the kinds of members).",
+)
+@click.option("--case", shell_complete=_complete.cases, help="Load case (default: the first).")
 @click.option(
     "--width",
     default="column",
     show_default=True,
     callback=width,
+    shell_complete=_complete.one_of("column", "page"),
     metavar="MM|column|page",
     help="Width on paper: 90 mm (column), 190 mm (page), or millimetres.",
 )
-@click.option("--view", default="iso", show_default=True, help="iso, front, side or top.")
+@click.option(
+    "--view",
+    default="iso",
+    shell_complete=_complete.one_of("iso", "front", "side", "top"),
+    show_default=True,
+    help="iso, front, side or top.",
+)
 @click.option("--ghost", is_flag=True, help="The start pose in grey.")
-@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the path of a node (may be given several times).")
+@click.option(
+    "--path",
+    "paths",
+    multiple=True,
+    metavar="NODE",
+    shell_complete=_complete.nodes,
+    help="Draw the path of a node (may be given several times).",
+)
 @click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
 @click.option("--names/--no-names", default=None, help="Names of nodes (default: up to 24 nodes).")
 @click.option("--title", default="", help="A title above; journals use a caption instead.")

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 
@@ -41,7 +42,7 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
         raise click.BadParameter(f"{text!r} is not a direction. Write three numbers, e.g. 1,-1,0.5.") from None
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Shaded picture or film of a model or a run.")
 @click.argument("what", metavar="MODEL|OUT", type=PLACE)
 @click.option(
     "-o",
@@ -52,23 +53,35 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
     help="A picture (.png) or a film (.mp4, .gif).",
 )
 @click.option(
-    "--colour", "--color", "colour", help="force, stress, utilisation, buckling, speed or kind (default: force, if known)."
+    "--colour",
+    "--color",
+    "colour",
+    help="force, stress, utilisation, buckling, speed or kind (default: force, if known).",
+    shell_complete=_complete.one_of("force", "stress", "utilisation", "buckling", "speed", "kind"),
 )
 @click.option(
     "--camera",
     default="iso",
     show_default=True,
     callback=_camera,
+    shell_complete=_complete.one_of("iso", "front", "side", "top"),
     help="iso, front, side, top, or the direction X,Y,Z from the structure to the eye.",
 )
 @click.option("--size", default="1280x720", show_default=True, callback=_size, help="Width x height, pixels.")
 @click.option("--at", metavar="TIME", callback=instant, help="Instant of a picture (default: the start).")
 @click.option("--fps", type=float, default=30.0, show_default=True, help="Frames per second of a film.")
 @click.option("--speed", type=float, help="How much faster than in reality (default: a film of 5 to 8 s).")
-@click.option("--case", help="Load case (default: the first).")
+@click.option("--case", shell_complete=_complete.cases, help="Load case (default: the first).")
 @click.option("--mode", type=click.IntRange(min=1), help="For a model: its vibration mode with this number.")
 @click.option("--ghost", is_flag=True, help="The start pose as thin lines.")
-@click.option("--path", "paths", multiple=True, metavar="NODE", help="Draw the path of a node (may be given several times).")
+@click.option(
+    "--path",
+    "paths",
+    multiple=True,
+    metavar="NODE",
+    shell_complete=_complete.nodes,
+    help="Draw the path of a node (may be given several times).",
+)
 @click.option(
     "--faces/--no-faces", default=None, help="Triangles of rigid bars as faces (default: if no member has a section)."
 )
@@ -90,7 +103,7 @@ def render(
     from kinetruss.cli.pages.view import loaded, vibrating
 
     shown, model = (loaded(what, max_size), None) if mode is None else vibrating(what, max_size)
-    with bar(as_json, "frames", "") as progress:
+    with bar(as_json, "frames") as progress:
         path = viewer.render(
             shown,
             file,

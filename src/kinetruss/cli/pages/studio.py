@@ -21,7 +21,9 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(
+    cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Draw a model in the browser, or move its drives by hand."
+)
 @click.argument("file", metavar="[MODEL]", type=FILE, required=False)
 @click.option("--new", is_flag=True, help="An empty drawing, also where a MODEL could be meant.")
 @click.option("--plane", "dim", flag_value=2, type=int, default=2, help="The empty drawing is planar (the default).")

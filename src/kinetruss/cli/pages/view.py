@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, PLACE, Verb, json_option, max_size_option, print_json
 from kinetruss.cli.pages.browser import browsed
 from kinetruss.cli.runs.run_folders import opened_run
@@ -28,14 +29,14 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Show a model or a run in the browser.")
 @click.argument("what", metavar="MODEL|OUT", type=PLACE)
 @click.option(
     "-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="Keep the page as this .html file."
 )
 @click.option("--no-open", is_flag=True, help="Only write the file, do not open it.")
 @click.option("--beside", metavar="MODEL|OUT", type=PLACE, help="A second model or run, shown beside the first.")
-@click.option("--case", help="Show only this load case (default: all, to choose from).")
+@click.option("--case", shell_complete=_complete.cases, help="Show only this load case (default: all, to choose from).")
 @click.option("--frames", type=click.IntRange(min=2), default=600, show_default=True, help="Samples kept at most.")
 @click.option("--modes", is_flag=True, help="For a model: show its vibration modes about its own pose.")
 @json_option

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
 from kinetruss.cli.runs.settings import pairs
 
@@ -18,10 +19,18 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(
+    cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Pose, force and strain errors from length tolerances."
+)
 @click.argument("model", metavar="MODEL", type=FILE)
 @click.option(
-    "--of", "of", multiple=True, required=True, metavar="NAME", help="Coordinate, M8.force, M7.drive_force or G1.strain."
+    "--of",
+    "of",
+    multiple=True,
+    required=True,
+    metavar="NAME",
+    shell_complete=_complete.results,
+    help="Coordinate, M8.force, M7.drive_force or G1.strain.",
 )
 @click.option(
     "--tolerance",
@@ -32,9 +41,13 @@ Examples:
     help="Half the width of its range: M*.length, N4.play, temperature [K], or a path of the model.",
 )
 @click.option(
-    "--at", multiple=True, metavar="NAME=VALUE", help="Drive or pose coordinate of the pose (default: the model's own)."
+    "--at",
+    multiple=True,
+    metavar="NAME=VALUE",
+    shell_complete=_complete.drives,
+    help="Drive or pose coordinate of the pose (default: the model's own).",
 )
-@click.option("--case", metavar="CASE", help="Load case of forces and strains.")
+@click.option("--case", metavar="CASE", shell_complete=_complete.cases, help="Load case of forces and strains.")
 @click.option("--samples", default=1000, show_default=True, help="Draws of the Monte Carlo.")
 @click.option("--seed", default=0, show_default=True, help="Of the draws.")
 @json_option

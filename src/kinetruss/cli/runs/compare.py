@@ -19,7 +19,7 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Largest values of several runs side by side.")
 @curves_of_runs(
     quantity="As for plot (may be given several times; default: the most important ones).",
     member="Only this member, node or drive (default: the largest of all).",

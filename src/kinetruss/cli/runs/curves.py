@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import PLACE
 
 __all__ = ["curves_of_runs"]
@@ -18,9 +19,9 @@ def curves_of_runs(*, quantity: str, member: str) -> Callable[[Callable[..., Any
     """OUT..., --quantity, --member, --case and --station, with the command's own help for the first two."""
     given = (
         click.argument("out", type=PLACE, nargs=-1, required=True),
-        click.option("--quantity", multiple=True, help=quantity),
-        click.option("--member", multiple=True, help=member),
-        click.option("--case", help="Load case (default: the first)."),
+        click.option("--quantity", multiple=True, shell_complete=_complete.quantities, help=quantity),
+        click.option("--member", multiple=True, shell_complete=_complete.parts, help=member),
+        click.option("--case", shell_complete=_complete.cases, help="Load case (default: the first)."),
         click.option("--station", type=float, help=STATION),
     )
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.cli.runs.run_folders import opened_run
 from kinetruss.errors import InputError
@@ -34,7 +35,11 @@ Examples:
 @click.argument("out", metavar="OUT|MODEL", type=PLACE)
 @click.argument("file", type=click.Path(dir_okay=False, path_type=Path))
 @click.option(
-    "--group", multiple=True, metavar="GROUP", help="Tables: only motion, forces, sections, verdict or demand (may repeat)."
+    "--group",
+    multiple=True,
+    metavar="GROUP",
+    shell_complete=_complete.one_of("motion", "forces", "sections", "verdict", "demand"),
+    help="Tables: only motion, forces, sections, verdict or demand (may repeat).",
 )
 @click.option("--time", callback=instant, help="Of the pose, s or with unit (the nearest sample; default: the first).")
 @click.option("--overwrite", is_flag=True, help="Replace a .pvd, .vtu, .dxf, .stl, .xml or .urdf that is there.")

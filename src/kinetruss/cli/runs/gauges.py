@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
 from kinetruss.cli.models.explain import model_and_run
 
@@ -19,10 +20,18 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(
+    cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Readings of strain gauges along a run, in microstrain."
+)
 @click.argument("model", metavar="MODEL|OUT", type=FILE)
-@click.option("--run", "name", metavar="RUN", help="A run of the model (may be omitted if there is only one).")
-@click.option("--case", metavar="CASE", help="Load case (default: the run's first).")
+@click.option(
+    "--run",
+    "name",
+    metavar="RUN",
+    shell_complete=_complete.runs,
+    help="A run of the model (may be omitted if there is only one).",
+)
+@click.option("--case", metavar="CASE", shell_complete=_complete.cases, help="Load case (default: the run's first).")
 @click.option(
     "--measured",
     type=click.Path(path_type=Path),

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.cli.pages.picture import width
 from kinetruss.cli.runs.curves import curves_of_runs
@@ -45,17 +46,26 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Curves of one or more runs over time.")
 @curves_of_runs(
     quantity="What to show, by name; see below (may be given several times).",
     member="Only this member, node or drive (may be given several times).",
 )
 @click.option("-o", "--output", "file", type=click.Path(dir_okay=False, path_type=Path), help="A .png, .svg or .pdf file.")
 @click.option(
-    "--width", callback=width, metavar="MM|column|page", help="For print: 90 mm (column), 190 mm (page), or millimetres."
+    "--width",
+    callback=width,
+    metavar="MM|column|page",
+    shell_complete=_complete.one_of("column", "page"),
+    help="For print: 90 mm (column), 190 mm (page), or millimetres.",
 )
 @click.option("--along", is_flag=True, help="Diagrams of section forces along members, at one instant.")
-@click.option("--at", metavar="TIME|POSE", help="Instant of the diagrams (default: the start, or that which governs).")
+@click.option(
+    "--at",
+    metavar="TIME|POSE",
+    shell_complete=_complete.poses,
+    help="Instant of the diagrams (default: the start, or that which governs).",
+)
 @json_option
 def plot(
     out: tuple[Path, ...],

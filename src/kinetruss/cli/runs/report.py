@@ -44,7 +44,7 @@ def _title_block(command: Callable[..., None]) -> Callable[..., None]:
     return command
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Report of a run or a sizing as HTML and PDF.")
 @click.argument("run", metavar="RUN", type=PLACE)
 @click.option(
     "-o",

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._codes import INTERRUPTED
 from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import FILE, FOLDER, HELP, Verb, json_option, max_size_option, print_json
@@ -23,15 +24,16 @@ Examples:
 """
 
 
-@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Do a run of a model file and store it in a folder.")
 @click.argument("model", type=FILE, required=False)
-@click.argument("name", metavar="[RUN]", required=False)
+@click.argument("name", metavar="[RUN]", required=False, shell_complete=_complete.runs)
 @click.option("-o", "--out", type=click.Path(path_type=Path), help="Folder to write the run to.")
 @click.option(
     "--set",
     "texts",
     multiple=True,
     metavar="PATH=V1,V2,...",
+    shell_complete=_complete.paths,
     help="Set a value of the model by its dotted path; several values, and several --set, give all combinations.",
 )
 @click.option("--resume", "resumed", type=FOLDER, metavar="OUT", help="Continue an interrupted run.")

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError
-from kinetruss.model import Model, nearest
+from kinetruss.model import Model, nearest, of_file
 
 __all__ = [
     "MEMBERS", "added_bar", "added_entry", "added_node", "clamped_where_beams_are", "deleted", "ends_of", "entry_of", "moved",
@@ -255,7 +255,8 @@ def _replaced(here: Any, path: list[str], old: str, new: str) -> Any:
 
 def _faults(data: Data) -> list[Fault]:
     try:
-        Model(**data)
+        with of_file():
+            Model(**data)
     except ModelError as error:
         return error.faults
     return []

@@ -12,8 +12,8 @@ from kinetruss import dynamics, kinematics, statics
 from kinetruss.errors import Fault, KinetrussError, ModelError
 from kinetruss.mechanics import arrange, compile
 from kinetruss.mechanics.configuration import drive_values, row_values
-from kinetruss.mechanics.freedom import mobility_at
-from kinetruss.model import LengthDrive, Model
+from kinetruss.mechanics.freedom import beam_deformations, mobility_at
+from kinetruss.model import LengthDrive, Model, of_file
 from kinetruss.statics.large import projected, row_errors
 from kinetruss.studio._close import CLOSED, EXACT
 from kinetruss.studio._instant import MANY, alarms_of
@@ -92,7 +92,7 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
     if len(model.members) > LARGEST and not fine:
         why = "Forces and mobility of this many members follow when the pointer rests."
         return Judged(model=model, position=position, moved=moved, drives=drives, why=why)
-    mobility = mobility_at(system, x)
+    mobility = mobility_at(system, x, beam_deformations)
     forces, why = _forces(model, system, position, mobility, fine)
     warnings = _warnings(system, mobility)
     alarms = alarms_of(model, forces) if forces is not None and (fine or len(model.members) <= MANY) else []
@@ -106,7 +106,8 @@ def _model(data: Mapping[str, Any], last: Judged | None) -> Model:
     """The model of the data; after a move of nodes all other records are those of before."""
     if last is not None and last.model is not None:
         return last.model.with_(nodes=data["nodes"])
-    return Model(**data) if data.get("nodes") else Model(**{**data, "nodes": {}})
+    with of_file():
+        return Model(**data) if data.get("nodes") else Model(**{**data, "nodes": {}})
 
 
 def _closed(system: System) -> tuple[NDArray[np.float64], dict[str, tuple[float, float]]]:
@@ -176,7 +177,7 @@ def _warnings(system: System, mobility: Mobility) -> list[tuple[str, str]]:
         if mobility.undriven > LISTED:
             found.append(("mechanism", f"{mobility.undriven - LISTED} more mechanisms."))
     if mobility.self_stress:
-        states = mobility.self_stress_states
+        states = mobility.self_stress_states[:, : len(system.row_drive)]
         names = [system.drives[d] for d in sorted({int(d) for d in system.row_drive if d >= 0})
                  if np.abs(states[:, system.row_drive == d]).max() > 1e-9]  # fmt: skip
         if len(names) == 1:

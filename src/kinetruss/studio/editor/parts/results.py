@@ -10,8 +10,10 @@ from typing import Any
 from kinetruss import runs
 from kinetruss.errors import InputError, KinetrussError
 from kinetruss.model import Model, nearest
+from kinetruss.model.motion import MISSION
 from kinetruss.runs import MissionRun, RunResult
 from kinetruss.strength.verdict import headline
+from kinetruss.studio._busy import Busy
 from kinetruss.viewer import page, scene
 
 __all__ = ["Results"]
@@ -43,12 +45,17 @@ class StoppedError(Exception):
 
 @dataclass(eq=False)
 class Work:
-    """A run that is computed beside the messages. answer : what the page gets at its end."""
+    """A run that is computed beside the messages.
+
+    what : the items that are done, of all of them (0: not known yet). answer : what the page gets at its end.
+    """
 
     name: str
     revision: int
     total: int = 0
+    what: str = "samples"
     done: int = 0
+    busy: Busy = field(default_factory=Busy, repr=False)
     stopped: bool = False
     answer: dict[str, Any] | None = None
     thread: threading.Thread | None = field(default=None, repr=False)
@@ -63,7 +70,15 @@ class Work:
         """How far it is, or its end."""
         if self.answer is not None:
             return self.answer
-        return {"kind": "running", "name": self.name, "done": self.done, "total": self.total, "revision": self.revision}
+        return {
+            "kind": "running",
+            "name": self.name,
+            "done": self.done,
+            "total": self.total,
+            "what": self.what,
+            "note": self.busy.compiling(),
+            "revision": self.revision,
+        }
 
 
 class Results:
@@ -92,7 +107,9 @@ class Results:
                 raise InputError(
                     f"Stopped runs are still busy ({len(self.left)}). Wait for the end of their step, then try again."
                 )
-            work = self.work = Work(name, revision, total=model.runs[name].samples)
+            run = model.runs[name]
+            pairs = run.analysis == MISSION  # how many there are is known once they are spread
+            work = self.work = Work(name, revision, *((0, "pairs") if pairs else (run.samples, "samples")))
         work.thread = threading.Thread(target=self._do, args=(work, model), daemon=True)
         work.thread.start()
         work.thread.join(SOON)
