@@ -9,7 +9,7 @@ from typing import Any
 import kinetruss as kt
 
 PACKAGES = {
-    "model": "Nouns: the records of a model",
+    "model": "Nodes, bars, drives, loads, runs: the classes of a model",
     "library": "Ready-made trusses, mechanisms, materials, drives",
     "kinematics": "How does it move?",
     "dynamics": "What forces does the motion need? How does it move under forces?",
@@ -32,6 +32,8 @@ PACKAGES = {
 }
 """Public packages in the order of the reference -> their question."""
 
+FIRST = ("Model", "Node", "Bar", "Active", "Body", "Beam")
+"""Names that stand before those in the order of the alphabet."""
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples", "Yields", "See also")
 SECTION = re.compile(rf"^({'|'.join(SECTIONS)})\n-+$", re.MULTILINE)
 FIELD = re.compile(r"^([A-Za-z_][\w., */]*) : ")
@@ -54,8 +56,10 @@ def _page(name: str, question: str) -> str:
     module = getattr(kt, name)
     asked = question if question.endswith("?") else f"{question}."
     lines = [f"# kt.{name}", "", asked, "", *text_of(inspect.getdoc(module) or ""), ""]
-    for what, test in (("Functions", inspect.isroutine), ("Records", inspect.isclass)):
-        chosen = [(key, one) for key in sorted(module.__all__, key=str.lower) if test(one := getattr(module, key))]
+    kinds = (("Functions", inspect.isroutine), ("Records", inspect.isclass))
+    for what, test in reversed(kinds) if name == "model" else kinds:  # what one writes with comes first
+        names = sorted(module.__all__, key=lambda key: (FIRST.index(key) if key in FIRST else len(FIRST), key.lower()))
+        chosen = [(key, one) for key in names if test(one := getattr(module, key))]
         lines += [f"## {what}", ""] if chosen else []
         for key, one in chosen:
             lines += _entry(f"{name}.{key}", key, one)

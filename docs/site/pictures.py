@@ -54,6 +54,13 @@ def example(name: str, path: Path) -> None:
     kt.report.picture(found, path, at=at, names=False, **given)
 
 
+def wiper(path: Path) -> None:
+    """The windscreen wiper at three instants."""
+    kt.report.picture(ran("wiper"), path, at=[0.12, 0.47, 1.13], colour="force", width="page", names=False, paths=["T", "U"])
+    with Image.open(path) as drawn:
+        drawn.convert("RGB").reduce(2).save(path)
+
+
 def figure(name: str) -> Callable[[Path], None]:
     """A figure of the run of the slew."""
 
@@ -160,6 +167,7 @@ def diagrams(path: Path) -> None:
 
 
 PICTURES: dict[str, Callable[[Path], None]] = {
+    "wiper": wiper,
     "shape": figure("shape"),
     "forces": figure("forces"),
     "picture": picture,

@@ -25,8 +25,8 @@ def named(page: Path) -> str:
     return str(page.relative_to(ROOT))
 
 
-def blocks(language: str) -> list[str]:
-    return re.findall(rf"^```{language}\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+def blocks(language: str, text: str = README) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
 
 
 def test_the_first_example_prints_what_it_says(capsys):
@@ -47,12 +47,14 @@ def test_the_file_is_the_same_model_as_the_first_example(tmp_path):
     assert (read.nodes, read.bars, read.fixed, read.drives) == (made.nodes, made.bars, made.fixed, made.drives)
 
 
-def test_every_command_runs_as_printed(tmp_path):
-    """In a plain shell, where nothing but the activation that the page names makes `kinetruss` known."""
+@pytest.mark.parametrize("page", ["README.md", "docs/commands.md"])
+def test_every_command_runs_as_printed(page, tmp_path):
+    """In a plain shell, where nothing but the activation that the README names makes `kinetruss` known."""
     (tmp_path / "fourbar.yaml").write_text(blocks("yaml")[0])
     (tmp_path / ".venv").symlink_to(sys.prefix)
     (activation,) = set(re.findall(r"\. \.venv/bin/activate", README))
-    lines = [line.removeprefix("$ ") for block in blocks("console") for line in block.splitlines()]
+    text = (ROOT / page).read_text(encoding="utf-8")
+    lines = [line.removeprefix("$ ") for block in blocks("console", text) for line in block.splitlines()]
     assert len(lines) > 10
     assert all(line.startswith("kinetruss ") for line in lines)
     named = "".join(f"echo '== {line.partition('#')[0].strip()}'\n{line}\n" for line in lines).replace("\\", "\\\\")
@@ -73,9 +75,10 @@ def test_what_is_printed_after_make_demo_needs_the_activation_that_is_printed_wi
     assert re.search(r"^shell:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
 
 
-def test_every_verb_is_named_in_the_readme():
+def test_every_verb_is_named_on_the_page_of_commands():
+    text = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
     for verb in main.commands:
-        assert f"kinetruss {verb}" in README
+        assert f"kinetruss {verb}" in text
 
 
 @pytest.mark.parametrize("page", PAGES, ids=named)

@@ -15,6 +15,7 @@ ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "docs" / "site"))
 
 import api  # noqa: E402
+import gallery  # noqa: E402
 import tables  # noqa: E402
 
 TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
@@ -91,3 +92,13 @@ def test_examples_of_the_reference_are_code():
         for block in re.findall(r"```pycon\n(.*?)```", page, re.DOTALL):
             lines = [line[4:] for line in block.splitlines() if line.startswith((">>> ", "... "))]
             ast.parse("\n".join(lines))
+
+
+def test_every_example_is_in_one_group_of_the_gallery():
+    shown = [name for names in gallery.GROUPS.values() for name in names]
+    assert sorted(shown) == sorted(kt.library.example_files())
+
+
+def test_the_reference_of_the_model_begins_with_the_model():
+    page = dict(api.pages(Path()))["api/model.md"]
+    assert re.findall(r"^### (\w+)$", page, re.MULTILINE)[:3] == ["Model", "Node", "Bar"]
