@@ -152,7 +152,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     unsure = _not_unique(system, reduced, eq, x)
     notes += [not_unique_note(unsure)] if unsure else []
     notes += [] if motors is not None else _still_note(model, system, eq)
-    notes += [said] if (said := spin_note(model)) else []
+    notes += [spins] if (spins := spin_note(model)) else []
     if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is used: only it chooses the independent constraints anew during the motion."]
     found = Problem(
@@ -264,16 +264,16 @@ def _still_note(model: Model, system: System, eq: Any) -> list[str]:
     return [f"Nothing can move: all drives ({names}) are held. Give one a task: Free(), GivenForce(...) or a trajectory."]
 
 
-def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> list[str]:
+def _soft_note(reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:
     """A note on infinitesimal mechanisms that a self-stress makes stiff, e.g. those of a flat structure normal to its plane."""
     if not eq.redundant.any() or len(eq.free) > LARGEST_DENSE:
-        return []
+        return ()
     there = mobility_at(reduced, x.reshape(-1, 3))
     ways = [moves_text(reduced, mode) for mode, soft in zip(there.mechanisms, there.second_order, strict=True) if soft]
     if not ways:
-        return []
+        return ()
     stiff = "Stiff to second order only, so that small loads cause large motions and the result is uncertain"
-    return [f"{stiff}: {few(ways, 3, '; ')}. Connect a node outside the plane by bars, or add a support."]
+    return (f"{stiff}: {few(ways, 3, '; ')}. Connect a node outside the plane by bars, or add a support.",)
 
 
 def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]) -> tuple[str, ...]:

@@ -255,29 +255,25 @@ def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> fl
 
     Each sample excludes the ranges of u in which it is beyond its limit; the last of them has no end.
     """
+    some = np.isfinite(limit)
     begins, ends = [], []
     for which in (1.0, -1.0):
-        S, A, B = (which * one[:, np.isfinite(limit)] for one in parts)
-        room = np.isfinite(limit)
-        beyond = S - limit[room]  # beyond + A u + B u^2 > 0 is excluded
+        S, A, B = (which * one[:, some] for one in parts)
+        beyond = S - limit[some]  # beyond + A u + B u^2 > 0 is excluded
         with np.errstate(all="ignore"):
             root = np.sqrt(A**2 - 4 * B * beyond)
             # both roots without a difference of equal numbers
             half = -0.5 * (A + np.where(A < 0, -root, root))
-            roots = np.sort(np.array([half / B, beyond / half]), axis=0)
-        for one, two, b, a in zip(roots[0].flat, roots[1].flat, B.flat, A.flat, strict=True):
-            if b == 0.0:
-                if a > 0:
-                    begins, ends = [*begins, one if np.isfinite(one) else two], [*ends, np.inf]
-            elif np.isfinite(two) and two > 0:
-                if b < 0 and one > 0:  # between the roots
-                    begins, ends = [*begins, one], [*ends, two]
-                elif b > 0:  # behind the larger one; below zero lies the other
-                    begins, ends = [*begins, two], [*ends, np.inf]
-    if not begins:
+            one, two = np.sort(np.array([half / B, beyond / half]), axis=0)
+        without_end = ((B == 0) & (A > 0)) | ((B > 0) & (two > 0))  # behind the larger root, or the only one
+        between = (B < 0) & (one > 0)
+        begins += [np.where(np.isfinite(two), two, one)[without_end], one[between]]
+        ends += [np.full(int(without_end.sum()), np.inf), two[between]]
+    begin, end = np.concatenate(begins), np.concatenate(ends)
+    if not begin.size:
         return np.inf
-    order = np.argsort(begins)
-    begin, end = np.array(begins)[order], np.array(ends)[order]
+    order = np.argsort(begin)
+    begin, end = begin[order], end[order]
     reach = np.maximum.accumulate(end)
     # the range without end begins behind the last gap
     apart = np.flatnonzero(begin[1:] >= reach[:-1])

@@ -79,5 +79,5 @@ def solve_with_cables(
             wrong = np.arange(len(wrong)) == int(np.flatnonzero(wrong)[0])
         seen.add(key)
         pulls = pulls ^ wrong
-    names = few([held.members[k] for k in i[able]], 6)
-    raise AnalysisError(f"It was not found which of the cables {names} pull under this load. See statics.equilibrium.")
+    among = few([held.members[k] for k in i[able]], 6)
+    raise AnalysisError(f"It was not found which of the cables {among} pull under this load. See statics.equilibrium.")
