@@ -79,25 +79,12 @@ class Road:
         x.reshape(-1)[self.free] += (s - start) * one.to_x
         return self._corrected(at, x, N, factor, s)
 
-    def at_factor(self, at: Point, factor: float) -> Point | None:
-        """The point at a given load factor near `at`, or None."""
-        plane = Point(x=at.x, N=at.N, factor=at.factor, to_x=np.zeros_like(at.to_x), to_factor=at.to_factor)
-        found = self._corrected(plane, at.x.copy(), at.N.copy(), factor, None)
-        if found is None:
-            return None
-        to_x, to_factor = self._along(found.x, found.N, at.to_x, at.to_factor)
-        return Point(x=found.x, N=found.N, factor=factor, to_x=to_x, to_factor=to_factor, steps=found.steps)
-
-    def _corrected(
-        self, at: Point, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, s: float | None
-    ) -> Point | None:
+    def _corrected(self, at: Point, x: NDArray[np.float64], N: NDArray[np.float64], factor: float, s: float) -> Point | None:
         best = (np.inf, x, N, factor)
         for step in range(ITERATIONS):
             g, phi = self._errors(x, N, factor)
-            off = 0.0
-            if s is not None:
-                moved = (x - at.x).reshape(-1)[self.free]
-                off = float(at.to_x @ moved) / self.span**2 + at.to_factor * (factor - at.factor) / self.unit**2 - s
+            moved = (x - at.x).reshape(-1)[self.free]
+            off = float(at.to_x @ moved) / self.span**2 + at.to_factor * (factor - at.factor) / self.unit**2 - s
             size = self._size(x, N, factor)
             left = max(float(np.abs(g).max(initial=0.0)) / size, float(np.abs(phi).max(initial=0.0)) / self.span, abs(off))
             if not np.isfinite(left) or (step > 3 and left > 1e3):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
 
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.assembly import Balance, balance_of, case_loads
 from kinetruss.model import LoadCase, Model, nearest
@@ -26,6 +27,23 @@ __all__ = ["Path", "path", "scaled_force", "without"]
 
 TURN = 0.94
 """Cosine of the largest change of direction of the tangent in one step (20 degrees)."""
+
+ASIDE = 0.9995
+"""Cosine of the largest angle between a chord and the mean of the tangents at its ends (1.8 degrees). On one branch it tends
+to 0 with the square of the step, on an arc of a circle it is 0; a point on another branch lies aside.
+"""
+
+CONTINUOUS = 1e-6
+"""An eigenvalue that stays above this part of its change in a step jumps over 0: the step has left its branch."""
+
+ZERO = 1e-13
+"""Part of the largest stiffness below which an eigenvalue is round-off."""
+
+KINK, SHORTEST = 1e-7, 1e-10
+"""Below the first, a step whose end is near crosses a kink of the path (a cable goes slack); no step is below the second."""
+
+GONE = 1e-8
+"""Part of the size of the structure below which a length counts as zero."""
 
 ALIKE = 1e-6
 """If the work of the load on a mode is below this fraction of their norms, the event is a bifurcation, not a limit point."""
@@ -96,7 +114,9 @@ def path(
     Pseudo-arc-length (Riks 1972, Crisfield 1981, Keller 1977), the step fitted to the curvature of the path. Events are where
     an eigenvalue of the reduced stiffness changes sign: a limit point (located to round-off) if the load does work on its
     mode, else a bifurcation (located as well as its bad conditioning allows), after which the path continues along its
-    tangent. Two events of one mode within a step cancel and are not detected: reduce largest_step.
+    tangent. A step whose chord and tangents do not fit one curve, or in which an eigenvalue jumps over zero, has reached
+    another branch and is halved. Two events of one mode within a step cancel and are not detected: reduce largest_step. Where
+    the length of a member goes to zero the path ends, and ``message`` says so.
 
     >>> import kinetruss as kt
     >>> arch = kt.library.mechanisms.von_mises(load=0.001)
@@ -117,10 +137,15 @@ def path(
     first = road.begin(reached.x, reached.N, 0.0, 1.0 if sense >= 0 else -1.0)
     walk = _Walk(road, first, step, largest_step)
     good = walk.on(points, to)
-    found = _record(system, balance, road, walk, good)
-    if good or not raise_on_failure:
+    end = "" if good else _end(system, walk.points[-1], span)
+    found = _record(system, balance, road, walk, good or bool(end), end)
+    if good or end or not raise_on_failure:
         return found
     raise AnalysisError(f"{found.status.value} {found.message}", found)
+
+
+class _LostError(Exception):
+    """A point between two others was not found."""
 
 
 class _Walk:
@@ -139,74 +164,111 @@ class _Walk:
             return np.zeros(0), np.zeros((len(self.road.free), 0))
         free = self.road.free
         K = self.road.loaded(at.factor).stiffness(at.x, at.N)[free][:, free]
-        return modes(K, constraint_jacobian(self.road.system, at.x)[:, free])
+        values, shapes = modes(K, constraint_jacobian(self.road.system, at.x)[:, free])
+        # of a mechanism without stiffness round-off alone remains, which has no sign
+        return np.where(np.abs(values) < ZERO * self.road.stiff, 0.0, values), shapes
 
     def on(self, count: int, to: float | None) -> bool:
         """Continue to `count` points, or to a load factor; False if a point cannot be passed."""
         while len(self.points) < count:
-            at = self.points[-1]
-            point = self.road.ahead(at, self.step)
-            while point is None or self._turn(at, point) < TURN:
-                self.step *= 0.5
-                if self.step < 1e-10:
-                    return point is not None
-                point = self.road.ahead(at, self.step)
-            arc = self.step
-            ended = to is not None and min(at.factor, point.factor) <= to <= max(at.factor, point.factor) and to != at.factor
-            if ended:
-                point = self.road.at_factor(point, float(to or 0.0)) or point
-            self._add(point, arc)
-            if ended:
+            at, wished = self.points[-1], self.step
+            found = self._further(at)
+            if found is None:
+                return False
+            point, events = found
+            arc, end = self.step, None if to is None or to == at.factor else self._at_factor(at, point, events, to)
+            if end is not None:
+                arc, point = end
+            for event in (one for one in events if one.arc <= arc):
+                self.events.append(event)
+                self.after.append(len(self.points) - 1)
+            self.road.choose(point.x)
+            self.points.append(point)
+            self.values.append(self.eigen(point)[0])
+            self.arcs.append(self.arcs[-1] + arc)
+            if end is not None:
                 return True
-            self.step = min(self.largest, arc * (1.5 if self._turn(at, point) > 0.99 and point.steps < 6 else 1.0))
+            smooth = self._turn(at, point) > 0.99 and point.steps < 6
+            self.step = wished if arc < KINK else min(self.largest, arc * (1.5 if smooth else 1.0))
         return True
+
+    def _further(self, at: Point) -> tuple[Point, list[_Event]] | None:
+        """The next point, with the events before it in their order; the step is halved until all are on the branch of `at`."""
+        while self.step >= SHORTEST:
+            point = self.road.ahead(at, self.step)
+            if point is not None and self._on_branch(at, point):
+                before, after = (int(np.sum(self.eigen(one)[0] < 0)) for one in (at, point))
+                events = [self._event(at, point, index) for index in range(min(before, after), max(before, after))]
+                there = [one for one in events if one is not None]
+                if len(there) == len(events):
+                    return point, sorted(there, key=lambda one: one.arc)
+            self.step *= 0.5
+        return None
 
     def _turn(self, one: Point, two: Point) -> float:
         """Cosine between the tangents of two points."""
         return float(one.to_x @ two.to_x) / self.road.span**2 + one.to_factor * two.to_factor / self.road.unit**2
 
-    def _add(self, point: Point, arc: float) -> None:
-        values = self.eigen(point)[0]
-        before, after = int(np.sum(self.values[-1] < 0)), int(np.sum(values < 0))
-        found = [self._event(index, arc) for index in range(min(before, after), max(before, after))]
-        for event in sorted((one for one in found if one is not None), key=lambda one: one.arc):
-            self.events.append(event)
-            self.after.append(len(self.points) - 1)
-        self.road.choose(point.x)
-        self.points.append(point)
-        self.values.append(values)
-        self.arcs.append(self.arcs[-1] + arc)
+    def _on_branch(self, at: Point, point: Point) -> bool:
+        """Whether a point is on the branch of another, as far as the chord between them and their tangents tell."""
+        span, unit = self.road.span, self.road.unit
+        chord = np.append((point.x - at.x).reshape(-1)[self.road.free] / span, (point.factor - at.factor) / unit)
+        length = float(np.linalg.norm(chord))
+        if self.step < KINK:  # tangents differ on the two sides of a kink, however near they are
+            return length < 3 * self.step
+        mean = np.append((at.to_x + point.to_x) / span, (at.to_factor + point.to_factor) / unit)
+        return self._turn(at, point) >= TURN and float(chord @ mean) >= ASIDE * length * float(np.linalg.norm(mean))
 
-    def _event(self, index: int, arc: float) -> _Event | None:
-        """The point after the last one at which the eigenvalue of this index is zero."""
+    def _at_factor(self, at: Point, point: Point, events: list[_Event], factor: float) -> tuple[float, Point] | None:
+        """The first point of a step at a load factor, with its arc; None if there is none."""
         from scipy.optimize import brentq
 
-        at = self.points[-1]
-        known: dict[float, Point] = {0.0: at}
+        known = {0.0: at, **{one.arc: one.point for one in events}, self.step: point}
+        for low, high in pairwise(known):
+            if min(known[low].factor, known[high].factor) <= factor <= max(known[low].factor, known[high].factor):
+                try:
+                    s = float(brentq(lambda s: self._between(at, s, known).factor - factor, low, high, xtol=1e-16, rtol=1e-14))
+                except _LostError:
+                    return self.step, point
+                return s, replace(self._between(at, s, known), factor=factor)
+        return None
+
+    def _between(self, at: Point, s: float, known: dict[float, Point]) -> Point:
+        """The point at distance s from `at`, from the nearest of those known; it becomes known.
+
+        Raises
+        ------
+        _LostError : the correction does not converge.
+        """
+        if s not in known:
+            near = min(known, key=lambda other: abs(other - s))
+            point = self.road.ahead(at, s, (near, known[near]))
+            if point is None:
+                raise _LostError
+            known[s] = point
+        return known[s]
+
+    def _event(self, at: Point, point: Point, index: int) -> _Event | None:
+        """The point of a step at which the eigenvalue of this index is zero; None if there is none."""
+        from scipy.optimize import brentq
+
+        known = {0.0: at, self.step: point}
 
         def value(s: float) -> float:
-            if s not in known:
-                near = min(known, key=lambda other: abs(other - s))
-                point = self.road.ahead(at, s, (near, known[near]))
-                if point is None:
-                    return float("nan")
-                known[s] = point
-            return float(self.eigen(known[s])[0][index])
+            return float(self.eigen(self._between(at, s, known))[0][index])
 
-        ends = value(0.0), value(arc)
-        if not ends[0] * ends[1] < 0:
-            return None
         try:
-            s = float(brentq(value, 0.0, arc, xtol=1e-15 * max(1.0, arc), rtol=1e-14))
-        except ValueError:  # a point in between does not converge
+            s = float(brentq(value, 0.0, self.step, xtol=1e-15 * max(1.0, self.step), rtol=1e-14))
+            there = value(s)
+        except _LostError:
             return None
-        point = known.get(s) or self.road.ahead(at, s)
-        if point is None:
+        if abs(there) > CONTINUOUS * (abs(value(0.0)) + abs(value(self.step))) and self.step >= KINK:
             return None
-        mode = self.eigen(point)[1][:, index]
+        found = known[s]
+        mode = self.eigen(found)[1][:, index]
         push = self.road.push[self.road.free]
         felt = abs(float(push @ mode)) / (float(np.linalg.norm(push)) * float(np.linalg.norm(mode)))
-        return _Event(kind="limit" if felt > ALIKE else "bifurcation", point=point, arc=s, mode=mode)
+        return _Event(kind="limit" if felt > ALIKE else "bifurcation", point=found, arc=s, mode=mode)
 
 
 def scaled_force(system: System, load: str | Mapping[str, float]) -> NDArray[np.float64]:
@@ -245,7 +307,14 @@ def without(system: System, load: str | Mapping[str, float], load_case: str | No
     return replace(system, model=model.with_(loads=kept, load_cases={}, runs={}))
 
 
-def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: bool) -> Path:
+def _end(system: System, last: Point, span: float) -> str:
+    """Why a path ends at its last point: a length goes to zero. Empty if it does not end there."""
+    lengths = np.linalg.norm(last.x[system.q] - last.x[system.p], axis=1)
+    gone = [f"the length of {name!r}" for name, L in zip(system.members, lengths, strict=True) if L < GONE * span]
+    return f"The path ends at load factor {last.factor:.6g}, where {few(gone, 4)} goes to zero." if gone else ""
+
+
+def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: bool, end: str) -> Path:
     dim, supports = system.dim, [system.node_index(name) for name in system.supports]
     forces = [forces_of(system, road.loaded(at.factor), at.x, at.N, supports) for at in walk.points]
     lowest = [values[0] if len(values) else np.nan for values in walk.values]
@@ -272,7 +341,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         "support": list(system.supports),
         "drive": list(system.drives),
     } | ({"spring": list(system.springs)} if system.springs else {})
-    message = "" if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."
+    message = end if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."
     if not walk.looked_at:
         message = f"{message} Too large to look for events.".strip()
     return Path(
