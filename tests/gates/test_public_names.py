@@ -33,7 +33,7 @@ def test_every_public_name_is_there():
         assert getattr(kt, name) is not None
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "src").rglob("__init__.py")), ids=lambda path: str(path.parent.relative_to(ROOT)))
+@pytest.mark.parametrize("path", sorted((ROOT / "src").rglob("__init__.py")), ids=lambda path: path.parent.as_posix())
 def test_no_late_name_is_that_of_its_module(path):
     """Python binds an imported module to its name in the package, so that the name would give the module."""
     for module, names in re.findall(r'^        "(\w+)": "([\w ]+)",$', path.read_text(encoding="utf-8"), re.MULTILINE):
