@@ -1,10 +1,10 @@
-"""Two campaigns for some seconds each; their long forms are commands in CONTRIBUTING.md."""
+"""Three campaigns for some seconds each; their long forms are commands in CONTRIBUTING.md."""
 
 import os
 
 import pytest
 
-from campaigns import cache, two_writers
+from campaigns import cache, measured, two_writers
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the test needs os.fork, which this system lacks")
@@ -19,3 +19,10 @@ def test_two_writers(tmp_path):
 def test_cache(tmp_path):
     found = cache.campaign(tmp_path / "cache", rounds=2, starts=2, seed=3)
     assert found.faults == []
+
+
+@pytest.mark.parametrize("even", [True, False])
+@pytest.mark.parametrize("law", ["trapezoid", "step_response, order 3"])
+def test_measured(law, even):
+    found = measured.kind(law, 1e-3, even, count=20, seed=3)
+    assert list(found.faults()) == []

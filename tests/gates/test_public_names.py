@@ -31,3 +31,10 @@ def test_pages_and_examples_use_public_names(path):
 def test_every_public_name_is_there():
     for name in kt.__all__:
         assert getattr(kt, name) is not None
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "src").rglob("__init__.py")), ids=lambda path: path.parent.as_posix())
+def test_no_late_name_is_that_of_its_module(path):
+    """Python binds an imported module to its name in the package, so that the name would give the module."""
+    for module, names in re.findall(r'^        "(\w+)": "([\w ]+)",$', path.read_text(encoding="utf-8"), re.MULTILINE):
+        assert module not in names.split()

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import kinetruss as kt
 
 ACTIVE = ("M7", "M9", "M11")
-SIDES = st.floats(-0.05, 0.05) | st.sampled_from([0.0, 1e-9])
+SIDES = st.floats(-0.05, 0.05) | st.sampled_from([0.0, 1e-9, 1e-7, -8e-7, 9e-7, 3e-6])
 
 
 def reached(model, key, value):
@@ -34,13 +34,14 @@ def test_asked_is_got_or_refused(base, longeron, other_base, bar_change, drives,
     bars = dict(model.bars) | {bar: model.bars[bar].with_(length=float(np.linalg.norm(ends[1] - ends[0])) + bar_change)}
     pose = kt.GimbalPose(base=1.2192 + other_base, longeron=0.889, drives=tuple(drives))
     model = model.with_(bars=bars, poses={"bay": pose})
-    fits = max(abs(base - other_base), abs(longeron), abs(bar_change)) < 1e-8 and tuple(drives) == ACTIVE
+    off = max(abs(base - other_base), abs(longeron), abs(bar_change))  # about 1e-6 m, both answers are right
+    in_order = tuple(drives) == ACTIVE
     try:
         got = reached(model, *asked)
     except kt.InputError as error:
-        assert not fits and "poses.bay" in str(error)
+        assert not (in_order and off < 1e-8) and "poses.bay" in str(error)
     else:
-        assert fits and got == pytest.approx(asked[1], abs=1e-6)
+        assert in_order and off < 2e-6 and got == pytest.approx(asked[1], abs=1e-6 if off < 1e-8 else 1e-5)
 
 
 @pytest.mark.parametrize("drives", [one for one in itertools.permutations(ACTIVE) if one != ACTIVE])

@@ -14,7 +14,7 @@ from kinetruss.model._described import described
 from kinetruss.model._library_names import with_library_records
 from kinetruss.model._table import ReadOnly
 from kinetruss.model.beams.framing import chords, expanded, rigid_groups
-from kinetruss.model.beams.spins import spins
+from kinetruss.model.beams.free_spins import spins
 from kinetruss.model.checks.bodies import body_faults
 from kinetruss.model.checks.faults import dimension, faults, misfits
 from kinetruss.model.hubs.checks import hub_faults, missing_nodes

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.constraints.derivatives import Derivatives, held_rows
     from kinetruss.mechanics.constraints.elimination import Elimination
     from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of
-    from kinetruss.mechanics.constraints.matching import matching, structural_rank
+    from kinetruss.mechanics.constraints.matchings import matching, structural_rank
     from kinetruss.mechanics.constraints.moves import moves_text, ranked
     from kinetruss.mechanics.constraints.null_space import Spaces
 
@@ -34,7 +34,7 @@ __getattr__, __dir__ = late(
     {
         "elimination": "Elimination",
         "factors": "SYMMETRIC factors_of",
-        "matching": "matching structural_rank",
+        "matchings": "matching structural_rank",
         "derivatives": "Derivatives held_rows",
         "moves": "moves_text ranked",
         "basis": "null_basis",

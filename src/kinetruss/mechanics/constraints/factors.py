@@ -7,7 +7,7 @@ from typing import Any
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
-from kinetruss.mechanics.constraints.matching import structural_rank
+from kinetruss.mechanics.constraints.matchings import structural_rank
 
 __all__ = ["SYMMETRIC", "factors_of", "matched"]
 

@@ -16,7 +16,7 @@ from scipy.sparse import csc_array, csr_array, eye_array
 from scipy.sparse.linalg import splu
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.constraints.matching import structural_rank
+from kinetruss.mechanics.constraints.matchings import structural_rank
 from kinetruss.mechanics.structure.constraint_gradients import RANK_TOLERANCE
 
 if TYPE_CHECKING:

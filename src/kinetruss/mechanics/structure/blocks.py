@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
-from kinetruss.mechanics.constraints.matching import matching
+from kinetruss.mechanics.constraints.matchings import matching
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

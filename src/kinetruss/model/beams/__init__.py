@@ -19,9 +19,9 @@ if TYPE_CHECKING:
         rigid_groups,
         shape_bars,
     )
+    from kinetruss.model.beams.free_spins import SPIN, Spin, spin_note, spins
     from kinetruss.model.beams.links import line_advice, middle_pins, shared_rotations
     from kinetruss.model.beams.shown import CHORD, FRAME, shown_kinds, shown_names
-    from kinetruss.model.beams.spins import SPIN, Spin, spin_note, spins
 
 __all__ = [
     "CHORD",
@@ -52,7 +52,7 @@ __getattr__, __dir__ = late(
     {
         "framing": "axes_of_beam carriers_of chords expanded frame_of frames hinges rigid_beams rigid_groups shape_bars",
         "links": "line_advice middle_pins shared_rotations",
-        "spins": "SPIN Spin spin_note spins",
+        "free_spins": "SPIN Spin spin_note spins",
         "shown": "CHORD FRAME shown_kinds shown_names",
     },
 )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.beams.framing import frames
-from kinetruss.model.beams.spins import spins
+from kinetruss.model.beams.free_spins import spins
 from kinetruss.model.checks.common import components, unknown
 from kinetruss.model.parts.joints import GROUND
 
