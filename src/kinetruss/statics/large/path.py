@@ -310,7 +310,7 @@ def without(system: System, load: str | Mapping[str, float], load_case: str | No
 def _end(system: System, last: Point, span: float) -> str:
     """Why a path ends at its last point: a length goes to zero. Empty if it does not end there."""
     lengths = np.linalg.norm(last.x[system.q] - last.x[system.p], axis=1)
-    gone = [f"the length of {name!r}" for name, L in zip(system.members, lengths, strict=True) if L < GONE * span]
+    gone = [f"the length of {name!r}" for name, L in zip(system.members, lengths, strict=True) if GONE * span > L]
     return f"The path ends at load factor {last.factor:.6g}, where {few(gone, 4)} goes to zero." if gone else ""
 
 
