@@ -63,7 +63,7 @@ bars: {left: [A, C], right: [B, C], tie: [A, B]}
 @pytest.mark.parametrize(
     ("runs", "said"),
     [
-        ("", "No run to compute: the model has none. Add one under runs:"),
+        ("", "No run to compute: the model has none. Add one to its runs"),
         ("runs: {stand: {samples: 3}}", "has neither trajectory nor motion"),
     ],
 )
@@ -72,5 +72,5 @@ def test_who_runs_what_stands_still_without_saying_how_is_told_how(runs, said, t
     done = CliRunner().invoke(main, ["run", str(tmp_path / "still.yaml"), "-o", str(tmp_path / "run")])
     assert done.exit_code != 0
     assert said in done.output
-    assert "analysis: statics.linear" in done.output
+    assert "the analysis is statics.linear" in done.output
     assert not (tmp_path / "run").exists()

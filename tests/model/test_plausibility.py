@@ -16,6 +16,14 @@ ROD = {"kind": "rod", "diameter": 0.02}
 STEEL = {"E": 210e9, "density": 7850, "yield_strength": 235e6}
 HUB = {"drives": {"turn": {"kind": "angle", "bar": "b"}}, "bars": {"b": ("A", "B")}}
 
+RUN = "runs.r.trajectory."
+SPRING = {"coordinate": {"kind": "angle", "bar": "b"}, "stiffness": 5, "rest": 90}
+
+
+def of_run(**fields):
+    return {"runs": {"r": fields}}
+
+
 SLIPS = {
     "section in mm": ({"section": {"kind": "tube", "outer": 100, "inner": 96}}, "section"),
     "named section in mm": ({"section": "s", "sections": {"s": {"kind": "rod", "diameter": 19}}}, "sections.s"),
@@ -45,6 +53,40 @@ SLIPS = {
     "degrees of a run": (
         HUB | {"runs": {"r": {"trajectory": {"kind": "sine", "amplitudes": {"turn": 30}, "period": 1, "duration": 1}}}},
         "runs.r.trajectory.amplitudes.turn",
+    ),
+    "all in mm": (
+        {"nodes": {"A": (0, 0), "B": (400, 0)}, "section": {"kind": "rectangle", "width": 20, "height": 5}},
+        "section",
+    ),
+    "E in MPa": ({"material": STEEL | {"E": 210e3}}, "material.E"),
+    "E in MPa, density left out": ({"material": {"E": 11e3, "density": 500, "yield_strength": "40 MPa"}}, "material.E"),
+    "density of steel in g/cm^3": ({"material": STEEL | {"density": 7.85}}, "material.density"),
+    "half degrees": (HUB | of_run(trajectory={"kind": "cyclic", "moves": {"turn": (0, 22.5)}, "period": 1}),
+                     RUN + "moves.turn"),
+    "degrees a second": (HUB | of_run(trajectory={"kind": "constant_rate", "rates": {"turn": 360}, "duration": 1}),
+                         RUN + "rates.turn"),
+    "turns a minute": (HUB | of_run(trajectory={"kind": "constant_rate", "rates": {"turn": -1500}, "duration": 1}),
+                       RUN + "rates.turn"),
+    "degrees of a table": (
+        HUB | of_run(trajectory={"kind": "spline", "times": (0, 1, 2, 3), "values": {"turn": (0, 15, 22.5, 30)}}),
+        RUN + "values.turn",
+    ),
+    "degrees of a phase": (
+        HUB | of_run(trajectory={"kind": "sine", "amplitudes": {"turn": 0.5}, "period": 1, "phase": 90, "duration": 1}),
+        RUN + "phase",
+    ),
+    "degrees of way points": (
+        HUB | of_run(targets={"kind": "coordinates", "moves": {"turn": (0, 45, 90)}}), "runs.r.targets.moves.turn"
+    ),
+    "degrees of a task": (
+        HUB | of_run(analysis="dynamics.simulate", t_end=1,
+                     tasks={"turn": {"kind": "quintic", "moves": {"turn": (0, 90)}, "duration": 1}}),
+        "runs.r.tasks.turn.moves.turn",
+    ),
+    "degrees of a pose": (HUB | of_run(analysis="statics.at_poses", poses={"up": {"turn": 90}}), "runs.r.poses.up.turn"),
+    "degrees of a spring": (
+        {"bars": {"b": ("A", "B")}, "springs": {"s": SPRING}},
+        "springs.s.rest",
     ),
 }  # fmt: skip
 
@@ -77,6 +119,13 @@ def test_slips_are_noted_at_their_place(tmp_path, change, place):
         HUB | {"trajectories": {"t": {"kind": "quintic", "moves": {"turn": ("0 deg", "3600 deg")}, "duration": 1}}},
         HUB | {"trajectories": {"t": {"kind": "quintic", "moves": {"turn": (0, "40 rad")}, "duration": 1}}},
         HUB | {"trajectories": {"t": {"kind": "quintic", "moves": {"turn": (0, 62.83185307179586)}, "duration": 1}}},
+        HUB | of_run(trajectory={"kind": "constant_rate", "rates": {"turn": 10}, "duration": 1}),
+        HUB | of_run(trajectory={"kind": "constant_rate", "rates": {"turn": "90 rad/s"}, "duration": 1}),
+        HUB | of_run(trajectory={"kind": "constant_rate", "rates": {"turn": "1500 rev/min"}, "duration": 1}),
+        HUB | of_run(targets={"kind": "coordinates", "moves": {"turn": ("0 deg", "720 deg")}}),
+        {"material": {"E": 5e6, "density": 1100, "yield_strength": 15e6}},  # rubber
+        {"material": {"E": 1.2e12, "density": 3515}},  # diamond
+        {"section": {"kind": "tube", "outer": 8.0, "inner": 7.9}, "nodes": {"A": (0, 0), "B": (150, 0)}, "material": STEEL},
     ],
 )
 def test_sound_models_are_not_doubted(change):

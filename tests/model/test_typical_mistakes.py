@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import pydoc
 import types
 
 import pytest
+import yaml
 
 import kinetruss as kt
 
@@ -126,3 +128,50 @@ def test_a_file_is_told_to_write_yaml(tmp_path):
     fixed, drive = kt.check(path)
     assert fixed.mend == "Write for example fixed: [A, D], or fixed: {A: xy, D: xy}."
     assert drive.mend == "Write for example {kind: angle, bar: crank}."
+
+
+WRONG = {
+    "beams": {"b": "A"}, "bodies": {"b": 3}, "conditions": {"c": 3}, "couplings": {"c": ["motor", 1]}, "drives": {"m": "crank"},
+    "load_cases": {"a": ["f"]}, "loads": {"f": (0, -1)}, "runs": {"r": 5}, "safety": 2, "springs": {"s": 4}, "section": 0.02,
+    "clamped": 7, "fixed": 7, "nodes": 3, "bars": 3, "trajectories": {"t": 4},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("field", WRONG)
+def test_what_an_error_offers_is_python_in_python_and_yaml_in_files(field, tmp_path):
+    with pytest.raises(kt.ModelError) as caught:
+        kt.Model(**{"nodes": {"A": (0, 0), "B": (1, 0)}, field: WRONG[field]})
+    (fault,) = [one for one in caught.value.faults if one.path[0] == field]
+    offered = fault.mend.removeprefix("Write for example ").rstrip(".").split(", or ")
+    for one in offered:
+        value = eval(one.removeprefix(f"{field}="), {"kt": kt})
+        assert value == {"A": "BODY"} or not isinstance(value, str)
+    file = tmp_path / "model.json"
+    file.write_text(json.dumps({"kinetruss": 1, "nodes": {"A": (0, 0), "B": (1, 0)}} | {field: WRONG[field]}))
+    (placed,) = [one for one in kt.check(file) if one.path[0] == field]
+    for one in placed.mend.removeprefix("Write for example ").rstrip(".").split(", or "):
+        assert isinstance(yaml.safe_load(one.removeprefix(f"{field}: ")), (dict, list))
+
+
+@pytest.mark.parametrize(
+    ("record", "given", "meant"),
+    [
+        (kt.Run, "duration", "t_end"),
+        (kt.Node, "weight", "mass"),
+        (kt.Model, "supports", "fixed"),
+        (kt.Material, "rho", "density"),
+    ],
+)
+def test_words_of_other_programs_are_understood(record, given, meant):
+    with pytest.raises(kt.ModelError, match=f"{given}: '{given}' is not known here. Did you mean '{meant}'"):
+        record(**{given: 3})
+
+
+def test_a_structure_without_supports_is_told_so():
+    model = kt.library.mechanisms.four_bar().with_(fixed={}, runs={"go": TURN["turn"]})
+    (fault,) = kt.check(model)
+    assert str(fault) == (
+        "runs.go: no node is fixed, so that the structure moves as a whole. Name the nodes at its supports in 'fixed'."
+    )
+    with pytest.raises(kt.InputError, match="No node is fixed"):
+        kt.kinematics.follow(model, TURN["turn"].trajectory)

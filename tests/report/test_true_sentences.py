@@ -5,10 +5,12 @@ import re
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinetruss as kt
+from kinetruss.cli import main
 from kinetruss.report.document.parts.lists import members_of, nodes_of, total_mass
 from kinetruss.report.pictures.figures import specifications
 
@@ -102,3 +104,45 @@ def test_a_full_turn_is_drawn_in_three_poses():
     assert len(places) == 3
     size = np.ptp(places[0])
     assert min(np.abs(a - b).max() for k, a in enumerate(places) for b in places[:k]) > 0.05 * size
+
+
+def test_drives_have_their_curves_of_force_torque_and_power():
+    turn = kt.Run(trajectory=kt.ConstantRate(rates={"motor": 2 * math.pi}, duration=1.0), samples=61)
+    model = kt.read(kt.library.example_files()["four_bar"][0]).with_(runs={"turn": turn})
+    run = kt.run(model)
+    (drawn,) = [one for one in specifications(run) if one.name == "drives"]
+    torque, power = drawn.panels
+    assert (torque.quantity, torque.unit, power.unit) == ("torque", "N m", "W")
+    energy = run.forces["all"].data["energy"].values
+    gained = np.trapezoid(power.lines["motor"], drawn.time)
+    assert np.allclose(power.lines["motor"], 2 * math.pi * torque.lines["motor"])
+    assert gained == pytest.approx(float(energy[-1] - energy[0]), abs=1e-3 * np.abs(power.lines["motor"]).max())
+    assert "Forces, torques and power of drives" in kt.report.document_page(run).html
+
+
+@pytest.mark.parametrize(("count", "caption"), [(3, "of each part"), (20, ": the first 14 of 20 parts")])
+def test_a_picture_of_the_first_parts_says_so(count, caption):
+    """Bars that hang side by side."""
+    nodes = {f"A{k}": (k, 0) for k in range(count)} | {f"B{k}": (k, -1) for k in range(count)}
+    model = kt.Model(
+        nodes=nodes, fixed={name: "xy" if name[0] == "A" else "x" for name in nodes}, section=TUBE, material="steel_s355",
+        bars={f"b{k}": (f"A{k}", f"B{k}") for k in range(count)}, gravity=(0, -9.81),
+        runs={"hang": kt.Run(analysis="statics.linear")},
+    )  # fmt: skip
+    (drawn,) = [one for one in specifications(kt.run(model)) if one.name == "stresses"]
+    assert drawn.title == f"Highest stress{'' if caption[0] == ':' else ' '}{caption}"
+    assert len(drawn.labels) == min(count, 14)
+
+
+def test_poses_are_told_by_their_names(tmp_path):
+    poses = kt.Run(analysis="statics.at_poses", poses={"up": {"motor": "90 deg"}, "low": {"motor": "200 deg"}})
+    model = kt.read(kt.library.example_files()["four_bar"][0]).with_(runs={"stand": poses})
+    run = kt.run(model, "stand", tmp_path / "run")
+    said = [kt.report.joints(run).text, kt.report.compare([run]).text, kt.report.summary(run).text]
+    table = kt.io.export(tmp_path / "run", tmp_path / "run.csv").read_text().splitlines()
+    free = CliRunner().invoke(main, ["explain", str(tmp_path / "run"), "--member", "crank"]).output
+    for text in (*said, free.splitlines()[0]):
+        assert re.search(r"\b(up|low)\b", text)
+        assert not re.search(r"\bt = |\btime\b", text)
+    assert [line.split(",")[0] for line in table] == ["pose", "up", "low"]
+    assert "In time" not in kt.report.document_page(run).html.partition("kinetruss-report")[0]

@@ -157,7 +157,7 @@ def instant(_ctx: click.Context, _option: click.Parameter, text: str | None) -> 
         raise click.BadParameter(str(error)) from None
 
 
-json_option = click.option("--json", "as_json", is_flag=True, help="Print exactly one JSON object on stdout.")
+json_option = click.option("--json", "as_json", is_flag=True, help="Print the result as one JSON object.")
 
 
 def size(_ctx: click.Context, _option: click.Parameter, text: str) -> int:

@@ -9,7 +9,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io import MAX_SIZE, placed, read
 from kinetruss.io import check as data_faults
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.freedom import beam_deformations, mobility_at
+from kinetruss.mechanics.freedom import afloat, beam_deformations, mobility_at
 from kinetruss.model import Model, in_python, loads_along_beams, plausibility
 from kinetruss.model.beams import spins
 
@@ -88,6 +88,8 @@ def _freedoms(model: Model) -> list[Fault]:
     system = compile(model)
     if not (found := mobility_at(system, system.x0, beam_deformations)).undriven:
         return []
+    if (free := afloat(model)) is not None:
+        return [replace(free, path=("runs", driven[0]))]
     count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
     moves = "; ".join(found.mechanism_texts(3))
     return [Fault(("runs", driven[0]), f"the structure has {count}: {moves}.", "Drive it, add a bar, or fix a node.")]

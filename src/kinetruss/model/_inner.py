@@ -31,7 +31,7 @@ class Owner(NamedTuple):
     @property
     def text(self) -> str:
         """The user's part in words."""
-        return self.name if self.table == "nodes" else f"{WORDS[self.table]} {self.name}"
+        return f"rotation of {self.name}" if self.table == "nodes" else f"{WORDS[self.table]} {self.name}"
 
 
 @dataclass(frozen=True, kw_only=True)

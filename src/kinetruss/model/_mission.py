@@ -129,7 +129,7 @@ def mission_faults(model: Model, mission: Mission) -> list[Fault]:
 
 def _runs(model: Model, mission: Mission) -> Iterator[Fault]:
     if mission.runs is None and not model.runs:
-        yield Fault((), "the model has no run to be sized for.", "Add one under runs: in the model.")
+        yield Fault((), "the model has no run to be sized for.", "Add one to the runs of the model.")
     for index, name in enumerate(mission.runs or ()):
         if name not in model.runs:
             yield Fault(("runs", index), f"the model has no run called {name!r}.", nearest(name, model.runs))

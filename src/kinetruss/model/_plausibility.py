@@ -6,12 +6,15 @@ Such values are reported, not refused. The bounds are beyond real designs.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model._record import Record
 from kinetruss.model.checks.simulation import coordinate_kinds
-from kinetruss.model.motion.trajectories import moved_by
+from kinetruss.model.motion.drives import turns
+from kinetruss.model.motion.tasks import TRAJECTORY_TASKS
+from kinetruss.model.motion.trajectories import Sine, moved_by
 
 if TYPE_CHECKING:
     from kinetruss.model._model import Model
@@ -27,7 +30,9 @@ SLIM = 40_000
 HEAVY = 10 * 22_600.0
 """Largest plausible mass over the volume of a cube as wide as the model, kg/m^3: ten times osmium, the densest element."""
 HEAVIEST = 1e9
-"""Largest plausible mass, Largest plausible mass, kg; the heaviest ships have 7e8."""
+"""Largest plausible mass, kg; the heaviest ships have 7e8."""
+WIDE = 10.0
+"""Largest plausible width of a section, m; legs of the largest platforms at sea have 8."""
 STIFF = 2e12
 """Largest plausible modulus, Pa; diamond has 1.2e12."""
 
@@ -38,6 +43,12 @@ DENSE = 25_000.0
 
 LIGHT = 0.5
 """Least plausible density, kg/m^3; the lightest foams have 1."""
+FLOPPY, COMPACT = 1e8, 2300.0
+"""Least plausible modulus, Pa, of what is denser than this, kg/m^3: rubbers and gels are lighter."""
+STIFF_AND_LIGHT = 1e9
+"""Largest plausible ratio of modulus to density, m^2/s^2; graphene has 5e8."""
+STRETCH = 10.0
+"""Largest plausible ratio of yield strength to modulus; rubbers have 5."""
 STRONG = 2e11
 """Largest plausible yield strength, Pa; carbon nanotubes have 1e11."""
 
@@ -48,7 +59,11 @@ LARGEST_GRAVITY = 300.0
 STEEP = 0.35
 """Largest plausible ratio of the lead (m/rad) of a screw to its mean radius; if the lead equals the diameter, it is 1/pi."""
 TURNS = 10.0
-"""rad; larger whole numbers without a unit are probably degrees."""
+"""rad; larger whole and half numbers without a unit are probably degrees."""
+ROUND_RATES = (30.0, 45.0)
+"""Multiples of these without a unit are probably rates in deg/s or rev/min, not in rad/s."""
+TURNING = ("beta", "gamma", "roll", "pitch", "yaw")
+"""Coordinates of tasks that are angles."""
 
 Path = tuple[str | int, ...]
 
@@ -82,6 +97,8 @@ def _sections(model: Model) -> Iterator[Fault]:
         mend = "Write the unit, e.g. '20 mm'; a bare number is in m."
         if across > longest:
             yield Fault(place, f"is {across:g} m across, and the longest bar that has it is {longest:.3g} m long.", mend)
+        elif across > WIDE:
+            yield Fault(place, f"is {across:g} m across, wider than any bar or beam that is built.", mend)
         elif found:
             (I2, I3), area = section.second_moments, section.area
             radius = (I2 * I3) ** 0.25 / math.sqrt(area)
@@ -115,12 +132,31 @@ def _materials(model: Model) -> Iterator[Fault]:
         ("yield_strength", STRONG, WEAK, "Pa", "'235 MPa'"),
     )
     for path, material in found:
+        alone = True
         for field, most, least, unit, example in rules:
             value = getattr(material, field, None)
             if value and not least <= value <= most:
                 beyond = "more" if value > most else "less"
                 mend = f"Write the unit, e.g. {example}; a bare number is in {unit}."
                 yield Fault((*path, field), f"is {value:g} {unit}, {beyond} than any known material has.", mend)
+                alone = False
+        if alone:
+            yield from _of_no_material(path, material)
+
+
+def _of_no_material(path: Path, material: Any) -> Iterator[Fault]:
+    """Values that are possible alone, but not together."""
+    E, density, strength = (getattr(material, field, None) or 0.0 for field in ("E", "density", "yield_strength"))
+    as_modulus = "Write the unit, e.g. '210 GPa'; a bare number is in Pa."
+    if density > COMPACT and 0 < E < FLOPPY:
+        yield Fault((*path, "E"), f"is {E:g} Pa, less than any material as dense as {density:g} kg/m^3 has.", as_modulus)
+    elif strength > STRETCH * E > 0:
+        yield Fault(
+            (*path, "E"), f"is {E:g} Pa, and the yield strength {strength:g} Pa: no material stretches so far.", as_modulus
+        )
+    elif 0 < STIFF_AND_LIGHT * density < E:
+        message = f"is {density:g} kg/m^3, less than any material as stiff as {E:g} Pa has."
+        yield Fault((*path, "density"), message, "Write the unit, e.g. '7.85 g/cm^3'; a bare number is in kg/m^3.")
 
 
 def _material_fields(model: Model) -> Iterator[tuple[Path, Any]]:
@@ -159,27 +195,75 @@ def _screws(model: Model) -> Iterator[Fault]:
 
 
 def _angles(model: Model) -> Iterator[Fault]:
-    found: list[tuple[Path, Any]] = [(("trajectories", name), one) for name, one in model.trajectories.items()]
+    for name, one in model.trajectories.items():
+        yield from turned_far(model, one, ("trajectories", name))
     for name, run in model.runs.items():
+        path: Path = ("runs", name)
         if run.trajectory is not None and not isinstance(run.trajectory, str):
-            found.append((("runs", name, "trajectory"), run.trajectory))
-    for path, trajectory in found:
-        yield from turned_far(model, trajectory, path)
+            yield from turned_far(model, run.trajectory, (*path, "trajectory"))
+        for drive, task in run.tasks.items():
+            if isinstance(task, TRAJECTORY_TASKS):
+                yield from turned_far(model, task, (*path, "tasks", drive))
+        kinds = coordinate_kinds(model)
+        for pose, values in run.poses.items():
+            for drive, value in values.items():
+                yield from _far(kinds.get(drive) == "angle", (value,), (*path, "poses", pose, drive))
+        if run.targets is not None:
+            yield from _of_targets(kinds, run.targets, (*path, "targets"))
+    for name, spring in model.springs.items():
+        if spring.rest is not None and spring.coordinate is not None:
+            yield from _far(turns(spring.coordinate), (spring.rest,), ("springs", name, "rest"))
+
+
+def _of_targets(kinds: Mapping[str, str], target: Any, path: Path) -> Iterator[Fault]:
+    """Way points of tasks that are angles."""
+    for index, one in enumerate(getattr(target, "tasks", ())):
+        yield from _of_targets(kinds, one, (*path, "tasks", index))
+    for name, course in getattr(target, "moves", {}).items():
+        values = getattr(course, "values", course)
+        if not callable(values) and not isinstance(values, Record):
+            angle = name in TURNING if target.COORDINATES else kinds.get(name) == "angle"
+            yield from _far(angle, values if isinstance(values, tuple) else (values,), (*path, "moves", name))
 
 
 def turned_far(model: Model, trajectory: Any, path: Path = ()) -> Iterator[Fault]:
-    """Angles of a trajectory that are large whole numbers without a unit: degrees that are read as radians.
+    """Angles and rates of a trajectory that are large round numbers without a unit: degrees that are read as radians.
 
     >>> import kinetruss as kt
     >>> model = kt.library.mechanisms.four_bar()
     >>> print(*turned_far(model, kt.Quintic(moves={"motor": (90, 180)}, duration=1.0)))
     moves.motor: goes to 180 rad, 28.6 turns. Write the unit, e.g. '180 deg'; a bare number is in rad.
+    >>> [note.message for note in turned_far(model, kt.ConstantRate(rates={"motor": 360}, duration=1.0))]
+    ['is 360 rad/s, 57.3 turns a second.']
     """
     kinds = coordinate_kinds(model)
     field, table = moved_by(trajectory)
-    for name, value in table.items() if field in ("moves", "amplitudes") else ():
-        bare = [one for one in (value if isinstance(value, tuple) else (value,)) if getattr(one, "quantity", "") is None]
-        large = [one for one in bare if abs(one) >= TURNS and float(one).is_integer()]
-        if kinds.get(name) == "angle" and large:
-            message = f"goes to {large[-1]:g} rad, {abs(large[-1]) / (2 * math.pi):.3g} turns."
-            yield Fault((*path, field, name), message, f"Write the unit, e.g. '{large[-1]:g} deg'; a bare number is in rad.")
+    for name, value in table.items():
+        place: Path = (*path, field, name)
+        angle = kinds.get(name) == "angle"
+        if field == "rates":
+            if angle and _bare(value) and value and any(value % step == 0 for step in ROUND_RATES):
+                message = f"is {value:g} rad/s, {abs(value) / (2 * math.pi):.3g} turns a second."
+                mend = f"Write the unit, e.g. '{value:g} deg/s' or '{value:g} rev/min'; a bare number is in rad/s."
+                yield Fault(place, message, mend)
+        elif field != "values" or all(map(_halves, value)):
+            yield from _far(angle, value if isinstance(value, tuple) else (value,), place)
+    if isinstance(trajectory, Sine):
+        yield from _far(True, (trajectory.phase,), (*path, "phase"))
+
+
+def _far(angle: bool, values: Iterable[float], place: Path) -> Iterator[Fault]:
+    """The note on the largest of some angles, if it is a large whole or half number without a unit."""
+    large = [one for one in values if _bare(one) and abs(one) >= TURNS and _halves(one)] if angle else []
+    if large:
+        most = max(large, key=abs)
+        message = f"goes to {most:g} rad, {abs(most) / (2 * math.pi):.3g} turns."
+        yield Fault(place, message, f"Write the unit, e.g. '{most:g} deg'; a bare number is in rad.")
+
+
+def _bare(value: float) -> bool:
+    return getattr(value, "quantity", None) is None
+
+
+def _halves(value: float) -> bool:
+    return float(2 * value).is_integer()

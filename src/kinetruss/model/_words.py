@@ -51,22 +51,38 @@ _EXAMPLES = {
     "force": "[0, -100 N]",
     "gravity": "[0, -9.81]",
     "loads": "weight: {node: B, force: [0, -100 N]}",
-    "moves": "[0, 90 deg], the first and the last value",
+    "moves": "motor: [0, 90 deg]",
     "nodes": "A: [0, 0], B: [1 m, 0]",
     "rates": "motor: 10",
 }
 _RECORDS = {
+    "beams": "{ends: [A, B]}",
+    "bodies": "{nodes: [A, B, C], mass: 2 kg}",
+    "conditions": "{gravity: [0, -1.62]}",
+    "coordinate": "{kind: angle, bar: crank}",
+    "couplings": "{terms: [[{kind: angle, bar: crank}, 1], [{kind: angle, bar: rocker}, -2]]}",
     "drives": "{kind: angle, bar: crank}",
     "loads": "{node: B, force: [0, -100 N]}",
+    "load_cases": "{loads: {weight: 1.35}}",
     "material": "{E: 210 GPa, density: 7850}",
     "materials": "{E: 210 GPa, density: 7850}",
     "runs": "{trajectory: {kind: rate, rates: {motor: 10}, duration: 1 s}}",
+    "method": "{kind: dop853}",
+    "safety": "{yielding: 1.5, buckling: 2}",
     "section": "{kind: rod, diameter: 10 mm}",
     "sections": "{kind: rod, diameter: 10 mm}",
+    "springs": "{coordinate: {kind: angle, bar: crank}, stiffness: 5}",
+    "tasks": "{kind: hold}",
     "trajectories": "{kind: rate, rates: {motor: 10}, duration: 1 s}",
     "trajectory": "{kind: rate, rates: {motor: 10}, duration: 1 s}",
 }
 """Field or table -> a record in it."""
+_OTHERS = {
+    "duration": "t_end", "end_time": "t_end", "elements": "bars", "members": "bars", "joints": "nodes", "points": "nodes",
+    "modulus": "E", "young": "E", "youngs_modulus": "E", "rho": "density", "position": "at", "supports": "fixed",
+    "weight": "mass", "fy": "yield_strength", "nu": "poisson",
+}  # fmt: skip
+"""Words of other programs -> the field that has this meaning here."""
 _CLASSES = {
     '"kind": "angle"': "AngleDrive", '"kind": "rod"': "Rod", '"kind": "tube"': "Tube", '"node"': "NodalForce",
     '"kind": "rate"': "ConstantRate", '"trajectory"': "Run", '"E"': "Material",
@@ -179,7 +195,9 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
     if kind == "missing":
         return Fault(path, f"{shown(path[-1])} is missing.", "Add it.")
     if kind == "extra_forbidden":
-        offer = nearest(path[-1], _fields(record, item["loc"][:-1])) if known else "Remove it."
+        fields = _fields(record, item["loc"][:-1]) if known else []
+        other = _OTHERS.get(str(path[-1]).lower())
+        offer = f"Did you mean {other!r}?" if other in fields else nearest(path[-1], fields) if known else "Remove it."
         return Fault(path, f"{shown(path[-1])} is not known here.", offer)
     if kind in _SHAPES:
         expected, mend = _SHORT.get(item.get("ctx", {}).get("class_name"), _SHAPES[kind])
@@ -188,8 +206,14 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
         what = "is empty" if given is None else "is a function" if callable(given) else f"is {shown(given)}"
         if path[-1:] == ("fixed",):
             expected, mend = "a list or a table of names", "Write for example fixed: [A, D], or fixed: {{A: xy, D: xy}}."
-        elif not _OF_FILE.get():
-            expected = {"a table of names": "a dictionary", "a table of fields": "a record"}.get(expected, expected)
+        if path[-1:] == ("clamped",):
+            expected, mend = "a list or a table of names", "Write for example clamped: [A, D], or clamped: {{A: BODY}}."
+        if not _OF_FILE.get():
+            expected = {
+                "a table of names": "a dictionary",
+                "a list or a table of names": "a list or a dictionary",
+                "a table of fields": "a record",
+            }.get(expected, expected)
         return Fault(path, f"{what}; expected {expected}.", mend.format(entry=_example(kind, path)))
     if kind == "union_tag_not_found":
         return Fault(path, "has no kind.", f"Add kind: one of {', '.join(_kinds(record, item['loc']))}.")
@@ -232,6 +256,8 @@ def _called(name: str, table: re.Match[str]) -> str:
 def _example(kind: str, path: Path) -> str:
     """An entry of the field at a place, or of the table that the place is in (``moves.motor``)."""
     names = path[-1:] if kind == "dict_type" else path[-1:-3:-1]
+    if path[-2:-1] == ("moves",):
+        return "[0, 90 deg], the first and the last value"
     if kind.startswith("model"):
         return next((_RECORDS[name] for name in names if name in _RECORDS), _ENTRIES[kind])
     return next((_EXAMPLES[name] for name in names if name in _EXAMPLES), _ENTRIES.get(kind, ""))

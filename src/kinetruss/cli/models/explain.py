@@ -77,10 +77,11 @@ def explain(
         forces = forces.static
     from kinetruss import dynamics, report
 
+    pose = str(forces.data["pose"].values[0]) if "pose" in forces.data.coords else ""
     if system:
-        page = report.explain(dynamics.newton_euler(loaded, forces.motion, forces, rods=rods))
+        page = report.explain(dynamics.newton_euler(loaded, forces.motion, forces, rods=rods), pose)
     else:
-        page = report.explain(dynamics.free_body(loaded, forces.motion, forces, member=member, node=node))
+        page = report.explain(dynamics.free_body(loaded, forces.motion, forces, member=member, node=node), pose)
     written = None if file is None else page.write(file)
     if as_json:
         print_json("system" if system else "free_body", {**page.record, "csv": None if written is None else str(written)})

@@ -63,7 +63,7 @@ def budget(
     as_json: bool,
     max_size: int,
 ) -> None:
-    """Compute what tolerances make of poses, forces and strains: worst case, root sum of squares, Monte Carlo."""
+    """Errors of poses, forces and strains that tolerances cause: worst case, root sum of squares, Monte Carlo."""
     asked, pose = pairs("--tolerance", tolerances), pairs("--at", at)
     from kinetruss import runs
     from kinetruss.io import read

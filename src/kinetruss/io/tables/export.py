@@ -120,13 +120,15 @@ def _csv(store: Store, groups: list[str], path: Path) -> None:
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)
         columns = [(name, str(key)) for name, data in histories.items() for key in data.data_vars if _timed(data[key])]
-        rows.writerow(["time (s)", *(head for name, key in columns for head in _heads(name, histories[name][key]))])
+        start = next(iter(histories.values()))
+        when, head = ("pose", "pose") if "pose" in start.coords else ("time", "time (s)")
+        rows.writerow([head, *(one for name, key in columns for one in _heads(name, histories[name][key]))])
         for first in range(0, store.ledger.committed, BATCH):
             part = slice(first, first + BATCH)
             values = [flat(histories[name][key].isel(time=part)) for name, key in columns]
-            time = next(iter(histories.values()))["time"].isel(time=part).values[:, None]
             # tolist gives Python floats, written with as many digits as it takes to read them back exactly
-            rows.writerows(np.hstack([time, *values]).tolist())
+            moments = start[when].isel(time=part).values.tolist()
+            rows.writerows([at, *row] for at, row in zip(moments, np.hstack(values).tolist(), strict=True))
 
 
 def _timed(data: xr.DataArray) -> bool:

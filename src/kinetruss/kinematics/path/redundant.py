@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import distances
 from kinetruss.kernels.structure.plan import LENGTH
@@ -180,11 +180,16 @@ def _fight(system: System, path: Path, extra: NDArray[np.int64], k: int, x: NDAr
     """The error if redundant constraints do not agree with the others at sample k."""
     miss = np.abs(misses(system, extra, path.drive[0][k : k + 1], x[k : k + 1])[0])
     r = int(extra[np.argmax(miss)])
-    said = shared_rotations(system.model)
+    others, driven = _partners(system, r)
+    said = [shared_rotations(system.model)]
+    if driven or system.row_drive[r] >= 0:
+        said.append("Drive one of them less.")
+    else:
+        said.append("No drive is among them: remove one of them, or let a bar of them change its length.")
     return InputError(
-        f"The drives contradict each other: {_part(system, r)!r} is fixed by the others ({_partners(system, r)}) and "
+        f"The drives contradict each other: {_part(system, r)!r} is fixed by the others ({few(others, 8)}) and "
         f"cannot follow its prescribed values from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). "
-        f"{f'{said} Or drive' if said else 'Drive'} one of them less."
+        f"{' '.join(filter(None, said))}"
     )
 
 
@@ -216,10 +221,11 @@ def misses(system: System, rows: NDArray[np.int64], values: NDArray[np.float64],
     return miss
 
 
-def _partners(system: System, r: int) -> str:
-    """Names of the drives (or, if none, bars) in a state of self-stress with constraint r."""
+def _partners(system: System, r: int) -> tuple[list[str], bool]:
+    """Names of the drives (or, if none, other parts) in a state of self-stress with constraint r; whether they are drives."""
     states = mobility_at(system, system.x0).self_stress_states
     shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
     shared[r] = False
-    rows = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0] or list(np.flatnonzero(shared))
-    return ", ".join(list(dict.fromkeys(_part(system, k) for k in rows))[:6]) or "its supports"
+    drives = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0]
+    names = dict.fromkeys(_part(system, k) for k in drives or np.flatnonzero(shared))
+    return [name for name in names if name != _part(system, r)] or ["its supports"], bool(drives)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
         is_prescribed,
         row_of,
     )
-    from kinetruss.mechanics.freedom.rank import Mobility, mobility, mobility_at, underdriven
+    from kinetruss.mechanics.freedom.rank import Mobility, afloat, mobility, mobility_at, underdriven
     from kinetruss.mechanics.freedom.rows import (
         Basis,
         chosen_dofs,
@@ -36,6 +36,7 @@ __all__ = [
     "Deformations",
     "HeldShapes",
     "Mobility",
+    "afloat",
     "beam_deformations",
     "chosen_dofs",
     "contradicted",
@@ -66,7 +67,7 @@ __getattr__, __dir__ = late(
     {
         "strained": "Deformations beam_deformations deformations",
         "named": "Coordinate coordinate_gradients coordinate_rows coordinate_values coordinates is_prescribed row_of",
-        "rank": "Mobility mobility mobility_at underdriven",
+        "rank": "Mobility afloat mobility mobility_at underdriven",
         "rows": "Basis chosen_dofs dof_basis first_order_of derivatives_of released second_order_of",
         "shapes": "HeldShapes held_shapes shaped",
         "transfer": "contradicted displacements flat_positions transfers",

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import csr_array, vstack
 
 from kinetruss.display import counted
-from kinetruss.errors import InputError
+from kinetruss.errors import Fault, InputError
 from kinetruss.kernels.structure.plan import LENGTH, SUM
 from kinetruss.mechanics import (
     RANK_TOLERANCE,
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["Mobility", "mobility", "mobility_at", "underdriven"]
+__all__ = ["Mobility", "afloat", "mobility", "mobility_at", "underdriven"]
 
 QUICK = 600
 """Rows and columns up to which an elimination is faster than inverse iteration."""
@@ -127,7 +127,7 @@ class Mobility:
     def mechanism_texts(self, most: int | None = None) -> list[str]:
         """Each mechanism in words, the first `most`: which node moves in which direction, largest first."""
         plane = self.system.dim == 2
-        fix = "make links with a pin in the middle of two beams" if plane else "hold a node off the plane by bars"
+        fix = "a link with a pin in its middle is made of two beams" if plane else "hold a node off the plane by bars"
         advice = line_advice(self.system.model) or f"{fix}, or add a support"
         soft = f" -- stiff to second order only, loose under the least load: {advice}"
         return [
@@ -259,6 +259,13 @@ def _beside(system: System) -> str:
     return f"{advice}." if advice else "Draw it beside that position, or drive another member."
 
 
+def afloat(model: Model) -> Fault | None:
+    """The fault of a structure that the ground holds nowhere, where supports are needed; None if there are some."""
+    if model.fixed or "ground" in model.clamped.values():
+        return None
+    return Fault((), "no node is fixed, so that the structure moves as a whole.", "Name the nodes at its supports in 'fixed'.")
+
+
 def underdriven(system: System) -> InputError:
     """The error of a mechanism that its drives do not hold, naming the nodes that move."""
     found = mobility_at(system, system.x0, beam_deformations)
@@ -271,6 +278,8 @@ def underdriven(system: System) -> InputError:
             f"{moves_text(system, way.reshape(-1, 3)[:, : system.dim])}. "
             f"{_beside(system)}"
         )
+    if (free := afloat(system.model)) is not None:
+        return InputError(f"{free.message.capitalize()} {free.mend}")
     moves = "; ".join(found.mechanism_texts(4))
     return InputError(
         f"The drives leave {found.undriven} freedom{'s' if found.undriven != 1 else ''} of the mechanism: {moves}. "

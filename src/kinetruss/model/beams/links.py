@@ -18,8 +18,8 @@ LINE = 1e-6
 """A node within this fraction of the length of a link from its axis lies on it."""
 
 OWN_NODE = (
-    "a link that crosses it there gets a node of its own at the same place (coincident: true), and couplings keep x and y of "
-    "both nodes equal"
+    "where two links cross, the second one gets a node of its own at the same place (coincident: true), and two couplings keep "
+    "x and y of both nodes equal"
 )
 
 
@@ -69,6 +69,6 @@ def shared_rotations(model: ModelData) -> str:
     if not nodes:
         return ""
     return (
-        f"Beams that meet at {few(nodes, 4)} share one rotation, as if welded: release the ends of those that turn against the "
-        f"others (release: [{nodes[0]}]); {OWN_NODE}."
+        f"Beams that meet at {few(nodes, 4)} share one rotation, as if welded. Release a beam that is pinned to the others "
+        f"(release: [{nodes[0]}]); {OWN_NODE}."
     )

@@ -27,7 +27,9 @@ from kinetruss.model.motion.trajectories import TrajectoryOrName
 
 __all__ = ["FLEXIBLE", "MISSION", "STANDING", "STATIC", "Elastic", "Run"]
 
-STANDING = "A structure that stands still: analysis: statics.linear, statics.equilibrium, or statics.at_poses with poses."
+STANDING = (
+    "For a structure that stands still the analysis is statics.linear, statics.equilibrium, or statics.at_poses with poses."
+)
 """The fix for a run of a structure that does not move."""
 
 Analysis = Literal[

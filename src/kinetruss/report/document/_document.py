@@ -149,7 +149,12 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
         Part("strength", "Strength", stressed, [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)]),
         Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
-        Part("forces", "Member forces", "Axial forces and supports", [*parts.forces(record), *drawn.of("forces")]),
+        Part(
+            "forces",
+            "Member forces",
+            "Axial forces and supports",
+            [*parts.forces(record), *drawn.of("forces"), *drawn.of("drives")],
+        ),
         Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
         Part(
             "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]

@@ -35,7 +35,7 @@ alike.
 
 
 def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
-    """Draw the pictures of a run: shape, lengths, member forces, stresses and utilisation, motor demands.
+    """Draw the pictures of a run: shape, lengths, forces of members and drives, stresses and utilisation, motor demands.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     >>> run = kt.run(model)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     sorted(path.name for path in kt.report.figures(run, folder, formats=["svg"]))
-    ['forces.svg', 'lengths.svg', 'shape.svg', 'stresses.svg', 'utilisation.svg']
+    ['drives.svg', 'forces.svg', 'lengths.svg', 'shape.svg', 'stresses.svg', 'utilisation.svg']
     """
     from kinetruss.report.pictures.draw import save
 
@@ -75,6 +75,7 @@ def specifications(run: RunResult) -> list[Figure]:
         found.append(_energies(run.simulation.data))
     for case, forces in run.forces.items():
         found += _of_case("forces", case, run, _forces(forces))
+        found += _of_case("drives", case, run, _drives(run, case, forces))
     if run.verdict is not None:
         found += _utilisation(run)
     for case, demand in run.demand.items():
@@ -207,6 +208,31 @@ def _forces(forces: Forces) -> Histories | None:
     return Histories(name="forces", title=title, time=data["time"].values, panels=(panel,))
 
 
+def _drives(run: RunResult, case: str, forces: Forces) -> Histories | None:
+    """Force or torque, and power, of the drives that have no motor; dashed: at rest. None without any, or without motion."""
+    if run.good < 2 or "pose" in run.motion.data.coords:
+        return None
+    data, kinds = forces.data, drive_kinds(run.model)
+    with_motor = set(run.demand[case].data["active"].values) if case in run.demand else set()
+    names = [str(name) for name in data["drive"].values] if "drive_force" in data else []
+    still = forces.static.data["drive_force"].values if forces.static is not None else None
+    panels, chosen = [], []
+    for what, unit, turning in (("drive force", "N", False), ("torque", "N m", True)):
+        own = [k for k, name in enumerate(names) if name not in with_motor and (kinds[name] == "angle") == turning]
+        own = [k for k in own if np.isfinite(data["drive_force"].values[:, k]).all()][:CURVES]
+        if own:
+            lines = {names[k]: data["drive_force"].values[:, k] for k in own}
+            rest = {} if still is None else {names[k]: still[:, k] for k in own}
+            panels.append(Panel(quantity=what, unit=unit, lines=lines, dashed=rest))
+            chosen += own
+    if not panels:
+        return None
+    rates = forces.motion.arrays["drive_velocity"].values
+    power = {names[k]: data["drive_force"].values[:, k] * rates[:, k] for k in chosen[:CURVES]}
+    panels.append(Panel(quantity="power", unit="W", lines=power))
+    return Histories(name="drives", title="Forces, torques and power of drives", time=data["time"].values, panels=tuple(panels))
+
+
 def _when(run: RunResult, time: float) -> str:
     """The instant of a value, after it; nothing for a single position."""
     return f", t = {instant(time)}" if run.good > 1 else ""
@@ -229,12 +255,15 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
     for row in run.verdict.table() if run.verdict is not None else ():
         if row.unit == "Pa" and np.isfinite(row.value) and (row.part not in stressed or stressed[row.part].value < row.value):
             stressed[row.part] = row
-    highest = sorted(stressed.values(), key=lambda row: -row.value)[:BARS]
+    ranked = sorted(stressed.values(), key=lambda row: -row.value)
+    highest = ranked[:BARS]
     if highest:
         notes = tuple(f"{_when(run, row.time)}{'' if row.checked else ', no yield strength'}" for row in highest)
         yield Bars(
             name="stresses",
-            title="Highest stress of each part",
+            title="Highest stress of each part"
+            if ranked == highest
+            else f"Highest stress: the first {BARS} of {len(ranked)} parts",
             quantity="stress",
             unit="Pa",
             labels=tuple(row.part for row in highest),

@@ -65,6 +65,9 @@ def drives_text(found: Sequence[Mapping[str, Any]], *, timed: bool = True) -> li
     if not rows:
         return []
     more = f"\nand {len(rows) - MOST} more" if len(rows) > MOST else ""
+    if timed and any(one["pose"] for one in found):
+        posed = [(name, load, pose, case) for name, load, pose, _, _, case in rows[:MOST]]
+        return [f"Drives, held (largest values of the poses)\n{telling((*HEAD[:2], 'pose', HEAD[-1]), posed)}{more}"]
     if timed:
         return [f"Drives (largest values of the motion)\n{telling(HEAD, rows[:MOST])}{more}"]
     still = [(name, load, case) for name, load, _, _, _, case in rows[:MOST]]

@@ -12,6 +12,7 @@ from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import InputError
 from kinetruss.report._page import Page
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
+from kinetruss.report.run_text.columns import poses_of
 from kinetruss.report.text.labels import run_labels
 
 if TYPE_CHECKING:
@@ -28,7 +29,8 @@ class Maximum:
     """The value of largest magnitude of one quantity in one run.
 
     run : label. of : member, node, drive. maximum : in `unit`, with its sign, at `time` (s). static_maximum, static_time :
-    the same of the poses at rest (None: there are none). ratio : maximum over static maximum, of the magnitudes.
+    the same of the poses at rest (None: there are none). pose, static_pose : names of the poses of a run of poses,
+    whose times are their numbers. ratio : maximum over static maximum, of the magnitudes.
     motion_maximum, motion_time : largest magnitude of the difference of the two.
     """
 
@@ -45,6 +47,8 @@ class Maximum:
     ratio: float | None = None
     motion_maximum: float | None = None
     motion_time: float | None = None
+    pose: str = ""
+    static_pose: str = ""
 
 
 def compare(
@@ -90,6 +94,8 @@ def compare(
             if names:
                 raise
             continue
+        if not names and not any(np.nan_to_num(one.values).any() for group in groups for one in group):
+            continue
         chosen = [group if members else [max(group, key=_size)] for group in groups]
         order = list(dict.fromkeys(one.of for group in chosen for one in group)) if members else [None]
         for of in order:
@@ -102,7 +108,8 @@ def compare(
 
 def _text(found: Sequence[Maximum]) -> str:
     """A table, the runs of one quantity below each other."""
-    return Table(HEAD, map(_cells, found)).text
+    posed = all(one.pose for one in found)
+    return Table(["pose" if posed and name == "time" else name for name in HEAD], map(_cells, found)).text
 
 
 def _records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
@@ -130,13 +137,15 @@ def _largest(values: Any, time: Any) -> tuple[float, float]:
 
 def _maximum(run: RunResult, label: str, name: str, curve: Curve) -> Maximum:
     value, when = _largest(curve.values, curve.time)
-    rest: dict[str, float | None] = {}
+    rest: dict[str, Any] = {}
+    poses = poses_of(run)
     if curve.static is not None:
         held, held_when = _largest(curve.static, curve.time)
         moved, moved_when = _largest(curve.values - curve.static, curve.time)
         rest = {
             "static_maximum": held,
             "static_time": held_when,
+            "static_pose": poses[round(held_when)] if poses else "",
             "ratio": abs(value / held) if held else None,
             "motion_maximum": moved,
             "motion_time": moved_when,
@@ -150,6 +159,7 @@ def _maximum(run: RunResult, label: str, name: str, curve: Curve) -> Maximum:
         unit=curve.unit,
         maximum=value,
         time=when,
+        pose=poses[round(when)] if poses else "",
         **rest,
     )
 
@@ -158,5 +168,5 @@ def _cells(one: Maximum) -> tuple[str, ...]:
     rest = ("-", "-", "-")
     if one.static_maximum is not None:
         ratio = "-" if one.ratio is None else number(one.ratio, 4)
-        rest = (quantity(one.static_maximum, one.unit), instant(one.static_time), ratio)
-    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), instant(one.time), *rest
+        rest = (quantity(one.static_maximum, one.unit), one.static_pose or instant(one.static_time), ratio)
+    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), one.pose or instant(one.time), *rest

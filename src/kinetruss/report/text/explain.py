@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,8 +28,10 @@ COUPLES = ("M", "-M", "T")
 Row = tuple[str, str, Sequence[float] | None]  # symbol, words, numbers (None: a rule)
 
 
-def explain(found: FreeBody | LabelledSystem) -> Page:
+def explain(found: FreeBody | LabelledSystem, pose: str = "") -> Page:
     r"""A free body (`dynamics.free_body`) or the equations of a whole model (`dynamics.newton_euler`), in numbers.
+
+    pose : name of the pose, for forces of poses at rest, whose times are numbers of poses.
 
     >>> import kinetruss as kt
     >>> model = kt.Model(
@@ -44,13 +47,19 @@ def explain(found: FreeBody | LabelledSystem) -> Page:
     P     load hook         0.000  -1000.000
     """
     if hasattr(found, "bodies"):
-        return Page(found=found, as_record=_free_body_record, as_text=_free_body_text, as_rows=_free_body_rows)
-    return Page(found=found, as_record=_system_record, as_text=_system_text, as_rows=_system_rows)
+        return Page(
+            found=found, as_record=_free_body_record, as_text=partial(_free_body_text, pose=pose), as_rows=_free_body_rows
+        )
+    return Page(found=found, as_record=_system_record, as_text=partial(_system_text, pose=pose), as_rows=_system_rows)
 
 
-def _free_body_text(found: FreeBody) -> str:
+def _when(found: FreeBody | LabelledSystem, pose: str) -> str:
+    return f"pose {pose}" if pose else f"t = {number(found.time, 9)} s"
+
+
+def _free_body_text(found: FreeBody, pose: str) -> str:
     """The free body as text: all forces, their sum, mass times acceleration, and the difference of the two."""
-    at = f"t = {number(found.time, 9)} s, load case {found.load_case}"
+    at = f"{_when(found, pose)}, load case {found.load_case}"
     if found.kind == "node":
         return "\n\n".join([_node_head(found, at), _forces(found.bodies[0]), _closing(found)])
     parts = [_member_head(found, at)]
@@ -196,10 +205,10 @@ def _free_body_rows(found: FreeBody) -> list[list[Any]]:
     return rows
 
 
-def _system_text(found: LabelledSystem) -> str:
+def _system_text(found: LabelledSystem, pose: str) -> str:
     """The system as a page: a small one as a matrix, a larger one equation by equation; then unknowns and solution."""
     rows, columns = found.matrix.shape
-    head = [f"Equations of Newton and Euler; t = {number(found.time, 9)} s, load case {found.load_case}"]
+    head = [f"Equations of Newton and Euler; {_when(found, pose)}, load case {found.load_case}"]
     condition = f", condition number {number(found.condition)}" if math.isfinite(found.condition) else ""
     head.append(f"{rows} equations, {columns} unknowns{condition}")
     if found.unique:

@@ -14,6 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.report._page import Page
+from kinetruss.report.run_text.drives import pose_at
 from kinetruss.runs.missions import check_histories
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ class JointForces:
 
     rows : (member, end, node, force in global axes, force in member axes), N: the force on the member from its joint.
     supports : (node, force in global axes), N: the force on the structure from the ground.
+    pose : name of the pose of a run of poses, whose time is its number.
     """
 
     time: float
@@ -38,6 +40,7 @@ class JointForces:
     local_axes: tuple[str, ...]
     rows: tuple[tuple[str, str, str, NDArray[np.float64], NDArray[np.float64]], ...]
     supports: tuple[tuple[str, NDArray[np.float64]], ...]
+    pose: str = ""
 
 
 def joints(
@@ -96,6 +99,7 @@ def joints(
     supports = _supports(data, at, member, node, shown)
     found = JointForces(
         time=float(data["time"].values[at]),
+        pose=pose_at(run.forces[case], at),
         load_case=case,
         axes=tuple(axes[k] for k in shown),
         rows=tuple(rows),
@@ -124,7 +128,8 @@ def _supports(data: Any, at: int, member: str | None, node: str | None, shown: l
 
 def _text(found: JointForces) -> str:
     """The table as text."""
-    parts = [f"t = {instant(found.time)}, load case {found.load_case}; force on the member from its joint"]
+    when = f"pose {found.pose}" if found.pose else f"t = {instant(found.time)}"
+    parts = [f"{when}, load case {found.load_case}; force on the member from its joint"]
     rows = [(m, e, n, *(quantity(x, "N") for x in (*world, *local))) for m, e, n, world, local in found.rows]
     parts.append(Table(("member", "end", "node", *found.axes, *found.local_axes), rows).text)
     if found.supports:
@@ -137,6 +142,7 @@ def _record(found: JointForces) -> dict[str, Any]:
     """The table as plain data."""
     return {
         "time": found.time,
+        "pose": found.pose,
         "load_case": found.load_case,
         "joint_force": [
             {

@@ -84,7 +84,7 @@ def budget(
     deviations: float = 3.0,
     expansion: float | None = None,
 ) -> Budget:
-    """What tolerances make of poses, forces and strains: worst case, root sum of squares, Monte Carlo.
+    """Errors of poses, forces and strains that tolerances cause: worst case, root sum of squares, Monte Carlo.
 
     Parameters
     ----------

@@ -115,7 +115,7 @@ def chosen_run(model: Model, name: str | None) -> str:
     """
     if not model.runs:
         wanted = "No run to compute" if name is None else f"No run called {name!r}"
-        raise InputError(f"{wanted}: the model has none. Add one under runs: with a trajectory or a simulation. {STANDING}")
+        raise InputError(f"{wanted}: the model has none. Add one to its runs, with a trajectory or as a simulation. {STANDING}")
     offer = f"There are: {', '.join(model.runs)}."
     if name is None and len(model.runs) == 1:
         return next(iter(model.runs))

@@ -9,6 +9,7 @@ from kinetruss.display import Markup, Table, counted, element
 from kinetruss.model.beams import CHORD, FRAME, shown_kinds
 from kinetruss.report.document.result.lines import unchecked
 from kinetruss.report.document.result.warnings import checked_words, not_held
+from kinetruss.report.run_text.columns import poses_of
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -65,7 +66,9 @@ def _assumed(run: RunResult, record: dict[str, Any], *, condition: bool) -> Iter
             yield "A safety factor of 1 leaves no reserve: 100 % is the limit of the material or of stability itself."
         if model.active:
             yield "An active member buckles as its weaker part, base or tube, over its whole length of that instant."
-    if run.good > 1:
+    if poses_of(run):
+        yield f"What was evaluated: {counted(run.good, 'pose')}; nothing was checked between and beyond."
+    elif run.good > 1:
         yield f"In time, the {run.good} samples were evaluated; between them nothing was checked."
     if run.demand:
         yield "Drives: friction is that of the records, at constant coefficients; the heating of motors was not computed."
