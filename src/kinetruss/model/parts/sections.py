@@ -29,8 +29,8 @@ class Tube(Record):
     outer, inner : diameters, m.
 
     >>> import kinetruss as kt
-    >>> kt.Tube(outer="48.3 mm", inner="42.3 mm")
-    Tube(outer=0.0483, inner=0.0423)
+    >>> kt.Tube(outer="50 mm", inner="44 mm")
+    Tube(outer=0.05, inner=0.044)
     """
 
     kind: Literal["tube"] = "tube"
