@@ -125,8 +125,9 @@ def _kind(annotation: str) -> str:
     """A type in words: quantities with their unit in place of the names of types."""
     if annotation.startswith("Literal["):
         return ", ".join(f"`{word}`" for word in re.findall(r"'([^']*)'", annotation))
-    text = re.sub(r"([A-Z]\w+) \| Name\b", r"\1OrName", annotation.replace(" | None", "")).replace("Literal[1, 2, 3]", "1, 2, 3")
-    text = re.sub(r"\w+", lambda found: _quantity(found[0]), text.replace(MOVES, "Moves"))
+    text = annotation.replace(" | None", "").replace("Literal[1, 2, 3]", "1, 2, 3").replace(MOVES, "Moves")
+    text = re.sub(r"([A-Z]\w+) \| Name\b", r"\1OrName", text)
+    text = re.sub(r"\w+", lambda found: _quantity(found[0]), text)
     before = ""
     while text != before:  # from the inside out
         before = text

@@ -96,9 +96,7 @@ def test_all_shells_ask_in_their_own_way(model):
 
 def test_every_option_with_a_set_of_values_is_completed():
     """Options that take a text: those that are not in this list have values that cannot be known."""
-    free = {
-        ("import", one) for one in ("at", "tolerance", "skip", "active", "motor", "fixed", "thickness")
-    } | {
+    free = {("import", one) for one in ("at", "tolerance", "skip", "active", "motor", "fixed", "thickness")} | {
         ("budget", "tolerances"),
         ("render", "size"),
         ("render", "at"),
