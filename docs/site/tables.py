@@ -118,22 +118,23 @@ WORDS = {
     "HingeAxis": "1, 2, 3 or a vector", "EndCondition": "word or number", "Measured": "coordinate", "Analysis": "word",
 }  # fmt: skip
 """Names of types that are no records -> words."""
+MOVES = "dict[Name, tuple[Coordinate, Coordinate]]"
 
 
 def _kind(annotation: str) -> str:
     """A type in words: quantities with their unit in place of the names of types."""
     if annotation.startswith("Literal["):
         return ", ".join(f"`{word}`" for word in re.findall(r"'([^']*)'", annotation))
-    text = re.sub(r"\w+", lambda found: _quantity(found[0]), annotation.replace(" | None", "")).replace(
-        "Literal[1, 2, 3]", "1, 2, 3"
-    )
+    text = annotation.replace(" | None", "").replace("Literal[1, 2, 3]", "1, 2, 3").replace(MOVES, "Moves")
+    text = re.sub(r"([A-Z]\w+) \| Name\b", r"\1OrName", text)
+    text = re.sub(r"\w+", lambda found: _quantity(found[0]), text)
     before = ""
     while text != before:  # from the inside out
         before = text
         text = re.sub(r"tuple\[name, \.\.\.\]", "list of names", text)
         text = re.sub(r"tuple\[([^\[\]]*?), \.\.\.\]", r"list of \1", text)
         text = re.sub(r"tuple\[([^\[\]]*)\]", r"(\1)", text)
-        text = re.sub(r"(?:Table|Filled)\[name, ([^\[\]]*)\]", r"name → \1", text)
+        text = re.sub(r"dict\[name, ([^\[\]]*)\]", r"name → \1", text)
     return text.replace(" | ", " or ")
 
 

@@ -70,6 +70,8 @@ def test_fixed_values_are_all_offered():
     assert offered("render", "m.yaml", "--camera", "") == ["iso", "front", "side", "top"]
     assert offered("export", "run", "--group", "") == ["motion", "forces", "sections", "verdict", "demand"]
     assert offered("info", "run", "--axis", "") == ["x", "y", "z"]
+    assert offered("import", "a.vtu", "--material", "steel_s2") == ["steel_s235", "steel_s275"]
+    assert offered("import", "a.vtu", "--unit", "m") == ["m", "mm"]
     assert "closed-form" in offered("verify", "--filter", "")
 
 
@@ -94,9 +96,7 @@ def test_all_shells_ask_in_their_own_way(model):
 
 def test_every_option_with_a_set_of_values_is_completed():
     """Options that take a text: those that are not in this list have values that cannot be known."""
-    free = {
-        ("import", one) for one in ("at", "unit", "tolerance", "skip", "active", "motor", "fixed", "thickness", "material")
-    } | {
+    free = {("import", one) for one in ("at", "tolerance", "skip", "active", "motor", "fixed", "thickness")} | {
         ("budget", "tolerances"),
         ("render", "size"),
         ("render", "at"),

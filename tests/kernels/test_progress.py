@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from kinetruss.kernels.compiled.progress import PATIENCE, Progress
+from kinetruss.kernels.compiled.progress import PATIENCE, SOON, Progress
 
 
 class Terminal(io.StringIO):
@@ -49,8 +49,8 @@ def test_a_line_says_how_far_it_is_and_that_it_happens_once():
 
 
 def test_what_is_quick_says_nothing_and_what_is_long_not_much():
-    assert lines(Terminal(), PATIENCE / 20) == []
-    assert len(lines(Terminal(), PATIENCE / 4)) == 2
+    assert lines(Terminal(), SOON / 20) == []
+    assert len(lines(Terminal(), PATIENCE / 4)) == 3
 
 
 def test_in_a_pipe_one_line_says_that_it_begins_and_one_that_it_is_done():
@@ -61,7 +61,7 @@ def test_in_a_pipe_one_line_says_that_it_begins_and_one_that_it_is_done():
     progress.end()
     assert stream.getvalue().splitlines()[1:] == [f"kinetruss: compiled 10 kernels in {10 * PATIENCE:.0f} s."]
     stream = io.StringIO()
-    compiled(stream, PATIENCE / 20).end()
+    compiled(stream, SOON / 20).end()
     assert stream.getvalue() == ""
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import inspect
+import pydoc
+import re
 
 import pytest
 from pydantic import BaseModel
@@ -18,9 +20,16 @@ def test_signatures_name_every_field_with_a_short_type(record):
     assert set(found.parameters) == set(record.model_fields)
     assert len(str(found)) <= 1500
     for name, one in found.parameters.items():
-        assert "Annotated" not in one.annotation
+        assert not re.search(r"Annotated|Filled|Table|Moves|OrName", one.annotation)
         assert one.annotation.count("[") == one.annotation.count("]")
         assert (one.default is inspect.Parameter.empty) == record.model_fields[name].is_required()
+
+
+def test_help_shows_a_trajectory_and_how_it_is_written():
+    for name in ("Quintic", "Trapezoid", "ConstantRate", "Sine", "Cyclic", "StepResponse", "Spline"):
+        assert f">>> kt.{name}(" in inspect.getdoc(getattr(kt, name))
+    text = pydoc.plain(pydoc.render_doc(kt.ConstantRate))
+    assert "rates: 'dict[Name, Rate]'" in text
 
 
 def test_signatures_bind_like_calls():

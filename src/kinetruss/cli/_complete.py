@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-__all__ = ["cases", "drives", "examples", "members", "nodes", "one_of", "parts", "paths", "poses", "quantities",
+__all__ = ["cases", "drives", "examples", "materials", "members", "nodes", "one_of", "parts", "paths", "poses", "quantities",
            "results", "runs", "sources", "tests"]  # fmt: skip
 
 Complete = Callable[[click.Context, click.Parameter, str], list[str]]
@@ -80,6 +80,14 @@ def sources(_context: click.Context) -> Iterable[str]:
 
     mechanisms = "mechanisms."
     return [*example_files(), *(name.removeprefix(mechanisms) for name in builders() if name.startswith(mechanisms))]
+
+
+@_offered
+def materials(_context: click.Context) -> Iterable[str]:
+    """Materials of the library."""
+    from kinetruss.library.materials import MATERIALS
+
+    return list(MATERIALS)
 
 
 @_offered

@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from kinetruss.cli import _complete
+from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import HELP, Verb, json_option, print_json
 from kinetruss.errors import InputError
 
@@ -41,7 +42,8 @@ def verify(as_json: bool, wanted: str | None) -> None:
     """
     from kinetruss.verification import verify as compare
 
-    found = compare(wanted)
+    with bar(as_json, "values") as progress:
+        found = compare(wanted, progress)
     if not found.entries:
         raise InputError(f"No case has {wanted!r} in its id, class or source. `kinetruss verify` lists all of them.")
     if as_json:

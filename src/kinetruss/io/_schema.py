@@ -91,14 +91,16 @@ def schema_file() -> Path:
 
 
 def _tidy(part: Any) -> Any:
-    """The schema without titles and discriminators that only repeat names."""
+    """The schema without titles and discriminators that only repeat names, and without examples in Python."""
     if isinstance(part, dict):
         named = "properties" in part or "$defs" in part
         if "patternProperties" in part:
             part = _table(part)
         drop = () if not named and not {"type", "anyOf", "oneOf", "$ref", "enum", "const"} & part.keys() else ("title",)
         return {key: _tidy(value) for key, value in part.items() if key not in drop and not _mapped(key, value)} | _kinds(part)
-    return [_tidy(item) for item in part] if isinstance(part, list) else part
+    if isinstance(part, list):
+        return [_tidy(item) for item in part]
+    return part.split("\n\n>>> ")[0] if isinstance(part, str) else part
 
 
 def _table(part: dict[str, Any]) -> dict[str, Any]:

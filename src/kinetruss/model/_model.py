@@ -42,6 +42,16 @@ class Model(ModelData):
     section, material : used by every bar that names none. Here and in its records a name refers to a table of the model,
     or to the library: ``material="steel_s235"``.
     velocities : of nodes at the start of a simulation, m/s; other nodes are at rest, or move as the constraints require.
+
+    >>> import kinetruss as kt
+    >>> roof = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (4, 0), "C": (2, 1.5)}, fixed=["A", "B"],
+    ...     bars={"left": ("A", "C"), "right": ("B", "C")},
+    ...     section=kt.Rod(diameter="20 mm"), material="steel_s235",
+    ...     loads={"snow": kt.NodalForce(node="C", force=(0, "-2 kN"))},
+    ... )
+    >>> roof.bars["left"].ends
+    ('A', 'C')
     """
 
     @classmethod

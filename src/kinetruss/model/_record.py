@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
@@ -191,8 +192,18 @@ def _signature(cls: type[Record]) -> Signature:
     for name, field in cls.model_fields.items():
         how = Parameter.POSITIONAL_OR_KEYWORD if name in cls._positional else Parameter.KEYWORD_ONLY
         default = Parameter.empty if field.is_required() else field.get_default(call_default_factory=True)
-        found.append(Parameter(name, how, default=default, annotation=_short(str(written.get(name, "Any")))))
+        found.append(Parameter(name, how, default=default, annotation=_plain(_short(str(written.get(name, "Any"))))))
     return Signature(sorted(found, key=lambda one: one.kind))
+
+
+def _plain(annotation: str) -> str:
+    """The types of this package that are no words of Python, written out.
+
+    >>> _plain("Filled[Name, Rate]"), _plain("SectionOrName | None")
+    ('dict[Name, Rate]', 'Section | Name | None')
+    """
+    text = annotation.replace("Moves", "Table[Name, tuple[Coordinate, Coordinate]]")
+    return re.sub(r"(\w+)OrName\b", r"\1 | Name", re.sub(r"\b(?:Table|Filled)\[", "dict[", text))
 
 
 def _short(annotation: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from kinetruss.verification._case import Case, Report
@@ -10,7 +11,7 @@ from kinetruss.verification._cases import cases, numbers
 __all__ = ["verify"]
 
 
-def verify(filter: str | None = None) -> Report:
+def verify(filter: str | None = None, progress: Callable[[int, int], None] | None = None) -> Report:
     """Compare kinetruss with all its references.
 
     The class of an entry says what its agreement shows; inputs that differ from the printed ones are named. Computed
@@ -22,6 +23,7 @@ def verify(filter: str | None = None) -> Report:
     Parameters
     ----------
     filter : run only cases whose id, class or source contains this text (any case of letters).
+    progress : called with the number of cases that are done, and of all.
 
     Returns
     -------
@@ -36,13 +38,15 @@ def verify(filter: str | None = None) -> Report:
     """
     wanted = (filter or "").casefold()
     made: dict[str, dict[str, float]] = {}
+    chosen = [case for case in cases() if any(wanted in text.casefold() for text in _texts(case))]
     entries = []
-    for case in cases():
-        if any(wanted in text.casefold() for text in _texts(case)):
-            call = f"{case.make}{case.arguments}"
-            if call not in made:
-                made[call] = numbers(case.make, case.arguments)
-            entries.append(case.entry(made[call]))
+    for case in chosen:
+        call = f"{case.make}{case.arguments}"
+        if call not in made:
+            made[call] = numbers(case.make, case.arguments)
+        entries.append(case.entry(made[call]))
+        if progress:
+            progress(len(entries), len(chosen))
     return Report(tuple(entries))
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from kinetruss.cli import _complete
 from kinetruss.cli._progress import bar
 from kinetruss.cli._verb import FILE, HELP, Verb, json_option, max_size_option, print_json
 from kinetruss.errors import InputError, UnitError
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 
 __all__ = ["import_file"]
 
+UNITS = ("m", "mm", "cm", "in", "ft")
+"""Of lengths, as the tab key offers them."""
 ROBOTS = (".urdf", ".xml", ".mjcf")
 EPILOG = """\b
 Examples:
@@ -56,7 +59,7 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
     "--at", multiple=True, metavar="JOINT=VALUE", callback=_values, help="Robots: pose of the model (rad, m, or with unit)."
 )
 @click.option("--floating", is_flag=True, help="URDF: the base floats; by default the ground holds it.")
-@click.option("--unit", help="Of lengths, where the file names none, e.g. mm.")
+@click.option("--unit", shell_complete=_complete.one_of(*UNITS), help="Of lengths, where the file names none, e.g. mm.")
 @click.option("--tolerance", help="DXF: ends within this distance are one node, e.g. '1 mm'.")
 @click.option("--arcs", type=int, metavar="N", help="DXF: circles, arcs and splines become N bars for a whole turn.")
 @click.option("--hidden", is_flag=True, help="DXF: take what is on layers that are off or frozen, and what is invisible, too.")
@@ -67,7 +70,7 @@ def _values(_ctx: click.Context, _option: click.Parameter, texts: tuple[str, ...
 )
 @click.option("--fixed", multiple=True, metavar="NAME", help="Layers of supports (DXF), or names of fixed nodes (others).")
 @click.option("--thickness", help="Meshes: of the membrane of the triangles, e.g. '2 mm'.")
-@click.option("--material", help="Meshes: of membranes and solids, a name of the library.")
+@click.option("--material", shell_complete=_complete.materials, help="Meshes: of membranes and solids, a name of the library.")
 @click.option("--members", type=FILE, help="CSV: the table of members that belongs to the nodes.")
 @json_option
 @max_size_option

@@ -9,8 +9,10 @@ from typing import TextIO
 
 __all__ = ["Progress"]
 
+SOON = 1.0
+"""Seconds of compiling before the first line."""
 PATIENCE = 3.0
-"""Seconds of compiling before the first line, and between two."""
+"""Seconds of compiling between two lines."""
 
 
 class Progress:
@@ -68,7 +70,7 @@ class Progress:
         """Write a line, if it is time for one."""
         spent, stream = self.seconds, self.stream or sys.stderr
         often = stream.isatty() or _of_notebook(stream)
-        if spent - self._written < PATIENCE or (self._open and not often):
+        if spent - self._written < (PATIENCE if self._open else SOON) or (self._open and not often):
             return
         self._written, self._open = spent, True
         so_far = f": {self._kernels()}, {spent:.0f} s" if often else " ..."

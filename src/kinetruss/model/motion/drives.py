@@ -54,6 +54,10 @@ class LengthDrive(Record):
     """Prescribes the length (m) of a bar or active member.
 
     bar : name of the bar or active member.
+
+    >>> import kinetruss as kt
+    >>> kt.LengthDrive("jack")
+    LengthDrive(bar='jack')
     """
 
     _positional: ClassVar = ("bar",)
@@ -79,6 +83,12 @@ class AngleDrive(Record):
     gear : between motor and bar, a record or a name.
     motor : that turns the bar, likewise.
     amplifier : that feeds the motor, likewise.
+
+    >>> import kinetruss as kt
+    >>> kt.AngleDrive("crank")
+    AngleDrive(bar='crank')
+    >>> kt.AngleDrive("mast", axis="z")
+    AngleDrive(bar='mast', axis=(0.0, 0.0, 1.0))
     """
 
     _positional: ClassVar = ("bar",)
@@ -116,6 +126,10 @@ class HingeDrive(Record):
     start : node from which the angle counts.
     end : node to which it counts.
     gear, motor, amplifier : as of an `AngleDrive`.
+
+    >>> import kinetruss as kt
+    >>> kt.HingeDrive(axis=("E", "F"), start="B", end="G")
+    HingeDrive(axis=('E', 'F'), start='B', end='G')
     """
 
     kind: Literal["hinge"] = "hinge"
@@ -138,6 +152,10 @@ class CoordinateDrive(Record):
 
     node : whose coordinate it prescribes.
     axis : which one.
+
+    >>> import kinetruss as kt
+    >>> kt.CoordinateDrive(node="S", axis="x")
+    CoordinateDrive(node='S', axis='x')
     """
 
     kind: Literal["coordinate"] = "coordinate"

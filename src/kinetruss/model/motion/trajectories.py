@@ -51,6 +51,10 @@ class Quintic(Record):
 
     moves : coordinate -> (start, end), m or rad.
     duration : s.
+
+    >>> import kinetruss as kt
+    >>> kt.Quintic(moves={"motor": ("0 deg", "90 deg")}, duration="2 s")
+    Quintic(moves={'motor': (0.0, 1.5707963267948966)}, duration=2.0)
     """
 
     kind: Literal["quintic"] = "quintic"
@@ -64,6 +68,10 @@ class Trapezoid(Record):
     moves : coordinate -> (start, end), m or rad.
     duration : s.
     ramp : fraction of the duration for each of acceleration and deceleration.
+
+    >>> import kinetruss as kt
+    >>> kt.Trapezoid(moves={"jack": ("0.8 m", "1.0 m")}, duration=4.0, ramp=0.2)
+    Trapezoid(moves={'jack': (0.8, 1.0)}, duration=4.0, ramp=0.2)
     """
 
     kind: Literal["trapezoid"] = "trapezoid"
@@ -77,6 +85,10 @@ class ConstantRate(Record):
 
     rates : coordinate -> rate, m/s or rad/s.
     duration : s.
+
+    >>> import kinetruss as kt
+    >>> kt.ConstantRate(rates={"motor": "10 rad/s"}, duration="0.5 s")
+    ConstantRate(rates={'motor': 10.0}, duration=0.5)
     """
 
     kind: Literal["constant_rate"] = "constant_rate"
@@ -91,6 +103,10 @@ class Sine(Record):
     period : of one oscillation, s.
     phase : angle at the start, rad.
     duration : s.
+
+    >>> import kinetruss as kt
+    >>> kt.Sine(amplitudes={"jack": "5 mm"}, period="0.2 s", duration="1 s")
+    Sine(amplitudes={'jack': 0.005}, period=0.2, duration=1.0)
     """
 
     kind: Literal["sine"] = "sine"
@@ -106,6 +122,10 @@ class Cyclic(Record):
     moves : coordinate -> (start, turning point), m or rad.
     period : of one way there and back, s.
     cycles : number of periods.
+
+    >>> import kinetruss as kt
+    >>> kt.Cyclic(moves={"jack": (0.8, 1.0)}, period=2.0, cycles=3)
+    Cyclic(moves={'jack': (0.8, 1.0)}, period=2.0, cycles=3.0)
     """
 
     kind: Literal["cyclic"] = "cyclic"
@@ -133,6 +153,10 @@ class StepResponse(Record):
     settling_factor : zeta w times the settling time.
     order : 2 or 3.
     third_pole : p over w, of order 3.
+
+    >>> import kinetruss as kt
+    >>> kt.StepResponse(moves={"jack": (0.8, 1.0)}, duration=2.0, order=2)
+    StepResponse(moves={'jack': (0.8, 1.0)}, duration=2.0, order=2)
     """
 
     kind: Literal["step_response"] = "step_response"
@@ -198,6 +222,10 @@ class Spline(Tabulated):
     values : coordinate -> its values at these times, m or rad.
     largest_gap : longest pause between two samples, as a multiple of the median step.
     shape : ``spline`` or ``monotone``.
+
+    >>> import kinetruss as kt
+    >>> kt.Spline(times=(0, 1, 2, 3), values={"jack": (0.8, 0.85, 0.95, 1.0)}, shape="monotone")
+    Spline(times=(0.0, 1.0, 2.0, 3.0), values={'jack': (0.8, 0.85, 0.95, 1.0)}, shape='monotone')
     """
 
     kind: Literal["spline"] = "spline"

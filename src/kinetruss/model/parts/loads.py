@@ -55,6 +55,10 @@ class NodalForce(InTime):
     node : on which it acts.
     force : constant force, N.
     times, forces : a table, s and N; linear between its points, constant outside.
+
+    >>> import kinetruss as kt
+    >>> kt.NodalForce(node="T", force=(0, "-1.5 kN"))
+    NodalForce(node='T', force=(0.0, -1500.0))
     """
 
     node: Name

@@ -62,6 +62,10 @@ class Node(Record):
     coincident : it may stand where another node stands.
     scalar : it is a single coordinate, its x, and no point.
     director : it belongs to the frame of another node (added automatically).
+
+    >>> import kinetruss as kt
+    >>> kt.Node(at=("100 mm", 0), mass="2 kg")
+    Node(at=(0.1, 0.0), mass=2.0)
     """
 
     at: Point
@@ -118,6 +122,10 @@ class Bar(Record):
     orientation : a node that, with the bar, spans the plane of local axes 1 and 2 (in space).
     buckling : how its ends are held: ``pinned-pinned``, ``clamped-pinned``, ``clamped-clamped``, ``clamped-free``, or the
         constant C of P = C pi^2 E I/l^2.
+
+    >>> import kinetruss as kt
+    >>> kt.Bar(ends=("A", "B"), section=kt.Rod(diameter="20 mm"), material="steel_s235")
+    Bar(ends=('A', 'B'), section=Rod(diameter=0.02), material='steel_s235')
     """
 
     ends: tuple[Name, Name]

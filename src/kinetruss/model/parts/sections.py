@@ -27,6 +27,10 @@ class Tube(Record):
     """Round tube.
 
     outer, inner : diameters, m.
+
+    >>> import kinetruss as kt
+    >>> kt.Tube(outer="50 mm", inner="44 mm")
+    Tube(outer=0.05, inner=0.044)
     """
 
     kind: Literal["tube"] = "tube"
@@ -84,6 +88,10 @@ class Rod(Record):
     """Solid round bar.
 
     diameter : m.
+
+    >>> import kinetruss as kt
+    >>> kt.Rod(diameter="20 mm")
+    Rod(diameter=0.02)
     """
 
     kind: Literal["rod"] = "rod"
@@ -131,6 +139,10 @@ class Rectangle(Record):
 
     height : along axis 2 (in the plane, for a planar model), m.
     width : along axis 3, m.
+
+    >>> import kinetruss as kt
+    >>> kt.Rectangle(width="20 mm", height="60 mm")
+    Rectangle(width=0.02, height=0.06)
     """
 
     kind: Literal["rectangle"] = "rectangle"
