@@ -236,6 +236,27 @@ def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
         assert np.array_equal(joined, getattr(whole, name)), name
 
 
+@pytest.mark.parametrize("again", [False, True])
+@pytest.mark.parametrize("rest", [1, 3])
+def test_the_last_step_may_begin_before_the_last_block(rest, again):
+    """The last samples of a run lie in its last step, and those of two blocks with them; again: each by a stepper anew."""
+    tasks, end = {"M7": StepInput(voltage=2.0)}, 0.05
+    times = np.concatenate([np.linspace(0.0, 0.9 * end, 8), end - 1e-6 * np.arange(3 + rest)[::-1]])
+
+    def fresh():
+        return stepper_for(problem_of(bay(), end, Options(tasks=tasks)), end)
+
+    whole, one, parts = fresh().advance(times), fresh(), []
+    for part in (times[:4], times[4:-rest], times[-rest:]):
+        if again and parts:
+            kept, one = {name: np.array(values) for name, values in one.arrays().items()}, fresh()
+            one.restore(kept)
+        parts.append(one.advance(part))
+    for name in ("x", "v", "a", "N", "extra", "diagnostics"):
+        joined = np.concatenate([getattr(part, name) for part in parts])
+        assert np.array_equal(joined, getattr(whole, name)), name
+
+
 def test_a_prepared_run_starts_anew_each_time():
     ready = dynamics.prepare(line(LACY, 50.0), 0.3, tasks={"M": StepInput(voltage=8.0, end=0.1)})
     first, second, short = ready.run(0.3, samples=4), ready.run(0.3, samples=4), ready.run(0.2, samples=3)

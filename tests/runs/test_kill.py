@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from kinetruss.results.store.store import open_store
 from kinetruss.runs import load, resume, run
@@ -60,3 +61,23 @@ def test_a_run_can_be_read_at_any_time_while_it_is_written(tmp_path):
     assert reads > 3
     assert child.returncode == 0
     assert load(path).whole
+
+
+@pytest.mark.parametrize("name", ["kinetruss.json", "model.json"])
+def test_a_run_cut_off_before_its_first_files_stand_is_done_anew(tmp_path, monkeypatch, name):
+    """As a kill between the writing of a file and its renaming leaves the folder."""
+    path, before = tmp_path / "run", Path.replace
+
+    def cut(draft, target):
+        if Path(target).name == name:
+            raise KeyboardInterrupt
+        return before(draft, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", cut)
+        with pytest.raises(KeyboardInterrupt):
+            run(fourbar(9), out=path)
+    assert f"{name}.part" in [one.name for one in path.iterdir()]
+    # without a ledger nobody can tell a run in it; with one it asks to be replaced
+    assert run(fourbar(9), out=path, overwrite=name == "model.json").whole
+    assert not list(path.glob("*.part"))

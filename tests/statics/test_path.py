@@ -157,3 +157,31 @@ def test_refusals():
                      loads={"l": kt.NodalForce(node="B", force=(1.0, 0))})  # fmt: skip
     with pytest.raises(AnalysisError, match="has no equilibrium before the load"):
         kt.statics.path(loose, "l")
+
+
+def arch():
+    """Three hinges that sag on soft legs, between two supports; paths of its loads come near one another."""
+    nodes = {"0": (0, 0), "1": (0.90961936, 0.15319132), "2": (2.05828836, 0.47395922), "3": (3.13422769, 0.27684502),
+             "4": (4, 0), "5": (0.73875026, -1), "6": (2.14188719, -1), "7": (3.31726059, -1)}  # fmt: skip
+    pairs = ["01", "12", "23", "34", "15", "26", "37"]
+    axial = [1.94550631, 0.72578725, 1.22331858, 1.84207379, 0.04003932, 0.04887202, 0.01894984]
+    forces = {"1": (0.00154208, -0.0086146), "2": (-0.00101779, -0.00728284), "3": (-0.0011533, -0.00814814)}
+    length = {one: np.hypot(*np.subtract(nodes[one[1]], nodes[one[0]])) for one in pairs}
+    bars = {
+        one: kt.Bar(ends=tuple(one), kind="elastic", stiffness=EA / length[one]) for one, EA in zip(pairs, axial, strict=True)
+    }
+    loads = {f"at-{node}": kt.NodalForce(node=node, force=force) for node, force in forces.items()}
+    return kt.Model(nodes=nodes, fixed=["0", "4", "5", "6", "7"], bars=bars, loads=loads)
+
+
+@pytest.mark.parametrize(("largest", "points"), [(0.5, 60), (0.05, 90), (0.03, 120)])
+def test_long_steps_stay_on_the_branch(largest, points):
+    """With steps of 0.03 a corrector that may go anywhere ends on another branch, whose limit is 40.5."""
+    model = arch()
+    found = kt.statics.path(
+        model, dict.fromkeys(model.loads, 1.0), points=points, step=min(largest, 0.02), largest_step=largest
+    )
+    # by an arc-length code of its own with steps of 0.0005
+    np.testing.assert_allclose(found.limit_points[:2], [10.76508, 8.46229], rtol=5e-6)
+    moved = np.linalg.norm(np.diff(found.position.values, axis=0).reshape(points - 1, -1), axis=1)
+    assert moved.max() < 1.01 * largest * 4

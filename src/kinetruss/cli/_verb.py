@@ -94,12 +94,6 @@ class Verb(click.Command):
             with warnings.catch_warnings(), compiling(bool(ctx.params.get("quiet"))):
                 warnings.showwarning = _warned  # type: ignore[assignment]
                 return super().invoke(ctx)
-        except KeyboardInterrupt:
-            if ctx.params.get("as_json"):
-                print_json("error", {"error": "Interrupted.", "exit_code": INTERRUPTED})
-            else:
-                click.echo("Interrupted.", err=True)
-            ctx.exit(INTERRUPTED)
         except click.ClickException as error:
             if ctx.params.get("as_json"):
                 _echo(error)
@@ -110,6 +104,21 @@ class Verb(click.Command):
             else:
                 click.echo(str(error), err=True)
             ctx.exit(error.exit_code)
+        except (KeyboardInterrupt, Exception) as error:
+            if isinstance(error, click.exceptions.Exit) or not _interrupted(error):
+                raise
+            if ctx.params.get("as_json"):
+                print_json("error", {"error": "Interrupted.", "exit_code": INTERRUPTED})
+            else:
+                click.echo("Interrupted.", err=True)
+            ctx.exit(INTERRUPTED)
+
+
+def _interrupted(error: BaseException | None) -> bool:
+    """Whether an error is Ctrl-C or came of it: a library whose import was cut cannot be imported again."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__context__
+    return error is not None
 
 
 def _warned(message: Warning | str, *_place: Any) -> None:

@@ -29,8 +29,10 @@ EXACT = 1e-9
 """Share of a limit that counts as round-off: no result exceeds a limit by more."""
 NOISE = 1e-13
 """Changes of a force with the pace below this part of the largest are round-off."""
-ROUNDS, TRIES, STEP, FASTEST = 8, 200, 1.5, 1e3
-"""Rounds of the closed form; paces tried to enclose the largest; between two of them; where only motors limit it, the first."""
+ROUNDS, STEP, FASTEST, MOST = 8, 1.5, 1e3, 1e6
+"""Rounds of the closed form; between two paces that are tried to enclose the largest; where only motors limit it, the first;
+how many times quicker or slower than the motion given the paces that are tried are at most.
+"""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -87,15 +89,17 @@ def quickest(
 
     Raises
     ------
-    InputError : no limit at all; a limit that is not positive; a force limit that the load at rest exceeds by itself; a motion
-        that ended early; limits that no even stretch of time keeps.
+    InputError : no limit at all; a limit that is not positive; a force limit that a steady load exceeds at rest; a motion in
+        which no drive moves, or that ended early; limits that no even stretch of time keeps, or that none exceeds.
 
     Notes
     -----
     With time times k, rates are those of the motion over k and accelerations over k^2. Forces are S + A/k + B/k^2 with weight
     and springs in S, linear dampers in A, inertia in B: three evaluations give all three, and k follows in closed form. Other
-    forces (friction, quadratic dampers, loads in time, motors) change with k otherwise: from the closed form, k is then found
-    by Brent's method (1973). The forces along the motion that is returned are computed in every case, and no limit is exceeded.
+    forces (friction, quadratic dampers, loads in time, motors) change with k otherwise: from the closed form, or with loads in
+    time from the quickest of many, k is then found by Brent's method (1973). The forces at the samples of the motion that is
+    returned are computed in every case, and none exceeds its limit by more than round-off. Between samples more can be needed:
+    give enough of them.
 
     Examples
     --------
@@ -116,9 +120,9 @@ def quickest(
     if not asked and not any(np.isfinite(one).any() for one in limits.values()):
         raise InputError("There is no limit to keep. Give rate, acceleration or force, or motors with limits.")
     search = _Search(model, motion, names, limits, load_case, asked)
-    pace = min(search.pace_of_rates(), search.pace_of_forces())
-    if not np.isfinite(pace) and not asked:
+    if not motion.arrays["drive_velocity"].values.any():
         raise InputError("No drive moves, so there is nothing to make quicker. Give a motion that moves.")
+    pace = min(search.pace_of_rates(), search.pace_of_forces())
     made, worst = search.kept(pace if np.isfinite(pace) else FASTEST)
     t, factor = motion.arrays["time"].values, 1.0 / search.pace
     if asked:
@@ -146,6 +150,11 @@ class _Search:
     motors: bool
     pace: float = field(default=1.0, init=False)
 
+    @property
+    def loads_in_time(self) -> bool:
+        """Whether loads of the model change in time."""
+        return any(getattr(load, "times", None) for load in self.model.loads.values())
+
     def pace_of_rates(self) -> float:
         """The largest pace that keeps the limits of rates and accelerations."""
         data, paces = self.motion.arrays, [np.inf]
@@ -169,9 +178,11 @@ class _Search:
             parts = np.linalg.solve(np.vander(steps, increasing=True), F.reshape(3, -1)).reshape(F.shape)
             parts[1:][np.abs(parts[1:]) < NOISE * np.abs(F).max(axis=(0, 1))] = 0.0
             found = _quickest_pace(parts, limit)
-            if not np.isfinite(found):
-                return np.inf
+            if found == 0:  # friction and loads in time may look like that from here
+                return pace
             pace *= found
+            if pace > MOST:  # by round-off, or not at all
+                return np.inf
             if abs(found - 1.0) <= 1e-15 or abs(found - 1.0) >= last:
                 break
             last = abs(found - 1.0) if abs(found - 1.0) < 1e-6 else np.inf
@@ -181,29 +192,33 @@ class _Search:
         """The motion at the largest pace near the given one that keeps all limits, and what governs there."""
         from scipy.optimize import brentq
 
+        top = self.pace_of_rates()
+        if self.loads_in_time:  # each pace meets other loads: the first that keeps the limits, from quick to slow
+            tried = min(top, MOST) / STEP ** np.arange(2 * np.log(MOST) / np.log(STEP))
+            pace = next((float(one) for one in tried if self._at(float(one))[1].share <= 1), pace)
         made, worst = self._at(pace)
         if abs(worst.share - 1.0) <= EXACT:
             return made, worst
-        top = self.pace_of_rates()
         low = high = pace
-        for _ in range(TRIES):  # downwards to a pace that keeps them, or upwards to one that does not
+        while True:  # downwards to a pace that keeps them, or upwards to one that does not
             step = STEP if worst.share < 1 else 1 / STEP
             other = min(low * step, top)
             if other == low:
                 return self._at(top)
+            if not 1 / MOST <= other <= MOST:
+                raise InputError(
+                    f"{worst.limit} of {worst.drive!r} is {worst.share:.4g} times its limit even in a motion {1 / low:.3g} "
+                    "times as long. Raise the limit, or lower the load."
+                    if worst.share > 1
+                    else "No drive needs more of its limit in a quicker motion, so there is no quickest one. Give a limit of "
+                    "rates."
+                )
             low, high, last = other, low, worst
             made, worst = self._at(low)
             if abs(worst.share - 1.0) <= EXACT:
                 return made, worst
             if (worst.share < 1) != (last.share < 1):
                 break
-        else:
-            raise InputError(
-                f"{worst.limit} of {worst.drive!r} is {worst.share:.4g} times its limit however slow the motion is: no time is "
-                "long enough. Raise the limit, or lower the load."
-                if worst.share > 1
-                else "No drive needs more of its limit in a quicker motion, so there is no quickest one. Give a limit of rates."
-            )
         pace = float(np.exp(brentq(lambda p: self._at(float(np.exp(p)))[1].share - 1.0, *np.log([low, high]), xtol=1e-15)))
         made, worst = self._at(pace)
         for back in (1e-15, 1e-14, 1e-13, 1e-12, 1e-9):  # to the side that keeps them
@@ -217,6 +232,8 @@ class _Search:
         return made, worst
 
     def _refuse_at_rest(self, limit: NDArray[np.float64]) -> None:
+        if self.loads_in_time:
+            return
         forces = inverse(self.model, self.motion, self.load_case)
         if forces.static is None:
             raise InputError("The forces at rest are not known. Give a motion of this model.")
@@ -251,7 +268,7 @@ class _Search:
 
 
 def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> float:
-    """The largest u with |S + A u + B u^2| <= limit (d,) at all samples; parts (3, samples, d) are S, A, B.
+    """The largest u with |S + A u + B u^2| <= limit (d,) at all samples, 0 if there is none; parts (3, samples, d) are S, A, B.
 
     Each sample excludes the ranges of u in which it is beyond its limit; the last of them has no end.
     """
@@ -266,7 +283,7 @@ def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> fl
             half = -0.5 * (A + np.where(A < 0, -root, root))
             one, two = np.sort(np.array([half / B, beyond / half]), axis=0)
         without_end = ((B == 0) & (A > 0)) | ((B > 0) & (two > 0))  # behind the larger root, or the only one
-        between = (B < 0) & (one > 0)
+        between = (B < 0) & (two > 0)
         begins += [np.where(np.isfinite(two), two, one)[without_end], one[between]]
         ends += [np.full(int(without_end.sum()), np.inf), two[between]]
     begin, end = np.concatenate(begins), np.concatenate(ends)
@@ -280,7 +297,7 @@ def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> fl
     first = int(apart[-1]) + 1 if len(apart) else 0
     if np.isfinite(reach[-1]):
         return np.inf
-    return float(begin[first])
+    return max(float(begin[first]), 0.0)
 
 
 def _scaled(motion: Motion, k: float) -> Motion:
