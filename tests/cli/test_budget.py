@@ -26,7 +26,7 @@ def test_the_table_has_units_and_shows_round_off_as_zero(file):
     words = ("--of", "bay.beta", "--of", "bay.gamma", "--tolerance", "M*.length=0.1 mm", "--samples", "50")
     done = call(file, *words, "--at", "bay.beta=5 deg")
     assert done.exit_code == 0, done.output
-    first, second = (line.split() for line in done.output.splitlines()[1:3])
+    first, second = (line.split() for line in done.stdout.splitlines()[1:3])
     assert first[:3] == ["bay.beta", "5", "deg"]
     assert second[:3] == ["bay.gamma", "0", "deg"]
 

@@ -140,7 +140,7 @@ def test_poses_are_told_by_their_names(tmp_path):
     run = kt.run(model, "stand", tmp_path / "run")
     said = [kt.report.joints(run).text, kt.report.compare([run]).text, kt.report.summary(run).text]
     table = kt.io.export(tmp_path / "run", tmp_path / "run.csv").read_text().splitlines()
-    free = CliRunner().invoke(main, ["explain", str(tmp_path / "run"), "--member", "crank"]).output
+    free = CliRunner().invoke(main, ["explain", str(tmp_path / "run"), "--member", "crank"]).stdout
     for text in (*said, free.splitlines()[0]):
         assert re.search(r"\b(up|low)\b", text)
         assert not re.search(r"\bt = |\btime\b", text)

@@ -141,7 +141,12 @@ def _alike(one: str, other: str) -> float:
 
 @contextmanager
 def of_file() -> Iterator[None]:
-    """Within it data come from a file."""
+    """Within it data come from a file, and mends are written as in a file.
+
+    >>> with of_file():
+    ...     in_python("Write for example {A: xy}.")
+    'Write for example {A: xy}.'
+    """
     before = _OF_FILE.set(True)
     try:
         yield

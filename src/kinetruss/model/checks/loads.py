@@ -55,6 +55,12 @@ def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> 
 def loads_along_beams(model: ModelData) -> Iterator[Fault]:
     """Pressures on edges along beams, which analyses refuse: forces at their nodes would not bend them between the ends. An
     element on the edge takes its pressure.
+
+    >>> import kinetruss as kt
+    >>> beam = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A"], beams={"arm": ("A", "B")}, material="steel_s235",
+    ...                 section=kt.Rod(diameter=0.02), loads={"wind": kt.Pressure(face=("A", "B"), pressure=10.0)})
+    >>> [fault.path for fault in loads_along_beams(beam)]
+    [('loads', 'wind', 'face')]
     """
     if model.dim == 2 and model.beams:
         for name, load in model.loads.items():
