@@ -125,7 +125,12 @@ def _alike(one: str, other: str) -> float:
 
 @contextmanager
 def of_file() -> Iterator[None]:
-    """Within it data come from a file."""
+    """Within it data come from a file.
+
+    >>> with of_file():
+    ...     in_python("Write for example {A: xy, D: xy}.")
+    'Write for example {A: xy, D: xy}.'
+    """
     before = _OF_FILE.set(True)
     try:
         yield

@@ -55,6 +55,13 @@ def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> 
 def loads_along_beams(model: ModelData) -> Iterator[Fault]:
     """Pressures on edges along beams, which analyses refuse: forces at their nodes would not bend them between the ends. An
     element on the edge takes its pressure.
+
+    >>> import kinetruss as kt
+    >>> arm = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A"], material="steel_s235",
+    ...                section=kt.Rod(diameter=0.01), beams={"arm": ("A", "B")},
+    ...                loads={"wind": kt.Pressure(face=("A", "B"), pressure=100.0)})
+    >>> [fault.path for fault in loads_along_beams(arm)]
+    [('loads', 'wind', 'face')]
     """
     if model.dim == 2 and model.beams:
         for name, load in model.loads.items():
