@@ -44,7 +44,9 @@ def test_a_hinge_frees_the_bending_about_its_axis_only():
         for k, force in enumerate(ACROSS):
             moved = middle(clamped_beam(about, P * force))
             assert moved[k + 1] == pytest.approx(expected[k], rel=1e-9)
-    np.testing.assert_allclose(middle(clamped_beam((0, 0, -2.0), (0, P, 0))), middle(clamped_beam(3, (0, P, 0))), rtol=1e-9, atol=1e-20)
+    np.testing.assert_allclose(
+        middle(clamped_beam((0, 0, -2.0), (0, P, 0))), middle(clamped_beam(3, (0, P, 0))), rtol=1e-9, atol=1e-20
+    )
 
 
 def test_an_oblique_hinge_has_no_moment_about_its_axis():

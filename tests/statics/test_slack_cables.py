@@ -30,9 +30,7 @@ def guyed(rng: np.random.Generator, dim: int) -> kt.Model:
         clamped=["O"],
         fixed=[f"F{k}" for k in range(len(feet))],
         beams={"mast": ("O", "T")},
-        bars={
-            f"g{k}": kt.Bar(ends=ends[k], kind="cable", section=GUY, natural_length=one) for k, one in enumerate(natural)
-        },
+        bars={f"g{k}": kt.Bar(ends=ends[k], kind="cable", section=GUY, natural_length=one) for k, one in enumerate(natural)},
         section=MAST,
         material=STEEL,
         loads={"wind": kt.NodalForce(node="T", force=tuple(300 * rng.normal(size=dim)))},
@@ -49,7 +47,9 @@ def by_trial(model: kt.Model) -> tuple[np.ndarray, np.ndarray, float]:
     mast = np.diag([3 * STEEL.E * I / HIGH**3] * (len(top) - 1) + [STEEL.E * MAST.area / HIGH])
     for on in itertools.product([0, 1], repeat=len(k)):
         pull = np.array(on) * k
-        x = np.linalg.solve(mast + u.T @ (pull[:, None] * u), np.array(model.loads["wind"].force) - u.T @ (pull * (length - natural)))
+        x = np.linalg.solve(
+            mast + u.T @ (pull[:, None] * u), np.array(model.loads["wind"].force) - u.T @ (pull * (length - natural))
+        )
         T = k * (length - natural + u @ x)
         if np.all(np.where(on, T > -1e-9, T < 1e-9)):
             before, T = k * np.maximum(length - natural, 0), np.maximum(T, 0)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 __all__ = ["Inner", "Owner", "inner_parts"]
 
 
-WORDS = {"beams": "beam", "bodies": "body", "hubs": "hub"}
+WORDS = {"nodes": "node", "beams": "beam", "bodies": "body", "hubs": "hub"}
 
 
 class Owner(NamedTuple):
@@ -31,7 +31,7 @@ class Owner(NamedTuple):
     @property
     def text(self) -> str:
         """The user's part in words."""
-        return self.name if self.table == "nodes" else f"{WORDS[self.table]} {self.name}"
+        return f"{WORDS[self.table]} {self.name}"
 
 
 @dataclass(frozen=True, kw_only=True)
