@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from frame_models import portal
 
 import kinetruss as kt
+from frame_models import portal
 from kinetruss import report
 
 
