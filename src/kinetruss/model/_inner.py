@@ -30,7 +30,7 @@ class Owner(NamedTuple):
 
     @property
     def text(self) -> str:
-        """The user's part in words."""
+        """The user's part in words; the frame of a node carries its rotation."""
         return f"rotation of {self.name}" if self.table == "nodes" else f"{WORDS[self.table]} {self.name}"
 
 

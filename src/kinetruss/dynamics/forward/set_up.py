@@ -284,4 +284,4 @@ def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]
     if len(eq.row) <= LARGEST:
         unsure = rearrange(reduced, x.reshape(-1, 3), reduced.drive_start).not_unique
         rows = np.sort(eq.row)[unsure]
-    return tuple(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))
+    return tuple(dict.fromkeys(system.part_name(system.row_name(r).removeprefix("angle of ")) for r in rows))

@@ -268,6 +268,12 @@ def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArra
 
 def _node(here: Instant, name: str, case: str) -> FreeBody:
     system, n = here.system, here.system.node_index(name)
+    beams = None if system.continua is None else system.continua.beams
+    if beams is not None and n in beams.nodes and ("mode_force" in here.data or here.data.attrs.get("undecided", ())):
+        raise InputError(
+            f"Beams keep their shape in this motion, and node {name!r} is one of theirs: free bodies are of bars and of other "
+            "nodes. The forces and moments at the ends of beams are those of strength.beams."
+        )
     forces: list[tuple[str, str, NDArray[np.float64]]] = []
     left_out, tips = braces_of_hubs(system), grounded_tips(system, name)
     for i, member in enumerate(system.members):
@@ -290,7 +296,8 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
     mass = float(system.lump[n])
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:
-        forces.append(("E", "membranes and solids", elements[0]))
+        words = "beams, membranes and solids" if system.model.beams else "membranes and solids"
+        forces.append(("E", words, elements[0]))
         push, weight = push + elements[1], weight + elements[2]
     if mass or weight.any():
         forces.append(("m g", "weight", mass * here.lump_gravity[n] + weight))

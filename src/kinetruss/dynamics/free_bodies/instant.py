@@ -15,6 +15,7 @@ from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.given import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.assembly import Loads, body_masses, case_loads, continua_mass, resting_forces
+from kinetruss.mechanics.beams import mode_gradients
 from kinetruss.mechanics.configuration import rates_in_space
 from kinetruss.mechanics.structure import local_axes
 from kinetruss.model import Model
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
+    from kinetruss.mechanics import BeamElements
     from kinetruss.results import Forces, Motion
 
 __all__ = ["Instant", "OnBar", "Rod", "instant_of", "turning"]
@@ -210,14 +212,24 @@ class Instant:
 
     @cached_property
     def elements(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None:
-        """Nodal forces (n, dim), N, of membranes and solids: by their stress, M a, M g; None without them."""
+        """Nodal forces (n, dim), N, of beams, membranes and solids: by their stress, M a, M g; None without them."""
         found, dim = self.system.continua, self.system.dim
         if found is None:
             return None
         x, a, g = (np.pad(y, ((0, 0), (0, 3 - dim))) for y in (self.x, self.a, np.tile(self.gravity, (len(self.x), 1))))
         M = continua_mass(self.system)
-        parts = resting_forces(found, x), (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)
+        stress = resting_forces(found, x)
+        if found.beams is not None:
+            stress += self._of_beams(found.beams, x)
+        parts = stress, (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)
         return parts[0][:, :dim], parts[1][:, :dim], parts[2][:, :dim]
+
+    def _of_beams(self, beams: BeamElements, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Nodal forces (n, 3), N, of beams by small displacements from the positions x (n, 3), which those of x lack."""
+        if "displacement" not in self.data:
+            return np.zeros_like(x)
+        B, u = mode_gradients(beams, x), np.pad(self.data["displacement"].values, ((0, 0), (0, 3 - self.system.dim)))
+        return np.asarray(-(B.T @ (beams.rigidity.reshape(-1) * (B @ u.reshape(-1))))).reshape(-1, 3)
 
     def elements_at(self, node: int) -> NDArray[np.float64] | None:
         """(3, dim) N of `elements` at a node; None if it belongs to no element."""

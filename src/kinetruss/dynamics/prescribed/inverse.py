@@ -220,7 +220,7 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
     data = force_arrays(system, motion, loads, solved, at_rest)
     unsure = solved["not_unique"]
     rows = np.flatnonzero(unsure) if unsure.any() else ()
-    names = list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))
+    names = list(dict.fromkeys(system.part_name(system.row_name(r).removeprefix("angle of ")) for r in rows))
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
     message = motion.message
     if off := solved.get("off", 0.0):

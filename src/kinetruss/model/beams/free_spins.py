@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import few
-from kinetruss.model.beams.framing import SHAPE, Axes, frame_of, frames, hinges, sound_beams
+from kinetruss.model.beams.framing import SHAPE, Axes, Hinge, frame_of, frames, hinges, sound_beams
 from kinetruss.model.motion.drives import CoordinateDrive, Coupling
 from kinetruss.model.parts.body_loads import BodyCouple, BodyForce
 
@@ -83,50 +83,57 @@ def spins(model: ModelData) -> list[Spin]:
     """The members of elastic beams that spin freely, with nothing that drives or loads this, in the order of their beams."""
     if model.dim != 3 or not any(beam.kind == "elastic" and (beam.release or beam.hinges) for beam in model.beams.values()):
         return []
-    every = frames(model)
-    joined = _joined_frames(model, every)
-    found = []
-    for names, within in _members(model, joined):
-        ends = [np.array(model.nodes[end].at) for name in names for end in model.beams[name].ends]
-        axis = _line(ends)
-        if axis is None or any(frame in model.clamped for frame in within):
+    every, pins = frames(model), hinges(model)
+    apart = _turning_together(model, every)
+    found: dict[frozenset[str], Spin] = {}
+    for frame in every:
+        axis, within = _spinning(model, apart, pins, frame)
+        names = [name for name, _ in sound_beams(model) if within & _frames_of(model, name)]
+        if axis is None or within in found or not any(model.beams[name].kind == "elastic" for name in names):
             continue
-        nodes = {node for frame in within for node in every[frame].nodes}
-        nodes |= {hinge.node for hinge in hinges(model) if {hinge.own, hinge.base} & within}
-        if not _used(model, nodes) and not any(_loads(model, frame, every, axis) for frame in within):
-            found.append(Spin(tuple(names), tuple(axis.tolist()), every[min(within, key=list(every).index)]))
+        if any(one in model.clamped for one in within):
+            continue
+        nodes = {node for one in within for node in every[one].nodes}
+        nodes |= {hinge.node for hinge in pins if {hinge.own, hinge.base} & within}
+        if not _used(model, nodes) and not any(_loads(model, one, every, axis) for one in within):
+            found[within] = Spin(tuple(names), tuple(axis.tolist()), every[frame])
+    return list(found.values())
+
+
+def _frames_of(model: ModelData, name: str) -> set[str]:
+    return {frame_of(name, model.beams[name], end) for end in model.beams[name].ends}
+
+
+def _turning_together(model: ModelData, every: Iterable[str]) -> dict[str, frozenset[str]]:
+    """By frame the frames that beams hold together with it, hinges left out."""
+    found = {frame: frozenset([frame]) for frame in every}
+    for name, _ in sound_beams(model):
+        if (ends := _frames_of(model, name)) <= set(found):
+            whole = frozenset().union(*(found[end] for end in ends))
+            found |= dict.fromkeys(whole, whole)
     return found
 
 
-def _joined_frames(model: ModelData, every: dict[str, Axes]) -> dict[str, str]:
-    """One frame for each set of frames that spin together: at the ends of one beam, or at a hinge across its beam."""
-    root = {frame: frame for frame in every}
-
-    def top(frame: str) -> str:
-        while root[frame] != frame:
-            frame = root[frame]
-        return frame
-
-    for name, beam in sound_beams(model):
-        ends = [frame_of(name, beam, end) for end in beam.ends]
-        if set(ends) <= set(every):
-            root[top(ends[0])] = top(ends[1])
-    for hinge in hinges(model):
-        name = hinge.own.removesuffix(f".{hinge.base}")
-        a, b = (np.array(model.nodes[end].at) for end in model.beams[name].ends)
-        about = np.array(hinge.at) - np.array(model.nodes[hinge.base].at)
-        if np.linalg.norm(np.cross(about, b - a)) > LINE * np.linalg.norm(about) * np.linalg.norm(b - a):
-            root[top(hinge.own)] = top(hinge.base)
-    return {frame: top(frame) for frame in every}
-
-
-def _members(model: ModelData, joined: dict[str, str]) -> Iterable[tuple[list[str], set[str]]]:
-    """Beams and frames of each set of frames that spin together, of elastic beams at least one."""
-    for one in dict.fromkeys(joined.values()):
-        within = {frame for frame, top in joined.items() if top == one}
-        names = [name for name, beam in sound_beams(model) if {frame_of(name, beam, end) for end in beam.ends} & within]
-        if any(model.beams[name].kind == "elastic" for name in names):
-            yield names, within
+def _spinning(
+    model: ModelData, apart: dict[str, frozenset[str]], pins: Iterable[Hinge], frame: str
+) -> tuple[NDArray[np.float64] | None, frozenset[str]]:
+    """The axis about which a frame spins, or None, and the frames that spin with it: a hinge lets go of a spin about its own
+    axis only.
+    """
+    within = apart[frame]
+    while True:
+        beams = [name for name, _ in sound_beams(model) if within & _frames_of(model, name)]
+        axis = _line([np.array(model.nodes[end].at) for name in beams for end in model.beams[name].ends]) if beams else None
+        if axis is None:
+            return None, within
+        more = set(within)
+        for hinge in pins:
+            about = np.array(hinge.at) - np.array(model.nodes[hinge.base].at)
+            if {hinge.own, hinge.base} & within and np.linalg.norm(np.cross(about, axis)) > LINE * np.linalg.norm(about):
+                more |= apart[hinge.own] | apart[hinge.base]
+        if more == within:
+            return axis, within
+        within = frozenset(more)
 
 
 def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:

@@ -13,6 +13,7 @@ from kinetruss.display import Table, instant, quantity
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.structure import local_axes
+from kinetruss.model import inner_parts
 from kinetruss.report._page import Page
 from kinetruss.report.run_text.drives import pose_at
 from kinetruss.runs.missions import check_histories
@@ -20,6 +21,7 @@ from kinetruss.runs.missions import check_histories
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.model import Owner
     from kinetruss.runs import RunResult
 
 __all__ = ["JointForces", "joints"]
@@ -32,6 +34,8 @@ class JointForces:
     rows : (member, end, node, force in global axes, force in member axes), N: the force on the member from its joint.
     supports : (node, force in global axes), N: the force on the structure from the ground.
     pose : name of the pose of a run of poses, whose time is its number.
+
+    Bars that the model adds itself, as the frames of beams, are left out.
     """
 
     time: float
@@ -88,15 +92,15 @@ def joints(
     axes = [str(a) for a in data["axis"].values]
     shown = [axes.index(axis)] if axis else list(range(len(axes)))
     force = data["joint_force"].isel(time=at).values
-    dim = run.model.dim
+    dim, inner = run.model.dim, inner_parts(run.model)
     frames = local_axes(compile(run.model), run.motion.data["position"].values[at : at + 1])[0, :, :dim, :dim]
     rows = [
         (name, end, bar.ends[e], force[i, e, shown], frames[i] @ force[i, e])
         for i, (name, bar) in enumerate(run.model.members.items())
         for e, end in enumerate("AB")
-        if member in (None, name) and node in (None, bar.ends[e])
+        if node in (None, bar.ends[e]) and (name == member or (member is None and name not in inner.bars))
     ]
-    supports = _supports(data, at, member, node, shown)
+    supports = [] if member is not None else _supports(data, at, inner.nodes, node, shown)
     found = JointForces(
         time=float(data["time"].values[at]),
         pose=pose_at(run.forces[case], at),
@@ -117,13 +121,16 @@ def _instant(data: Any, time: float | None) -> int:
     return int(np.argmin(np.abs(data["time"].values - time)))
 
 
-def _supports(data: Any, at: int, member: str | None, node: str | None, shown: list[int]) -> Iterator[tuple[str, Any]]:
-    if member is not None:
-        return
+def _supports(
+    data: Any, at: int, inner: dict[str, Owner], node: str | None, shown: list[int]
+) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    """The force of each support; that of a clamp is the sum over the node and its frame."""
     reaction = data["reaction"].isel(time=at).values
-    for i, name in enumerate(map(str, data["support"].values)):
+    names = list(map(str, data["support"].values))
+    of = [inner[name].at if name in inner else name for name in names]
+    for name in dict.fromkeys(of):
         if node in (None, name):
-            yield name, reaction[i, shown]
+            yield name, reaction[[one == name for one in of]].sum(axis=0)[shown]
 
 
 def _text(found: JointForces) -> str:

@@ -26,8 +26,8 @@ from kinetruss.model.beams import spin_note
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.results.records import force_units
 from kinetruss.statics.small.accuracy import NOTHING, accuracy_note
-from kinetruss.statics.small.cables import solve_with_cables
-from kinetruss.statics.small.stiffness import Solved, flexibility, spring_rows, stiff_rows
+from kinetruss.statics.small.cables import WithCables, solve_with_cables
+from kinetruss.statics.small.stiffness import flexibility, spring_rows, stiff_rows
 from kinetruss.statics.small.weights import Weight, end_weights, loads_at, weight_word
 
 if TYPE_CHECKING:
@@ -67,8 +67,8 @@ def linear(
     Parameters
     ----------
     position : (n_nodes, dim), m, the configuration; by default the model's own. Bars have no force there, except bars of kind
-        ``elastic`` or ``cable`` with another natural length. A cable that is shorter there has no stiffness; others pull,
-        or are slack, as the load wants: the message names the slack ones.
+        ``elastic`` or ``cable`` with another natural length. Cables pull or are slack, as the load wants: the message names
+        the slack ones.
     load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
     weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
     rigid : names of members kept inextensible although they have E and A.
@@ -116,9 +116,9 @@ def linear(
     known = _known(system, held, x, loads)
     G = constraint_jacobian(held, x)
     found = solve_with_cables(held, x, flexible, known.tension, known.load + known.continua_force)
-    solved, flexible, known = found.solved, found.flexible, known._replace(tension=found.tension)
-    data = _dataset(system, held, x, solved, known, G)
-    force, displacement = solved.errors
+    flexible = found.flexible
+    data = _dataset(system, held, x, found, known, G)
+    force, displacement = found.solved.errors
     data.attrs |= {
         "kind": "linear",
         "load_case": loads.name,
@@ -127,7 +127,8 @@ def linear(
         "force_error": force,
         "displacement_error": displacement,
     }
-    if not (known.tension.any() or known.continua_force.any()):  # Clapeyron: shows an error that the bounds do not cover
+    stressed = known.tension.any() or found.tension.any() or known.continua_force.any()
+    if not stressed:  # Clapeyron: shows an error that the bounds do not cover
         displacement = max(displacement, _unbalanced(data))
     unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
@@ -180,19 +181,17 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
     return np.asarray(load.reshape(-1) + body_and_continua_mass(system) @ np.tile(loads.gravity, len(load)))
 
 
-def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solved, known: _Known, G: Any) -> xr.Dataset:
-    ends, load, tension, continua_force = known
+def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCables, known: _Known, G: Any) -> xr.Dataset:
+    solved, (ends, load, _, continua_force) = found.solved, known
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
     force, elongation, energy = (np.zeros(members) for _ in range(3))
-    total = solved.force + tension
+    total = solved.force + found.tension
     force[held.row_member[bars]] = total[bars]
     on_springs = -total[spring_rows(held)] * system.measure_scale[system.spring_measure]
     length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
-    # the energy that the load adds to a prestressed bar: (N + N0) e/2 + N0 e/2
-    stored_by = (0.5 * solved.force + tension) * solved.elongation
-    energy[held.row_member[bars]] = stored_by[bars]
+    energy[held.row_member[bars]] = found.stored[bars]
     held_now = system.prescribed.copy()
     held_now[system.coordinate_drive[:, 0]] = False
     reaction = np.where(held_now, G.T @ total + solved.inner - continua_force - load, 0.0).reshape(-1, 3)
@@ -200,7 +199,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], solved: Solve
         drive, coupling = _on_measures(held, total)
         acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
         force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_springs)
-    stored = stored_by.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
+    stored = found.stored.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
     tensions = force[:, None] * u
