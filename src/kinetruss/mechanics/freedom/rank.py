@@ -26,7 +26,7 @@ from kinetruss.mechanics.configuration.positions import positions_of
 from kinetruss.mechanics.constraints.moves import moves_text, self_stress_text
 from kinetruss.mechanics.constraints.null_space import Spaces, outside
 from kinetruss.mechanics.freedom.strained import Deformations, beam_deformations
-from kinetruss.model import Model
+from kinetruss.model import CoordinateDrive, Model
 from kinetruss.model.beams import SPIN, line_advice
 
 if TYPE_CHECKING:
@@ -261,7 +261,8 @@ def _beside(system: System) -> str:
 
 def afloat(model: Model) -> Fault | None:
     """The fault of a structure that the ground holds nowhere, where supports are needed; None if there are some."""
-    if model.fixed or "ground" in model.clamped.values():
+    on_ground = any(isinstance(drive, CoordinateDrive) for drive in model.drives.values())
+    if model.fixed or "ground" in model.clamped.values() or on_ground:
         return None
     return Fault((), "no node is fixed, so that the structure moves as a whole.", "Name the nodes at its supports in 'fixed'.")
 
