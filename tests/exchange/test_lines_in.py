@@ -130,6 +130,38 @@ def test_dxf_what_is_hidden(tmp_path):
         kt.exchange.read(path)
 
 
+def test_dxf_nothing_is_lost_in_silence(tmp_path):
+    """Marks on hidden layers hold nothing; empty blocks, texts of blocks, single points, layouts are named."""
+    document = ezdxf.new("R2010", units=6)
+    space, layers = document.modelspace(), document.layers
+    layers.add("supports").off()
+    layers.add("axes")
+    document.blocks.new("PIN").add_circle((0, 0), 0.1)
+    document.blocks.new("NOTHING")
+    space.add_line((0, 0), (1, 0), dxfattribs={"layer": "axes"})
+    space.add_lwpolyline([(3, 3)])
+    pin = space.add_blockref("PIN", (0, 0), dxfattribs={"layer": "SUPPORTS"})
+    space.add_blockref("NOTHING", (0, 0)).add_attrib("NAME", "far away", (9, 9))
+    sheet = document.paperspace()
+    sheet.add_line((0, 0), (7, 7))
+    sheet.add_viewport((5, 5), (10, 10), (0, 0), 10).frozen_layers = ["axes"]
+    path = tmp_path / "lost.dxf"
+    document.saveas(path)
+    found = kt.exchange.read(path)
+    assert list(found.model.bars) == ["axes.1"] and not found.model.fixed
+    assert [(one.what, one.why.partition(";")[0]) for one in found.left_out] == [
+        ("LWPOLYLINE", "it has less than two points"),
+        ("INSERT", "its layer 'SUPPORTS' is off"),
+        ("INSERT", "the block 'NOTHING' is empty"),
+        ("layout", "its paper space has 1 entity"),
+        ("text 'far away'", "is beside no middle of a line without a name"),
+    ]
+    assert f"{path}: layout 'Layout1' does not show the layers axes; they are taken: --skip leaves them out" in found.notes
+    pin.dxf.layer = "Support pins"
+    document.saveas(path)
+    assert dict(kt.exchange.read(path).model.fixed) == dict(kt.exchange.read(path, hidden=True).model.fixed) == {"n1": "xy"}
+
+
 def test_damaged_dxf(tmp_path):
     """What ezdxf can repair is read, and a note says what was wrong."""
     path = tmp_path / "mast.dxf"
@@ -144,9 +176,16 @@ def test_damaged_dxf(tmp_path):
         assert [note for note in found.notes if note.startswith("the file is damaged (") and "Lines may be missing" in note]
         assert found.model.bars.keys() <= whole.model.bars.keys()
         assert "chord.1" in found.model.bars
-    for nothing in (text[: begin + 12], "no drawing\n" * 9):
-        path.write_text(nothing)
-        with pytest.raises(kt.ModelError, match="is no whole DXF file"):
+    ezdxf.readfile(drawing(path)).saveas(path, fmt="bin")
+    binary = path.read_bytes()
+    assert kt.exchange.read(path).model == whole.model
+    for nothing, why in (
+        (text[: begin + 12].encode(), "missing ENDSEC"),
+        (b"no drawing\n" * 9, "is not a DXF file"),
+        (binary[:-900], "a value is missing, or is none there"),
+    ):
+        path.write_bytes(nothing)
+        with pytest.raises(kt.ModelError, match=f"is no whole DXF file: .*{why}"):
             kt.exchange.read(path)
 
 

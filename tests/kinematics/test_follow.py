@@ -202,3 +202,19 @@ def test_singular_start_names_what_moves() -> None:
     )  # fmt: skip
     with pytest.raises(kt.InputError, match=r"B moves along y"):
         kt.kinematics.follow(flat, kt.Quintic(moves={"m": (np.sqrt(2), 1.5)}, duration=1))
+
+
+@pytest.mark.parametrize("samples", [9, 33, 101])
+@pytest.mark.parametrize("turn", [-2.3, 3.0, 2 * np.pi])
+def test_a_parallelogram_does_not_change_to_its_crossed_form_in_silence(turn, samples):
+    """Where all four pins lie on one line two motions cross, and the crossed one has the same sign of the determinant."""
+    x, y = 0.5 * np.cos(1.0), 0.5 * np.sin(1.0)
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (x, y), "C": (1 + x, y), "D": (1, 0)}, fixed=["A", "D"],
+        bars={"crank": ("A", "B"), "coupler": ("B", "C"), "rocker": ("D", "C")}, drives={"motor": kt.AngleDrive("crank")},
+    )  # fmt: skip
+    law = kt.Quintic(moves={"motor": (1.0, 1.0 + turn)}, duration=1.0)
+    motion = kt.kinematics.follow(model, law, samples=samples, raise_on_failure=False)
+    assert motion.status in (kt.Status.SINGULAR, kt.Status.OUT_OF_REACH) and 1 < len(motion.position.time) < samples
+    B, C = (motion.position.sel(node=name).values for name in "BC")
+    np.testing.assert_allclose(C - B, np.tile((1.0, 0.0), (len(B), 1)), atol=1e-9)

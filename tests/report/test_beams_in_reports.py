@@ -135,4 +135,4 @@ def test_of_infinite_utilisations_the_part_of_the_highest_other_one_governs():
     assert len(infinite) == 3
     most = max((row for row in found["strength"] if row["utilisation"] != "Infinity"), key=lambda row: row["utilisation"])
     assert infinite[0] == most["part"] == "DE"
-    assert found["result"][0].startswith("Governing: beam-column of DE")
+    assert found["result"][0].startswith("Governing: buckling of DE")  # the finite one

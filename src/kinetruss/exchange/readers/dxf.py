@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from kinetruss.errors import Fault, InputError, ModelError, shown
+from kinetruss.display import counted
+from kinetruss.errors import Fault, InputError, ModelError, few, shown
 from kinetruss.exchange._imported import Imported
 from kinetruss.exchange._needed import needed
 from kinetruss.exchange.readers.crossings import unjoined
@@ -136,7 +137,8 @@ def _drawn(
         try:
             return _collected(drawing, ezdxf.readfile(path), fixed)
         except (*BROKEN, ezdxf.DXFError) as error:
-            words = " ".join(str(error).split()).rstrip(".") or type(error).__name__
+            said_by_it = isinstance(error, (ezdxf.DXFError, OSError))
+            words = " ".join(str(error).split()).rstrip(".") if said_by_it else "a value is missing, or is none there"
         try:
             document, audit = needed("ezdxf.recover", "exchange").readfile(path)
             drawing = _Drawing(path, arcs, skip, hidden, notes=[_repaired(words, audit)])
@@ -166,7 +168,20 @@ def _collected(drawing: _Drawing, document: Any, fixed: Sequence[str]) -> tuple[
                 drawing.unseen[str(layer.dxf.name).lower()] = "frozen" if layer.is_frozen() else "off"
     for entity in document.modelspace():
         _take(drawing, entity, fixed)
+    for name in document.layout_names_in_taborder()[1:]:
+        _sheet(drawing, document.layouts.get(name))
     return drawing, int(document.header.get("$INSUNITS", 0))
+
+
+def _sheet(drawing: _Drawing, layout: Any) -> None:
+    """What a layout of the paper space has of its own, and the layers that its viewports do not show."""
+    where, views = f"{drawing.path}: layout {shown(layout.name)}", layout.query("VIEWPORT")
+    if own := len(layout) - len(views):
+        why = f"its paper space has {counted(own, 'entity', 'entities')}; only the model space is read"
+        drawing.left.append(LeftOut("layout", where, why))
+    frozen = sorted({str(name) for one in views for name in one.frozen_layers})
+    if frozen and not drawing.hidden:
+        drawing.notes.append(f"{where} does not show the layers {few(frozen, 8)}; they are taken: --skip leaves them out")
 
 
 class _Said(logging.Handler):
@@ -191,7 +206,8 @@ def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[st
     state = drawing.unseen.get(layer.lower(), "")
     if not drawing.hidden and entity.dxf.get("invisible", 0):
         drawing.left.append(LeftOut(kind, where, f"it is invisible; {TAKEN}"))
-    elif state == "frozen" or (state and kind != "INSERT"):  # of an insertion on a layer that is off, other layers are seen
+    elif state == "frozen" or (state and (kind != "INSERT" or matches(layer, fixed))):
+        # of an insertion on a layer that is off, other layers are seen
         drawing.left.append(LeftOut(kind, where, f"its layer {shown(layer)} is {state}; {TAKEN}"))
     elif matches(layer, drawing.skip):
         drawing.left.append(LeftOut(kind, where, "its layer is skipped"))
@@ -204,6 +220,8 @@ def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[st
         points = [_xyz(one) for one in (entity.vertices_in_wcs() if kind == "LWPOLYLINE" else entity.points_in_wcs())]
         points += points[:1] if (entity.closed if kind == "LWPOLYLINE" else entity.is_closed) else []
         drawing.lines += [(layer, a, b, where) for a, b in pairwise(points)]
+        if len(points) < 2:
+            drawing.left.append(LeftOut(kind, where, "it has less than two points"))
         if entity.has_arc:
             drawing.left.append(LeftOut("arc", where, "arcs of polylines are taken as straight lines between their ends"))
     elif kind == "INSERT":
@@ -212,7 +230,7 @@ def _take(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[st
         points = [_xyz(one) for one in _curve(entity, drawing.arcs)]
         drawing.lines += [(layer, a, b, where) for a, b in pairwise(points)]
         hold(len(drawing.lines), str(drawing.path), "Import a smaller part.", most=MOST_ENTRIES, of="lines")
-    elif kind in ("TEXT", "MTEXT"):
+    elif kind in ("TEXT", "ATTRIB", "MTEXT"):
         text = entity.plain_text() if kind == "MTEXT" else entity.dxf.text
         place = entity.dxf.insert if kind == "MTEXT" else entity.ocs().to_wcs(entity.dxf.insert)
         drawing.texts.append((_xyz(place), str(text).strip(), where))
@@ -229,6 +247,10 @@ def _block(drawing: _Drawing, entity: Any, fixed: Sequence[str], within: tuple[s
     if entity.block() is None:
         drawing.left.append(LeftOut("INSERT", within[1], f"the block {shown(entity.dxf.name)} is not in the file"))
         return
+    if not len(entity.block()):
+        drawing.left.append(LeftOut("INSERT", within[1], f"the block {shown(entity.dxf.name)} is empty"))
+    for text in entity.attribs:
+        _take(drawing, text, fixed, within, level + 1)
     each = entity.mcount
     hold(each, within[1], "Explode a smaller part.", most=MOST_ENTRIES, of="insertions")
     for one in entity.multi_insert() if each > 1 else [entity]:
