@@ -534,7 +534,7 @@ def mjcf(rng: np.random.Generator, folder: Path, seed: int) -> Made:
         except ValueError as error:
             rejected(str(error))
             continue
-        if not model.nv:
+        if not model.nv or _loose(model):
             continue
         gears = {
             model.joint(model.actuator_trnid[a, 0]).name: float(model.actuator_gear[a, 0])
@@ -550,6 +550,14 @@ def mjcf(rng: np.random.Generator, folder: Path, seed: int) -> Made:
                 if kind in ("hinge", "slide") and rng.random() < 0.5
             }
         return Made(kind="mjcf", path=path, seed=seed, features=one.features, gears=gears, at=at)
+
+
+def _loose(model: Any) -> bool:
+    """True if a freedom moves no mass, as of two hinges of one body about one axis: MuJoCo itself cannot move such a robot."""
+    data, M = mujoco.MjData(model), np.zeros((model.nv, model.nv))
+    mujoco.mj_fwdPosition(model, data)
+    mujoco.mj_fullM(model, data, M)
+    return bool(np.linalg.cond(M) > 1e9)
 
 
 REJECTED = Counter[str]()

@@ -115,6 +115,7 @@ class MujocoOracle(Oracle):
         self.model = mujoco.MjModel.from_xml_path(str(path))
         self.data = mujoco.MjData(self.model)
         m = self.model
+        m.dof_simplenum[:] = m.body_simple[:] = 0  # else the mass matrix of some bodies is one from before changes
         self.nv, self.q0 = m.nv, m.qpos0.copy()
         self.v = np.zeros(m.nv)
         self.bodies = {m.body(i).name: i for i in range(1, m.nbody)}
@@ -142,12 +143,12 @@ class MujocoOracle(Oracle):
             bent, drag = m.jnt_stiffnesspoly[j], m.dof_dampingpoly[first]
             if sprung and m.jnt_stiffness[j]:
                 yield Influence(("stiffness", "spring"), name, status, zero(m.jnt_stiffness, j))
-            if sprung and bent.any():
-                yield Influence(("stiffness",), name, EITHER, zero(m.jnt_stiffnesspoly, j), True)
+            if bent.any():
+                yield Influence(("stiffness",), name, LISTED, zero(m.jnt_stiffnesspoly, j), True)
             if damped and m.dof_damping[own].any():
                 yield Influence(("damping", "springdamper"), name, status, zero(m.dof_damping, own))
-            if damped and drag.any():
-                yield Influence(("damping",), name, EITHER, zero(m.dof_dampingpoly, own), True)
+            if drag.any():
+                yield Influence(("damping",), name, LISTED, zero(m.dof_dampingpoly, own), True)
             if self.friction[own].any():
                 yield Influence(("frictionloss", "friction"), name, status, zero(self.friction, own))
             if m.dof_armature[own].any():
@@ -163,11 +164,10 @@ class MujocoOracle(Oracle):
             yield Influence(("density",), "", LISTED, lambda: setattr(m.opt, "density", 0.0))
         if m.opt.viscosity:
             yield Influence(("viscosity",), "", LISTED, lambda: setattr(m.opt, "viscosity", 0.0))
-        if m.opt.wind.any() and (m.opt.density or m.opt.viscosity):
+        if m.opt.wind.any():
             yield Influence(("wind",), "", LISTED)
         for b in np.flatnonzero(m.body_gravcomp):
-            if m.opt.gravity.any() and not m.opt.disableflags & OFF["gravity"]:
-                yield Influence(("gravcomp",), m.body(b).name, EITHER, zero(m.body_gravcomp, b))
+            yield Influence(("gravcomp",), m.body(b).name, LISTED, zero(m.body_gravcomp, b))
         for a in range(m.nu):
             name, gains = m.actuator(a).name, m.actuator_biasprm[a].any() or m.actuator_biastype[a]
             if gains and acting:
@@ -271,7 +271,7 @@ class MujocoOracle(Oracle):
                 size = 6 if whole else 3
                 gap = p - r
                 if whole:
-                    T = R.T @ S
+                    T = R @ S.T
                     gap = np.concatenate([gap, 0.5 * np.array([T[2, 1] - T[1, 2], T[0, 2] - T[2, 0], T[1, 0] - T[0, 1]])])
                 gaps.append(gap)
                 rows.append((self._jac(k, p) - self._jac(n, r))[:size])
@@ -433,7 +433,7 @@ class PinocchioOracle(Oracle):
         gaps, rows, rates = [np.zeros(0)], [np.zeros((0, self.nv))], [np.zeros(0)]
         for a, b, size in self.beside.closures:
             (R, p), (S, r) = self.frame(a), self.frame(b)
-            T = R.T @ S
+            T = R @ S.T
             turn = 0.5 * np.array([T[2, 1] - T[1, 2], T[0, 2] - T[2, 0], T[1, 0] - T[0, 1]])
             gaps.append(np.concatenate([p - r, turn])[:size])
             rows.append((self.jacobian(a, p) - self.jacobian(b, r))[:size])
