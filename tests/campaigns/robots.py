@@ -47,7 +47,7 @@ HARMLESS = (
     "calibration", "mass", "link", "not active", "ctrlrange", "forcerange", "joint: its two links", "without mass", "gear",
     "no force", "ctrl", "kp", "kv", "actuator", "motor", "spin", "group", "user", "timestep", "solver", "solref", "solimp",
     "integrator", "iterations", "inertia", "mimic: joint", "unnamed", "shape", "condim", "friction of contact", "flag",
-    "mocap", "is switched off by the file",
+    "mocap", "is switched off by the file", "springs stay elastic", "control belongs to a run",
 )  # fmt: skip
 """Words of what may be left out without any influence on these comparisons."""
 
@@ -88,6 +88,10 @@ def judged(made: Made) -> Verdict:
 def compare(verdict: Verdict, found: Any, oracle: Oracle, made: Made) -> None:
     """All comparisons of one import."""
     told(verdict, found, oracle)
+    for word, name in made.rows:
+        lines = [one for one in found.left_out if f"'{name}'" in one.where or not name]
+        if not any(re.search(rf"(?<![a-z]){word}(?![a-z])", one.what) for one in lines):
+            verdict.faults.append(f"{word} of {name!r} is not listed")
     drives, motors = set(found.model.all_drives), set(oracle.drives())
     gone = {
         name for name in motors - drives if idle(oracle, name) and any("with its joint" in one.why for one in found.left_out)

@@ -107,7 +107,7 @@ def compiled(asked: Mapping[str, Any]) -> dict[str, Any]:
         said["names"][kind] = [one.name for one in elements]
         said["lines"][kind] = [int("0" + "".join(filter(str.isdigit, one.info))) for one in elements]
     for key, enum in (("disableflags", "mjtDisableBit"), ("enableflags", "mjtEnableBit")):
-        bits = {one.value: name for name, one in getattr(mujoco, enum).__members__.items()}
+        bits = {one.value: name for name, one in getattr(mujoco, enum).__members__.items() if "BL_" in name}  # no counts
         value = int(option[key])
         said[key] = [bits.get(1 << k, f"bit {k}") for k in range(32) if value >> k & 1]
     return {**found, "said": json.dumps(said)}
