@@ -453,7 +453,9 @@ class _Mjcf:
             return []
         group = self.root.find("actuator")
         joint = self.pick(*left)
-        return [ET.SubElement(ET.SubElement(self.root, "actuator") if group is None else group, tag, name=f"m_{joint}", joint=joint)]
+        return [
+            ET.SubElement(ET.SubElement(self.root, "actuator") if group is None else group, tag, name=f"m_{joint}", joint=joint)
+        ]
 
     def _loops(self) -> None:
         """Conditions that close where the robot is drawn, as far as they are independent."""

@@ -343,7 +343,9 @@ class MujocoOracle(Oracle):
     def fields(self) -> set[str]:
         """Fields of the model and its options that are set."""
         found = {name for name in dir(self.model) if name[0] != "_" and np.any(getattr(self.model, name, 0))}
-        return found | {f"opt.{name}" for name in dir(self.model.opt) if name[0] != "_" and np.any(getattr(self.model.opt, name))}
+        return found | {
+            f"opt.{name}" for name in dir(self.model.opt) if name[0] != "_" and np.any(getattr(self.model.opt, name))
+        }
 
     def heavy(self) -> float:
         """kg that can move."""

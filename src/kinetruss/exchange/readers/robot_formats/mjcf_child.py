@@ -89,6 +89,9 @@ def compiled(asked: Mapping[str, Any]) -> dict[str, Any]:
     options.fusestatic = options.discardvisual = options.usethread = False
     options.LRopt.mode = 0  # ranges of lengths, which only muscles use, take long
     options.boundmass, options.boundinertia = max(options.boundmass, LEAST), max(options.boundinertia, LEAST)
+    for body in spec.bodies:  # the bounds would lift it
+        if min(body.mass, *body.inertia) < 0:
+            raise ValueError(f"mass and moments of inertia cannot be negative.\nElement {body.info}")
     missing = without_idle_meshes(spec)
     option = {name: value.copy() for name, value in values(spec.option)}
     spec.option.integrator = spec.option.enableflags = 0  # MuJoCo refuses some of them for bodies that are deformed
