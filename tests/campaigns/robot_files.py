@@ -30,6 +30,51 @@ class Made:
     beside: Beside = field(default_factory=Beside)
     closures: Path | None = None
     floating: bool = False
+    rows: list[tuple[str, str]] = field(default_factory=list)
+    """Word and name of an element: what has to be listed."""
+
+
+SOFT = ".5 .6 .1 .5 2"
+ROWS: dict[str, tuple[str, str, dict[str, str]]] = {
+    # field: what is listed, elements, attributes
+    "jnt_limited": ("range", "joint", {"range": "-1.1 1.2", "limited": "true"}),
+    "jnt_actfrclimited": ("actuatorfrcrange", "joint", {"actuatorfrcrange": "-3 3", "actuatorfrclimited": "true"}),
+    "jnt_springyield": ("springyield", "joint", {"stiffness": "2", "springyield": "50"}),
+    "jnt_stiffnesspoly": ("stiffness", "joint", {"stiffness": "1.2 0.5"}),
+    "dof_dampingpoly": ("damping", "joint", {"damping": "0.2 0.05"}),
+    "dof_solref": ("solreffriction", "joint", {"frictionloss": "0.1", "solreffriction": ".05 1"}),
+    "dof_solimp": ("solimpfriction", "joint", {"frictionloss": "0.1", "solimpfriction": SOFT}),
+    "eq_solref": ("solref", "connect weld", {"solref": ".05 1", "active": "true"}),
+    "eq_solimp": ("solimp", "connect weld", {"solimp": SOFT, "active": "true"}),
+    "tendon_limited": ("range", "spatial fixed", {"range": "-2 3", "limited": "true"}),
+    "tendon_actfrclimited": (
+        "actuatorfrcrange", "spatial fixed", {"actuatorfrcrange": "-3 3", "actuatorfrclimited": "true"},
+    ),
+    "tendon_armature": ("armature", "spatial fixed", {"armature": "0.2"}),
+    "tendon_stiffnesspoly": ("stiffness", "spatial fixed", {"stiffness": "4 3"}),
+    "tendon_dampingpoly": ("damping", "spatial fixed", {"damping": "0.3 0.2"}),
+    "tendon_springyield": ("springyield", "spatial fixed", {"stiffness": "4", "springyield": "90"}),
+    "tendon_solref_fri": ("solreffriction", "spatial fixed", {"frictionloss": "0.1", "solreffriction": ".05 1"}),
+    "tendon_solimp_fri": ("solimpfriction", "spatial fixed", {"frictionloss": "0.1", "solimpfriction": SOFT}),
+    "actuator_dyntype": ("dyntype", "general", {"dyntype": "filter"}),
+    "actuator_dynprm": ("dynprm", "general", {"dyntype": "filter", "dynprm": "0.2"}),
+    "actuator_gaintype": ("gaintype", "general", {"gaintype": "affine"}),
+    "actuator_gainprm": ("gainprm", "general", {"gainprm": "2.5"}),
+    "actuator_biastype": ("biastype", "general", {"biastype": "affine"}),
+    "actuator_biasprm": ("biasprm", "general", {"biastype": "affine", "biasprm": "0 -1 -2"}),
+    "actuator_ctrlspec": ("ctrlspec", "pid", {"kp": "2", "kv": "1"}),
+    "actuator_ctrllimited": ("ctrlrange", "motor general", {"ctrllimited": "true", "ctrlrange": "-1 1"}),
+    "actuator_actlimited": ("actrange", "general", {"dyntype": "integrator", "actlimited": "true", "actrange": "-1 1"}),
+    "actuator_forcelimited": ("forcerange", "motor general", {"forcelimited": "true", "forcerange": "-1 1"}),
+    "actuator_actearly": ("actearly", "general", {"dyntype": "filter", "actearly": "true"}),
+    "actuator_delay": ("delay", "motor general", {"delay": "0.01", "nsample": "5"}),
+    "actuator_dampingpoly": ("damping of higher order", "motor general", {"damping": "0.1 0.2"}),
+}  # fmt: skip
+"""Rows of the table that are listed, and are not drawn with the elements themselves."""
+HARMLESS_FLAGS = (
+    "clampctrl warmstart refsafe sensor midphase eulerdamp autoreset nativeccd island multiccd filterparent",
+    "override energy fwdinv invdiscrete diagexact speculative",
+)
 
 
 def words(values: Any) -> str:
@@ -356,6 +401,7 @@ class _Mjcf:
         self._loops()
         self._tendons()
         self._motors()
+        self._rows()
         if self.chance(0.1, "sensors"):
             ET.SubElement(ET.SubElement(self.root, "sensor"), "clock", name="time")
         if self.chance(0.1, "contacts") and len(self.bodies) > 1:
@@ -368,6 +414,48 @@ class _Mjcf:
         if self.chance(0.1, "cameras and lights"):
             ET.SubElement(self.bodies[0], "camera", pos="0 0 1")
             ET.SubElement(self.bodies[0], "light", pos="0 0 1")
+
+    def _rows(self) -> None:
+        """Some attributes that have to be listed, each at an element by itself."""
+        self.rows: list[tuple[str, str]] = []
+        off = {word for one in self.root.iter("flag") for word, value in one.items() if value == "disable"}
+        quiet = bool({"limit", "frictionloss", "equality", "constraint", "actuation"} & off)
+        for word, value in zip(HARMLESS_FLAGS, ("disable", "enable"), strict=True):
+            if self.chance(0.2, f"harmless flag, {value}"):
+                ET.SubElement(ET.SubElement(self.root, "option"), "flag", {self.pick(*word.split()): value})
+        used: set[str] = set()
+        for name, (word, tags, given) in ROWS.items():
+            if quiet or not self.chance(0.08):
+                continue
+            parents = {"joint": "worldbody", "connect": "equality", "spatial": "tendon"}.get(tags.split()[0], "actuator")
+            found = [one for top in self.root.findall(parents) for tag in tags.split() for one in top.iter(tag)]
+            found = [one for one in found if one.get("type", "hinge") in ("hinge", "slide") and one.get("name") not in used]
+            if parents == "actuator":
+                found = [one for one in self._spare(tags.split()[-1]) if one.get("name") not in used]
+            if found and (one := self.pick(*found)).get("name"):
+                one.attrib |= given
+                used.add(one.get("name", ""))
+                self.rows.append((word, one.get("name", "")))
+                self.features[f"row {name}"] += 1
+        if self.chance(0.06, "row body_mocapid"):
+            at = self.root.find("worldbody")
+            ET.SubElement(at, "body", name="held", mocap="true", pos=self.vector(0.5))
+            self.rows.append(("mocap", "held"))
+        if self.chance(0.04, "row opt.enableflags") and self.root.find("tendon") is None:
+            ET.SubElement(ET.SubElement(self.root, "option"), "flag", sleep="enable")
+            self.rows.append(("flag sleep", ""))
+
+    def _spare(self, tag: str) -> list[ET.Element]:
+        """A further actuator of a hinge or slide that has one by a default."""
+        driven = {str(one.get("joint")) for top in self.root.findall("actuator") for one in top}
+        left = [name for name, kind in self.joints.items() if kind in ("hinge", "slide") and name not in driven]
+        if not left:
+            return []
+        group = self.root.find("actuator")
+        joint = self.pick(*left)
+        return [
+            ET.SubElement(ET.SubElement(self.root, "actuator") if group is None else group, tag, name=f"m_{joint}", joint=joint)
+        ]
 
     def _loops(self) -> None:
         """Conditions that close where the robot is drawn, as far as they are independent."""
@@ -534,11 +622,11 @@ def mjcf(rng: np.random.Generator, folder: Path, seed: int) -> Made:
         except ValueError as error:
             rejected(str(error))
             continue
-        if not model.nv:
+        if not model.nv or _loose(model):
             continue
         gears = {
-            model.joint(model.actuator_trnid[a, 0]).name: float(model.actuator_gear[a, 0])
-            for a in range(model.nu)
+            model.joint(model.actuator_trnid[a, 0]).name: float(model.actuator_gear[model.actuator_outadr[a], 0])
+            for a in range(model.nactuator)
             if model.actuator_trntype[a] == 0 and model.jnt_type[model.actuator_trnid[a, 0]] == 3
         }
         at: dict[str, float] = {}
@@ -549,7 +637,15 @@ def mjcf(rng: np.random.Generator, folder: Path, seed: int) -> Made:
                 for name, kind in one.joints.items()
                 if kind in ("hinge", "slide") and rng.random() < 0.5
             }
-        return Made(kind="mjcf", path=path, seed=seed, features=one.features, gears=gears, at=at)
+        return Made(kind="mjcf", path=path, seed=seed, features=one.features, gears=gears, at=at, rows=one.rows)
+
+
+def _loose(model: Any) -> bool:
+    """True if a freedom moves no mass, as of two hinges of one body about one axis: MuJoCo itself cannot move such a robot."""
+    data, M = mujoco.MjData(model), np.zeros((model.nv, model.nv))
+    mujoco.mj_fwdPosition(model, data)
+    mujoco.mj_fullM(model, data, M)
+    return bool(np.linalg.cond(M) > 1e9)
 
 
 REJECTED = Counter[str]()

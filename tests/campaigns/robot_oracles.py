@@ -115,6 +115,7 @@ class MujocoOracle(Oracle):
         self.model = mujoco.MjModel.from_xml_path(str(path))
         self.data = mujoco.MjData(self.model)
         m = self.model
+        m.dof_simplenum[:] = m.body_simple[:] = 0  # else the mass matrix of some bodies is one from before changes
         self.nv, self.q0 = m.nv, m.qpos0.copy()
         self.v = np.zeros(m.nv)
         self.bodies = {m.body(i).name: i for i in range(1, m.nbody)}
@@ -141,13 +142,13 @@ class MujocoOracle(Oracle):
             own = slice(first, first + {FREE: 6, BALL: 3}.get(kind, 1))
             bent, drag = m.jnt_stiffnesspoly[j], m.dof_dampingpoly[first]
             if sprung and m.jnt_stiffness[j]:
-                yield Influence(("stiffness", "spring"), name, status, zero(m.jnt_stiffness, j))
-            if sprung and bent.any():
-                yield Influence(("stiffness",), name, EITHER, zero(m.jnt_stiffnesspoly, j), True)
+                yield Influence(("stiffness",), name, status, zero(m.jnt_stiffness, j))
+            if bent.any():
+                yield Influence(("stiffness",), name, LISTED, zero(m.jnt_stiffnesspoly, j), True)
             if damped and m.dof_damping[own].any():
-                yield Influence(("damping", "springdamper"), name, status, zero(m.dof_damping, own))
-            if damped and drag.any():
-                yield Influence(("damping",), name, EITHER, zero(m.dof_dampingpoly, own), True)
+                yield Influence(("damping",), name, status, zero(m.dof_damping, own))
+            if drag.any():
+                yield Influence(("damping",), name, LISTED, zero(m.dof_dampingpoly, own), True)
             if self.friction[own].any():
                 yield Influence(("frictionloss", "friction"), name, status, zero(self.friction, own))
             if m.dof_armature[own].any():
@@ -163,15 +164,16 @@ class MujocoOracle(Oracle):
             yield Influence(("density",), "", LISTED, lambda: setattr(m.opt, "density", 0.0))
         if m.opt.viscosity:
             yield Influence(("viscosity",), "", LISTED, lambda: setattr(m.opt, "viscosity", 0.0))
-        if m.opt.wind.any() and (m.opt.density or m.opt.viscosity):
+        if m.opt.wind.any():
             yield Influence(("wind",), "", LISTED)
         for b in np.flatnonzero(m.body_gravcomp):
-            if m.opt.gravity.any() and not m.opt.disableflags & OFF["gravity"]:
-                yield Influence(("gravcomp",), m.body(b).name, EITHER, zero(m.body_gravcomp, b))
-        for a in range(m.nu):
+            yield Influence(("gravcomp",), m.body(b).name, LISTED, zero(m.body_gravcomp, b))
+        for a in range(m.nactuator):
             name, gains = m.actuator(a).name, m.actuator_biasprm[a].any() or m.actuator_biastype[a]
             if gains and acting:
                 yield Influence(("position", "velocity", "damper", "general", "bias", "gain", "kp", "kv"), name, LISTED)
+            if m.actuator_dampingpoly[a].any():
+                yield Influence(("damping",), name, LISTED, zero(m.actuator_dampingpoly, a), True)
             if m.actuator_armature[a]:
                 yield Influence(("armature",), name, EITHER, zero(m.actuator_armature, a))
             if m.actuator_damping[a] and damped:
@@ -186,11 +188,14 @@ class MujocoOracle(Oracle):
         whole = ("spatial:", "fixed:", "tendon:")
         if sprung and m.tendon_stiffness[t]:
             one = status if slack[0] == slack[1] else EITHER
-            yield Influence(("stiffness", "spring", *whole), name, one, zero(m.tendon_stiffness, t))
+            yield Influence(("stiffness", "springlength", *whole), name, one, zero(m.tendon_stiffness, t))
         if damped and m.tendon_damping[t]:
             yield Influence(("damping", *whole), name, status, zero(m.tendon_damping, t))
         if self.tendon_friction[t]:
             yield Influence(("friction", *whole), name, status, zero(self.tendon_friction, t))
+        for word, bent in (("stiffness", m.tendon_stiffnesspoly), ("damping", m.tendon_dampingpoly)):
+            if bent[t].any():
+                yield Influence((word,), name, LISTED, zero(bent, t), True)
         if m.tendon_armature[t]:
             yield Influence(("armature", *whole), name, LISTED, zero(m.tendon_armature, t))
 
@@ -271,7 +276,7 @@ class MujocoOracle(Oracle):
                 size = 6 if whole else 3
                 gap = p - r
                 if whole:
-                    T = R.T @ S
+                    T = R @ S.T
                     gap = np.concatenate([gap, 0.5 * np.array([T[2, 1] - T[1, 2], T[0, 2] - T[2, 0], T[1, 0] - T[0, 1]])])
                 gaps.append(gap)
                 rows.append((self._jac(k, p) - self._jac(n, r))[:size])
@@ -307,7 +312,7 @@ class MujocoOracle(Oracle):
         if m.opt.disableflags & OFF["actuation"]:
             return {}
         found: dict[str, Callable[[], Any]] = {}
-        for a in range(m.nu):
+        for a in range(m.nactuator):
             k = int(m.actuator_trnid[a, 0])
             if int(m.actuator_trntype[a]) in ON_JOINT:
                 if int(m.jnt_type[k]) in (HINGE, SLIDE):
@@ -334,6 +339,13 @@ class MujocoOracle(Oracle):
             pairs = [(abs(I[i] - I[j]), k) for i, j, k in ((0, 1, 2), (0, 2, 1), (1, 2, 0))]
             I[min(pairs)[1]] = 0.0
             self.spun.add(body)
+
+    def fields(self) -> set[str]:
+        """Fields of the model and its options that are set."""
+        found = {name for name in dir(self.model) if name[0] != "_" and np.any(getattr(self.model, name, 0))}
+        return found | {
+            f"opt.{name}" for name in dir(self.model.opt) if name[0] != "_" and np.any(getattr(self.model.opt, name))
+        }
 
     def heavy(self) -> float:
         """kg that can move."""
@@ -433,7 +445,7 @@ class PinocchioOracle(Oracle):
         gaps, rows, rates = [np.zeros(0)], [np.zeros((0, self.nv))], [np.zeros(0)]
         for a, b, size in self.beside.closures:
             (R, p), (S, r) = self.frame(a), self.frame(b)
-            T = R.T @ S
+            T = R @ S.T
             turn = 0.5 * np.array([T[2, 1] - T[1, 2], T[0, 2] - T[2, 0], T[1, 0] - T[0, 1]])
             gaps.append(np.concatenate([p - r, turn])[:size])
             rows.append((self.jacobian(a, p) - self.jacobian(b, r))[:size])

@@ -265,6 +265,54 @@ def test_what_is_not_at_its_default_is_listed_with_its_place(tmp_path):
         assert place[0].startswith(f"{path}:"), what
 
 
+@pytest.mark.parametrize(
+    ("before", "joint", "mass", "after", "place"),
+    [
+        ("", "", "-1", "", "body name='a'"), ('<option gravity="0 0 nan"/>', "", "1", "", "option"),
+        ("", "", "1", '<actuator><motor joint="j"/><motor joint="j" name="m" gear="nan"/></actuator>', "motor name='m'"),
+        ("", 'armature="nan"', "1", "", "joint name='j'"),
+    ],
+)  # fmt: skip
+def test_numbers_that_no_robot_has(tmp_path, before, joint, mass, after, place):
+    world = f'<body name="a"><joint name="j" {joint}/><inertial pos="0 0 0" mass="{mass}" diaginertia="1 1 1"/></body>'
+    with pytest.raises(kt.ModelError) as error:
+        kt.exchange.read(written(tmp_path, before, world, after))
+    assert f"<{place}>" in str(error.value)
+
+
+def test_a_flag_without_influence_is_not_listed(tmp_path):
+    flags = '<option><flag invdiscrete="enable" energy="enable" fwdinv="enable" warmstart="disable" island="disable"/></option>'
+    world = '<body><joint axis="0 1 0"/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body>'
+    assert robot_of(written(tmp_path, flags, world, ""), max_size=MAX_SIZE).left_out == []
+
+
+@pytest.mark.parametrize("names", [("m.xml",), ("one.xml", "m.xml"), ("one.xml", "one.xml")])
+def test_models_that_attach_each_other_without_end(tmp_path, names):
+    text = (
+        '<mujoco><asset><model name="x" file="{}"/></asset><worldbody><attach model="x" body="b" prefix="y"/><body name="b"/>'
+        "</worldbody></mujoco>"
+    )
+    for here, there in zip(("m.xml", *names), names, strict=False):
+        (tmp_path / here).write_text(text.format(there))
+    with pytest.raises(kt.ModelError, match="there is no end"):
+        kt.exchange.read(tmp_path / "m.xml")
+
+
+def test_a_model_that_is_attached_twice(tmp_path):
+    arm = (
+        '<mujoco><worldbody><body name="b"><joint name="j" axis="0 1 0"/><geom size=".1" mass="2"/></body></worldbody></mujoco>'
+    )
+    (tmp_path / "arm.xml").write_text(arm)
+    path = tmp_path / "m.xml"
+    path.write_text(
+        '<mujoco><asset><model name="x" file="arm.xml"/><model name="y" file="arm.xml"/></asset><worldbody><attach model="x" '
+        'body="b" prefix="one_"/><frame pos="1 0 0"><attach model="y" body="b" prefix="two_"/></frame></worldbody></mujoco>'
+    )
+    found = robot_of(path, max_size=MAX_SIZE)
+    assert [one.name for one in found.pivots] == ["one_j", "two_j"]
+    assert all(one.where.startswith(f"{tmp_path / 'arm.xml'}:1 ") for one in found.pivots)
+
+
 def test_a_model_at_its_defaults_lists_nothing(tmp_path):
     """Or the defaults here are not those of MuJoCo."""
     world = ARM.format(j='frictionloss="1"', k="", x='<site name="s"/>') + '<site name="t" pos="0 0 3"/>'

@@ -89,6 +89,9 @@ def compiled(asked: Mapping[str, Any]) -> dict[str, Any]:
     options.fusestatic = options.discardvisual = options.usethread = False
     options.LRopt.mode = 0  # ranges of lengths, which only muscles use, take long
     options.boundmass, options.boundinertia = max(options.boundmass, LEAST), max(options.boundinertia, LEAST)
+    for body in spec.bodies:  # the bounds would lift it
+        if min(body.mass, *body.inertia) < 0:
+            raise ValueError(f"mass and moments of inertia cannot be negative.\nElement {body.info}")
     missing = without_idle_meshes(spec)
     option = {name: value.copy() for name, value in values(spec.option)}
     spec.option.integrator = spec.option.enableflags = 0  # MuJoCo refuses some of them for bodies that are deformed
@@ -107,7 +110,7 @@ def compiled(asked: Mapping[str, Any]) -> dict[str, Any]:
         said["names"][kind] = [one.name for one in elements]
         said["lines"][kind] = [int("0" + "".join(filter(str.isdigit, one.info))) for one in elements]
     for key, enum in (("disableflags", "mjtDisableBit"), ("enableflags", "mjtEnableBit")):
-        bits = {one.value: name for name, one in getattr(mujoco, enum).__members__.items()}
+        bits = {one.value: name for name, one in getattr(mujoco, enum).__members__.items() if "BL_" in name}  # no counts
         value = int(option[key])
         said[key] = [bits.get(1 << k, f"bit {k}") for k in range(32) if value >> k & 1]
     return {**found, "said": json.dumps(said)}

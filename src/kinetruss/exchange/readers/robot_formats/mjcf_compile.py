@@ -87,7 +87,8 @@ class _Texts:
     elements: list[Element] = field(default_factory=list)
     roots: list[Element] = field(default_factory=list)
     models: dict[str, str] = field(default_factory=dict)
-    waiting: dict[str, Element] = field(default_factory=dict)
+    waiting: list[Path] = field(default_factory=list)
+    attaches: dict[Path, list[Path]] = field(default_factory=dict)
     former: list[tuple[Element, str]] = field(default_factory=list)
 
     def add(self, one: Element, folders: Mapping[str, str], top: Path) -> None:
@@ -124,12 +125,19 @@ class _Texts:
         return "\n" * before + "\n".join(self.lines[before:])
 
     def _attached(self, one: Element, top: Path) -> str:
-        path = beside(one, self.folder, top)
+        """The name of an attached model, each file once."""
+        path, here = beside(one, self.folder, top).resolve(), Path(self.roots[-1].file).resolve()
         if path.suffix.lower() == ".urdf":
             raise one.fault("attaches a URDF, which is not read.", "Attach MJCF.")
-        name = f"model{len(self.waiting) + 1}.xml"
-        self.waiting[name] = one
-        return name
+        self.attaches.setdefault(here, []).append(path)
+        below = [path]
+        for other in below:
+            below += [more for more in self.attaches.get(other, ()) if more not in below]
+        if here in below:
+            raise one.fault("attaches a model that attaches this file: there is no end.", "Remove one of them.")
+        if path not in self.waiting:
+            self.waiting.append(path)
+        return f"model{self.waiting.index(path) + 1}.xml"
 
 
 def compiled(root: Element, folder: Path, max_size: int) -> Compiled:
@@ -144,10 +152,9 @@ def compiled(root: Element, folder: Path, max_size: int) -> Compiled:
     texts = _Texts(folder, max_size)
     text = texts.model(root, folder)
     while len(texts.models) < len(texts.waiting):
-        name, one = list(texts.waiting.items())[len(texts.models)]
-        path = beside(one, folder, Path(one.file).parent)
+        path = texts.waiting[len(texts.models)]
         other = included(parse_xml(path, text_of(path, max_size), "mujoco"), path.parent, max_size)
-        texts.models[name] = texts.model(other, path.parent)
+        texts.models[f"model{len(texts.models) + 1}.xml"] = texts.model(other, path.parent)
     asked = {
         "text": text, "models": texts.models, "seconds": SECONDS, "memory": MEMORY,
         "fields": [*CARRIED, *LISTED], "known": sorted(KNOWN),
@@ -157,7 +164,7 @@ def compiled(root: Element, folder: Path, max_size: int) -> Compiled:
         raise _refused(str(found["error"]), str(found.get("said", "")), texts)
     said = json.loads(str(found.pop("said")))
     made = Compiled(found, said, texts.elements, texts.roots, texts.former)
-    _check(made)
+    _check(made, root)
     return made
 
 
@@ -201,7 +208,8 @@ def _refused(error: str, version: str, texts: _Texts) -> InputError:
         message = message.removeprefix(word)
     names = {other.attributes["name"] for other in texts.elements if "name" in other.attributes}
     names |= {other.attributes["class"] for other in texts.elements if other.tag == "default" and "class" in other.attributes}
-    called = [text for text in one.attributes.values() if f"'{text}'" in message or "unknown default" in message]
+    given = [text for name, text in one.attributes.items() if name != "file"]
+    called = [text for text in given if f"'{text}'" in message or "unknown default" in message]
     missing = [text for text in called if text not in names and not re.match(r"^[-\d. ]", text)]
     mend = nearest(missing[0], sorted(names)) if missing else "Correct it."
     if not version:
@@ -209,13 +217,22 @@ def _refused(error: str, version: str, texts: _Texts) -> InputError:
     return one.fault(f"MuJoCo {version} refuses it: {' '.join(message.split()).removesuffix('.')}.", mend)
 
 
-def _check(made: Compiled) -> None:
+def _check(made: Compiled, root: Element) -> None:
     """NaN passes MuJoCo with a warning."""
+    kinds = {
+        "body": "body", "jnt": "joint", "dof": "joint", "site": "site", "eq": "equality", "tendon": "tendon",
+        "actuator": "actuator",
+    }  # fmt: skip
     for name, values in made.fields.items():
-        kind = {"body": "body", "jnt": "joint", "site": "site", "eq": "equality", "tendon": "tendon"}.get(name.split("_")[0])
-        if kind is None or values.dtype.kind != "f" or name == "jnt_range" or not values.size:
+        kind = kinds.get(name.split("_")[0])
+        if (kind is None and not name.startswith("opt.")) or values.dtype.kind != "f" or name == "jnt_range" or not values.size:
             continue
-        rows = np.abs(values.reshape(len(values), -1)) <= LARGEST
+        rows = (np.abs(values.reshape(len(values) if kind else 1, -1)) <= LARGEST).all(axis=1)
         if not rows.all():
-            one = made.element(kind, int(np.argmin(rows.all(axis=1))))
+            row = int(np.argmin(rows))
+            if name.startswith("dof_"):
+                row = int(made.dof_jntid[row])
+            elif name == "actuator_gear":
+                row = int(np.searchsorted(made.actuator_outadr, row, "right")) - 1
+            one = made.element(kind, row) if kind else next(root.all("option"), root)
             raise one.fault(f"has a number that is not finite, or beyond {LARGEST:g}.", "Give finite numbers in SI.")

@@ -73,7 +73,7 @@ LISTED: Mapping[str, tuple[str, Any, str]] = {
     "actuator_forcelimited": ("forcerange", 0, CONTROL),
     "actuator_actearly": ("actearly", 0, CONTROL),
     "actuator_delay": ("delay", 0, CONTROL),
-    "actuator_dampingpoly": ("damping", 0, CONTROL),
+    "actuator_dampingpoly": ("damping of higher order", 0, CONTROL),
     "actuator_plugin": ("plugin", -1, CONTROL),
     "opt.density": ("density", 0, "forces of a medium on bodies are not carried"),
     "opt.viscosity": ("viscosity", 0, "forces of a medium on bodies are not carried"),
