@@ -95,6 +95,8 @@ def compare(verdict: Verdict, found: Any, oracle: Oracle, made: Made) -> None:
     drives, motors = set(found.model.all_drives), set(oracle.drives())
     gone = {
         name for name in motors - drives if idle(oracle, name) and any("with its joint" in one.why for one in found.left_out)
+    } | {
+        name for name in motors - drives if any("cannot move" in one.why and f"'{name}'" in one.where for one in found.left_out)
     }
     if drives != motors - gone:
         verdict.faults.append(f"drives {sorted(drives ^ (motors - gone))} are on one side only")
