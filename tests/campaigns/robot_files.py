@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import sys
 import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -14,6 +15,9 @@ import mujoco
 import numpy as np
 import pinocchio as pin
 import yaml
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
 from robot_oracles import Beside, PinocchioOracle
 
 

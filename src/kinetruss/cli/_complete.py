@@ -93,9 +93,9 @@ def materials(_context: click.Context) -> Iterable[str]:
 @_offered
 def quantities(_context: click.Context) -> Iterable[str]:
     """What `plot` and `compare` show over time."""
-    from kinetruss.report.pictures import quantities as known
+    from kinetruss.report.pictures import ALIASES, BUNDLES, FED, QUANTITIES
 
-    return sorted({*known.QUANTITIES, *known.FED, *known.ALIASES, *known.BUNDLES})
+    return sorted({*QUANTITIES, *FED, *ALIASES, *BUNDLES})
 
 
 @_offered

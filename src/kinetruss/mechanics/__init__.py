@@ -18,7 +18,7 @@ from kinetruss.mechanics.structure.constraint_gradients import (
     row_scales,
     turned,
 )
-from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix
+from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix, without_beams
 from kinetruss.mechanics.structure.hessians import measure_curvature, measure_hessian, measure_turning
 from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
 from kinetruss.mechanics.structure.measures import coordinate_derivatives, flats_of, measure_gradients, measured
@@ -70,4 +70,5 @@ __all__ = [
     "row_ends",
     "row_scales",
     "turned",
+    "without_beams",
 ]

@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.exchange.robots.parts import SAME, Connection, Part, gyration
 from kinetruss.exchange.robots.records import LeftOut, turn_about
-from kinetruss.library.mechanisms.sarrus import SARRUS_BARS, sarrus_places
+from kinetruss.library.mechanisms import SARRUS_BARS, sarrus_places
 from kinetruss.model import GROUND, Bar, Hinge, HingeDrive, Joint, LengthDrive
 
 if TYPE_CHECKING:

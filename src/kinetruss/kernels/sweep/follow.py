@@ -288,9 +288,7 @@ def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving
             step *= 0.5
             if step < 1e-6:
                 return done
-            if reached and step < least:
-                if _crossing(plan, w, x, i, weak):
-                    return done
+            if reached and step < least and not _crossing(plan, w, x, i, weak):
                 begun = False  # rounding turns a slow node
     return 1.0
 

@@ -30,7 +30,12 @@ def without_arms(model: Model, changes: Mapping[str, Any], failed: set[str]) -> 
     bodies = {}
     for name, body in model.bodies.items():
         of_hub = name.endswith(".hub") and name.removesuffix(".hub") in model.hubs
-        if name.removesuffix(".hub") in hubs if of_hub else name.removesuffix(".hinges") not in failed:
+        # the body of a hub that loses an arm is made anew from the hub
+        if (
+            name.removesuffix(".hub") in hubs and not any(map(gone, body.nodes))
+            if of_hub
+            else name.removesuffix(".hinges") not in failed
+        ):
             bodies[name] = body
     return {
         "hubs": hubs,

@@ -7,7 +7,9 @@ from kinetruss.library.mechanisms.linkages import four_bar, n_four_bar, slider_c
 from kinetruss.library.mechanisms.loops import bennett, bricard, spherical_four_bar
 from kinetruss.library.mechanisms.pendulums import double_pendulum, n_pendulum, pendulum
 from kinetruss.library.mechanisms.robot import robot
+from kinetruss.library.mechanisms.sarrus import SARRUS_BARS as SARRUS_BARS
 from kinetruss.library.mechanisms.sarrus import sarrus
+from kinetruss.library.mechanisms.sarrus import sarrus_places as sarrus_places
 from kinetruss.library.mechanisms.six_bars import stephenson_six_bar, watt_six_bar
 from kinetruss.library.mechanisms.springs import rhombus_with_spring, von_mises
 from kinetruss.library.mechanisms.stewart import stewart

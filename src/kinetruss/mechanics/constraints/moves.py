@@ -12,7 +12,7 @@ from kinetruss.errors import few
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics import System
+    from kinetruss.mechanics.structure.system import System
     from kinetruss.model import Owner
 
 __all__ = ["moves_text", "self_stress_text", "ranked"]

@@ -18,11 +18,10 @@ from scipy.sparse import block_array, csr_array, diags_array, vstack
 
 from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.plan import LENGTH, SUM
-from kinetruss.mechanics import FREE, NONE, System, constraint_jacobian, ends_of, kept
+from kinetruss.mechanics import FREE, NONE, System, constraint_jacobian, ends_of, kept, without_beams
 from kinetruss.mechanics.assembly import bar_laws, material_stiffness, spring_laws
 from kinetruss.mechanics.beams import mode_gradients
 from kinetruss.mechanics.freedom import beam_deformations, deformations, mobility_at
-from kinetruss.mechanics.structure.continua import without_beams
 from kinetruss.statics.small.refine import best_of, fill_order
 
 if TYPE_CHECKING:
