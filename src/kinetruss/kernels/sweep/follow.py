@@ -250,22 +250,23 @@ def _crossing(plan: Plan, w: Workspace, x: F2, i: int, weak: F1) -> bool:
 
 
 @kernel
-def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float, sign: F1) -> float:
+def continuation(
+    plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float, sign: F1, straight: bool
+) -> float:
     """Walk row i of x from drive values ends[0] to ends[1] in steps that adapt.
 
-    sign (blocks,) : of the determinants of the blocks, which no step may change; 0 for any.
+    sign (blocks,) : of the determinants of the blocks, which no step may change; 0 for any. straight : no node may change its
+    direction suddenly either, as it does where another branch crosses.
     Returns the fraction of the way reached: 1 when done; x[i] is then the solution, else the last good state.
     """
     w = workspace(plan)
     trial, now = np.empty((1, x.shape[1])), np.empty((1, ends.shape[1]))
     _copy(x, i, trial, 0)
     largest = _first_step(plan, ends)
-    done, step, begun, branch = 0.0, largest, False, False
-    # where the branch is given, the first step only tells the direction
-    for b in range(plan.ptr.size - 1):
-        branch = branch or sign[b] != 0.0
+    done, step, begun = 0.0, largest, False
     rate, weak, least = np.zeros(x.shape[1]), np.ones(plan.row.size), 1e-4 * largest
-    if branch:
+    # the first step only tells the direction
+    if straight:
         step = least
     # continuation: step doubled after a success, halved after a failure
     while done < 1.0:
@@ -276,17 +277,17 @@ def continuation(plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving
         for k in range(plan.moving.size):
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         reached = _reached(plan, w, trial, x, i, scale, sign)
-        ahead = not begun or (reached and _straight_on(rate, trial, x, i, reach - done, 1e-8 * scale))
+        ahead = not begun or (reached and _straight_on(rate, trial, x, i, reach - done, 1e-9 * scale))
         if reached and ahead:
             for c in range(x.shape[1]):
                 rate[c] = (trial[0, c] - x[i, c]) / (reach - done)
-            done, begun = reach, branch
+            done, begun = reach, straight
             _copy(trial, 0, x, i)
             step = min(2.0 * step, largest)
         else:
             _copy(x, i, trial, 0)
             step *= 0.5
-            if step < 1e-6:
+            if step < (1e-7 if reached else 1e-6):
                 return done
             if reached and step < least and not _crossing(plan, w, x, i, weak):
                 begun = False  # rounding turns a slow node
@@ -386,7 +387,7 @@ def _predict(states: States, i: int, t: F1) -> None:
 
 
 @kernel
-def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: float, sign: F1) -> float:
+def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: float, sign: F1, straight: bool) -> float:
     """Sample i by continuation from sample i - 1 (signs of determinants as there), or from the start; the fraction reached."""
     values, moving = given.drives[0], given.moving[0]
     ends = np.empty((2, values.shape[1]))
@@ -398,10 +399,10 @@ def _walk(plan: Plan, x: F2, i: int, start: Start, given: Prescribed, scale: flo
         # its drive positions to those of the first sample
         for d in range(start.drives.size):
             ends[0, d] = start.drives[d]
-        return continuation(plan, x, 0, ends, start.moving, moving[0], scale, sign)
+        return continuation(plan, x, 0, ends, start.moving, moving[0], scale, sign, straight)
     _copy(x, i - 1, x, i)
     _copy(values, i - 1, ends, 0)
-    return continuation(plan, x, i, ends, moving[i - 1], moving[i], scale, sign)
+    return continuation(plan, x, i, ends, moving[i - 1], moving[i], scale, sign, straight)
 
 
 @kernel_inline
@@ -436,7 +437,9 @@ def follow(
         set_targets(plan, w, given.drives[0], i)
         chased = i > 0 and _chased(plan, w, states, i, given, scale)
         if not chased:
-            reached = _walk(plan, x, i, start, given, scale, sign if i > 0 else any_sign)
+            # beside a singular position nodes turn quickly on their own branch too
+            straight = i > 0 and gauge[i - 1] > 1e-2
+            reached = _walk(plan, x, i, start, given, scale, sign if i > 0 else any_sign, straight)
             if reached < 1.0:
                 return STUCK, i, reached
         for c in range(x.shape[1]):
@@ -453,7 +456,7 @@ def follow(
                     return FLIPPED, i, 1.0
                 # another branch, or a singular position in between: smaller steps tell
                 chased = False
-                reached = _walk(plan, x, i, start, given, scale, sign)
+                reached = _walk(plan, x, i, start, given, scale, sign, True)
                 if reached < 1.0:
                     return STUCK, i, reached
                 b, smallest = 0, 1.0

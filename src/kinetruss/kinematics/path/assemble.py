@@ -136,7 +136,7 @@ def assembled(
     plan = arrangement.plan.with_(drive=every, driven=every)
     ends = np.stack([now, wanted])[:, plan.row]
     if not len(arrangement.redundant):
-        return x.reshape(-1, 3), continuation(plan, x, 0, ends, held, there, shortest(system), np.zeros(len(plan.ptr)))
+        return x.reshape(-1, 3), continuation(plan, x, 0, ends, held, there, shortest(system), np.zeros(len(plan.ptr)), False)
     return _together(system, arrangement, now, wanted, (held, there), (plan, x, ends))
 
 
@@ -161,7 +161,7 @@ def _together(
     if share == 1:
         return there.reshape(-1, 3), 1.0
     plan, x, ends = kept
-    reached = float(continuation(plan, x, 0, ends, *moving, shortest(system), np.zeros(len(plan.ptr))))
+    reached = float(continuation(plan, x, 0, ends, *moving, shortest(system), np.zeros(len(plan.ptr)), False))
     met = reached == 1 and np.abs(row_gaps(system, x.reshape(-1, 3), wanted)).max() <= AGREE * shortest(system)
     if met or (reached == 1 and contradicts(free, arrangement, path, 0, system.x0.reshape(-1))):
         return x.reshape(-1, 3), 1.0
