@@ -9,6 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.errors import ModelError
+from kinetruss.model.beams import free_spins
 
 STEEL = kt.Material(E=200e9, density=7800.0)
 BOX = kt.Rectangle(width=0.02, height=0.03)
@@ -114,15 +115,12 @@ def test_a_hinge_needs_a_rotation_at_its_node_and_a_model_in_space():
         kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A", "B"], beams={"b": kt.Beam(ends=("A", "B"), hinges={"B": 3})})
 
 
-@pytest.mark.parametrize("kind", ["elastic", "rigid"])
-def test_a_beam_that_a_hinge_holds_does_not_spin_freely(kind):
-    """A post between ball joints is welded to the end of an arm that is hinged there about its own axis: if the arm bends, the
-    post turns with it about its own, which takes no force. P L^3/(3 E I) of the arm.
-    """
-    model = kt.Model(
+def post_on_an_arm(hinge, kind="elastic"):
+    """A post between ball joints, welded to the end N of an arm that is hinged there; a force pushes N aside."""
+    return kt.Model(
         nodes={"A": (0, 0, 0), "N": (0, L, 0), "T": (0, L, 2.0)},
         beams={
-            "arm": kt.Beam(ends=("A", "N"), hinges={"N": 1}),
+            "arm": kt.Beam(ends=("A", "N"), hinges={"N": hinge}),
             "post": kt.Beam(ends=("N", "T"), release=["T"], kind=kind),
         },
         clamped=["A"],
@@ -131,6 +129,12 @@ def test_a_beam_that_a_hinge_holds_does_not_spin_freely(kind):
         section=kt.Rod(diameter=0.02),
         loads={"P": kt.NodalForce(node="N", force=(P, 0, 0))},
     )
+
+
+@pytest.mark.parametrize("kind", ["elastic", "rigid"])
+def test_a_beam_that_a_hinge_holds_does_not_spin_freely(kind):
+    """Hinged about its own axis: if the arm bends, the post turns with it, which takes no force. P L^3/(3 E I) of the arm."""
+    model = post_on_an_arm(1, kind)
     found = kt.statics.linear(model)
     bends = P * L**3 / (3 * STEEL.E * model.section.second_moments[0])
     assert found.displacement.sel(node="N", axis="x").item() == pytest.approx(bends, rel=1e-9)
@@ -138,19 +142,8 @@ def test_a_beam_that_a_hinge_holds_does_not_spin_freely(kind):
 
 
 def test_a_hinge_along_its_neighbour_lets_it_spin():
-    """The arm of above, hinged about the axis of the post: the post spins freely, and is held without a force."""
-    model = kt.Model(
-        nodes={"A": (0, 0, 0), "N": (0, L, 0), "T": (0, L, 2.0)},
-        beams={
-            "arm": kt.Beam(ends=("A", "N"), hinges={"N": (0, 0, 1)}),
-            "post": kt.Beam(ends=("N", "T"), release=["T"]),
-        },
-        clamped=["A"],
-        fixed={"T": "xyz"},
-        material=STEEL,
-        section=kt.Rod(diameter=0.02),
-        loads={"P": kt.NodalForce(node="N", force=(P, 0, 0))},
-    )
+    """Hinged about the axis of the post: the post spins freely, and is held without a force."""
+    model = post_on_an_arm((0, 0, 1))
     found = kt.statics.linear(model)
     I, J = model.section.second_moments[0], model.section.torsion_constant
     # the post tilts by x/2 m, against the torsion of the arm and its own bending, in series
@@ -158,6 +151,17 @@ def test_a_hinge_along_its_neighbour_lets_it_spin():
     bends = 3 * STEEL.E * I / L**3
     assert found.displacement.sel(node="N", axis="x").item() == pytest.approx(P / (bends + tilts), rel=1e-9)
     assert "held: post." in found.message
+
+
+def test_free_spins_are_sought_as_often_in_many_beams_as_in_few(monkeypatch):
+    sought, plain = [], free_spins.frames
+    monkeypatch.setattr(free_spins, "frames", lambda model: sought.append(len(model.beams)) or plain(model))
+    for count in (2, 20):
+        ends = {f"{end}{k}": (float(k), y, 0.5 * (k % 3)) for k in range(count) for end, y in (("A", 0.0), ("B", 1.0))}
+        beams = {f"b{k}": kt.Beam(ends=(f"A{k}", f"B{k}"), release=[f"A{k}", f"B{k}"]) for k in range(count)}
+        model = kt.Model(nodes=ends, beams=beams, material=STEEL, section=kt.Rod(diameter=0.02))
+        assert len(free_spins.spins(model)) == count
+    assert sought.count(2) == sought.count(20) > 0
 
 
 def test_files_keep_hinges(tmp_path):

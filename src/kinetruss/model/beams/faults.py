@@ -25,13 +25,15 @@ Path = tuple[Any, ...]
 
 def beam_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of all beams and clamps of a model with `dim` axes."""
+    some = dim == 3 and any(_lets_go(beam) for beam in model.beams.values())
+    held = {name for one in spins(model) for name in one.beams} if some else set[str]()
     for name, beam in model.beams.items():
         path = ("beams", name)
         if name in model.members:
             yield Fault(path, f"{name!r} is also the name of a bar.", "Give each member its own name.", about=(("bars", name),))
         good = yield from _ends(model, beam, path)
         yield from _matter(model, beam, path, dim)
-        yield from _release(model, name, beam, path, dim)
+        yield from _release(beam, path, loose=dim == 3 and name not in held)
         yield from _hinges(model, beam, path, dim)
         if beam.kind == "rigid" and beam.damping:
             yield Fault(
@@ -86,13 +88,19 @@ def _matter(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Faul
         yield Fault((*path, "section"), message, "Give the section J, m^4.", about=(*about, ("nodes",)))
 
 
-def _release(model: ModelData, name: str, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+def _lets_go(beam: Beam) -> bool:
+    """Whether an elastic beam can spin about its own axis at both ends."""
+    free = {*beam.release, *(end for end, about in beam.hinges.items() if about == 1)}
+    return beam.kind == "elastic" and set(beam.ends) <= free
+
+
+def _release(beam: Beam, path: Path, *, loose: bool) -> Iterator[Fault]:
+    """Ends that are none, and in space a spin that is not held."""
     for k, end in enumerate(beam.release):
         if end not in beam.ends:
             mend = f"Name {beam.ends[0]} or {beam.ends[1]}."
             yield Fault((*path, "release", k), f"{end!r} is no end of the beam.", mend, about=((*path, "ends"),))
-    free = {*beam.release, *(end for end, about in beam.hinges.items() if about == 1)}
-    if dim == 3 and beam.kind == "elastic" and set(beam.ends) <= free and not any(name in one.beams for one in spins(model)):
+    if loose and _lets_go(beam):
         mend = "Make it an elastic bar, or release one end only."
         place = (*path, "release" if beam.release else "hinges")
         message = "leaves the beam free to spin about its own axis, and something drives or loads this."

@@ -80,60 +80,75 @@ def spin_note(model: ModelData) -> str:
 
 
 def spins(model: ModelData) -> list[Spin]:
-    """The members of elastic beams that spin freely, with nothing that drives or loads this, in the order of their beams."""
+    """The members of elastic beams that spin freely, with nothing that drives or loads this, in the order of their frames."""
     if model.dim != 3 or not any(beam.kind == "elastic" and (beam.release or beam.hinges) for beam in model.beams.values()):
         return []
-    every, pins = frames(model), hinges(model)
-    apart = _turning_together(model, every)
-    found: dict[frozenset[str], Spin] = {}
-    for frame in every:
-        axis, within = _spinning(model, apart, pins, frame)
-        names = [name for name, _ in sound_beams(model) if within & _frames_of(model, name)]
-        if axis is None or within in found or not any(model.beams[name].kind == "elastic" for name in names):
+    turning, found, done = _Turning(model), list[Spin](), set[str]()
+    for frame in turning.every:
+        if frame in done:
             continue
-        if any(one in model.clamped for one in within):
+        axis, within = turning.spinning(frame)
+        done |= within
+        if axis is None:
             continue
-        nodes = {node for one in within for node in every[one].nodes}
-        nodes |= {hinge.node for hinge in pins if {hinge.own, hinge.base} & within}
-        if not _used(model, nodes) and not any(_loads(model, one, every, axis) for one in within):
-            found[within] = Spin(tuple(names), tuple(axis.tolist()), every[frame])
-    return list(found.values())
-
-
-def _frames_of(model: ModelData, name: str) -> set[str]:
-    return {frame_of(name, model.beams[name], end) for end in model.beams[name].ends}
-
-
-def _turning_together(model: ModelData, every: Iterable[str]) -> dict[str, frozenset[str]]:
-    """By frame the frames that beams hold together with it, hinges left out."""
-    found = {frame: frozenset([frame]) for frame in every}
-    for name, _ in sound_beams(model):
-        if (ends := _frames_of(model, name)) <= set(found):
-            whole = frozenset().union(*(found[end] for end in ends))
-            found |= dict.fromkeys(whole, whole)
+        names = turning.beams_of(within)
+        elastic = any(model.beams[name].kind == "elastic" for name in names)
+        held = any(one in model.clamped for one in within) or not turning.free_nodes(within)
+        if elastic and not held and not any(_loads(model, one, turning.every, axis) for one in within):
+            found.append(Spin(tuple(names), tuple(axis.tolist()), turning.every[frame]))
     return found
 
 
-def _spinning(
-    model: ModelData, apart: dict[str, frozenset[str]], pins: Iterable[Hinge], frame: str
-) -> tuple[NDArray[np.float64] | None, frozenset[str]]:
-    """The axis about which a frame spins, or None, and the frames that spin with it: a hinge lets go of a spin about its own
-    axis only.
-    """
-    within = apart[frame]
-    while True:
-        beams = [name for name, _ in sound_beams(model) if within & _frames_of(model, name)]
-        axis = _line([np.array(model.nodes[end].at) for name in beams for end in model.beams[name].ends]) if beams else None
-        if axis is None:
-            return None, within
-        more = set(within)
-        for hinge in pins:
-            about = np.array(hinge.at) - np.array(model.nodes[hinge.base].at)
-            if {hinge.own, hinge.base} & within and np.linalg.norm(np.cross(about, axis)) > LINE * np.linalg.norm(about):
-                more |= apart[hinge.own] | apart[hinge.base]
-        if more == within:
-            return axis, within
-        within = frozenset(more)
+class _Turning:
+    """Which frames turn together: beams between them, hinges at them, and the nodes to which something of the user refers."""
+
+    def __init__(self, model: ModelData) -> None:
+        self.model, self.every = model, frames(model)
+        self.place = {name: k for k, name in enumerate(model.beams)}
+        self.beams: dict[str, list[str]] = {frame: [] for frame in self.every}
+        self.pins: dict[str, list[Hinge]] = {frame: [] for frame in self.every}
+        self.together: dict[str, set[str]] = {frame: {frame} for frame in self.every}
+        """Frame -> frames that beams hold together with it, hinges left out; one set for all of them."""
+        for name, beam in sound_beams(model):
+            ends = [end for end in (frame_of(name, beam, end) for end in beam.ends) if end in self.every]
+            for end in ends:
+                self.beams[end].append(name)
+            if len(ends) == 2 and self.together[ends[0]] is not self.together[ends[1]]:
+                small, large = sorted((self.together[end] for end in ends), key=len)
+                large |= small
+                self.together.update(dict.fromkeys(small, large))
+        for hinge in hinges(model):
+            self.pins[hinge.own].append(hinge)
+            self.pins[hinge.base].append(hinge)
+        self.used = _used(model)
+
+    def beams_of(self, within: Iterable[str]) -> list[str]:
+        """The beams at some frames, in the order of the model."""
+        return sorted({name for frame in within for name in self.beams[frame]}, key=self.place.__getitem__)
+
+    def free_nodes(self, within: Iterable[str]) -> bool:
+        """Whether nothing of the user refers to the nodes of these frames and of their hinges."""
+        nodes = {node for frame in within for node in self.every[frame].nodes}
+        return not self.used & (nodes | {hinge.node for frame in within for hinge in self.pins[frame]})
+
+    def spinning(self, frame: str) -> tuple[NDArray[np.float64] | None, set[str]]:
+        """The axis about which a frame spins, or None, and the frames that spin with it: a hinge lets go of a spin about its
+        own axis only.
+        """
+        at, within = self.model.nodes, set(self.together[frame])
+        while True:
+            ends = [end for name in self.beams_of(within) for end in self.model.beams[name].ends]
+            axis = _line([np.array(at[end].at) for end in ends]) if ends else None
+            if axis is None:
+                return None, self.together[frame]
+            more = set(within)
+            for hinge in (one for frame in within for one in self.pins[frame]):
+                about = np.array(hinge.at) - np.array(at[hinge.base].at)
+                if np.linalg.norm(np.cross(about, axis)) > LINE * np.linalg.norm(about):
+                    more |= self.together[hinge.own] | self.together[hinge.base]
+            if more == within:
+                return axis, within
+            within = more
 
 
 def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:
@@ -147,15 +162,16 @@ def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:
     return axis if np.linalg.norm(np.cross(x - x[0], axis), axis=1).max() <= LINE * length else None
 
 
-def _used(model: ModelData, nodes: set[str]) -> bool:
-    """Whether something of the user refers to one of these inner nodes: it may drive or hold the rotation."""
-    shapes = {name for name in model.bars if name.partition(SHAPE)[0] in model.beams}
-    bars = {name for name, bar in model.bars.items() if not bar.brace and name not in shapes and nodes & set(bar.ends)}
-    if bars or any(nodes & set(body.nodes) for body in model.bodies.values()):
-        return True
-    couplings = [one for one in model.couplings.values() if one.beam is None]
-    records = (*model.drives.values(), *couplings, *model.springs.values())
-    return any(nodes & set(_texts(one.model_dump())) for one in records)
+def _used(model: ModelData) -> set[str]:
+    """The nodes to which bars, bodies, drives, couplings, springs and forces of the user refer: they may hold or turn them."""
+    bars = [bar for name, bar in model.bars.items() if not bar.brace and name.partition(SHAPE)[0] not in model.beams]
+    records = [*model.drives.values(), *(one for one in model.couplings.values() if one.beam is None), *model.springs.values()]
+    return {
+        *(end for bar in bars for end in bar.ends),
+        *(node for body in model.bodies.values() for node in body.nodes),
+        *(text for one in records for text in _texts(one.model_dump())),
+        *(str(getattr(load, "node", "")) for load in model.loads.values()),
+    }
 
 
 def _texts(value: Any) -> Iterable[str]:
