@@ -404,6 +404,7 @@ class _Mjcf:
     def _sections(self) -> None:
         self._loops()
         self._tendons()
+        self._coupled_tendons()
         self._motors()
         self._rows()
         if self.chance(0.1, "sensors"):
@@ -518,6 +519,7 @@ class _Mjcf:
             group.append(element)
         if len(group):
             self.root.append(group)
+        self.held = rows
 
     def _at_site(self, element: ET.Element, names: Any, bodies: Any, model: Any, data: Any, point: Any) -> None:
         """Two sites at one place, with one orientation, at the end of two bodies."""
@@ -564,6 +566,31 @@ class _Mjcf:
                     ET.SubElement(one, "joint", joint=str(joint), coef=words(self.rng.uniform(-2, 2)))
         if len(group):
             self.root.append(group)
+
+    def _coupled_tendons(self) -> None:
+        """Two fixed tendons whose lengths follow each other; or one whose length stays."""
+        single = [str(one) for one in self.rng.permutation([k for k, v in self.joints.items() if v in ("hinge", "slide")])]
+        if len(single) < 2 or not self.chance(0.15):
+            return
+        model = mujoco.MjModel.from_xml_string(self.text())
+        row, tendons = np.zeros((1, model.nv)), ET.Element("tendon")
+        ends = (single[:1], single[1:3]) if len(single) > 2 and self.chance(0.7) else (single[:2],)
+        condition = ET.Element("tendon", name=f"e{self._number()}", polycoef="0 0.8 0 0 0")
+        for k, joints in enumerate(ends):
+            name = f"t{self._number()}"
+            condition.set(f"tendon{k + 1}", name)
+            one = ET.SubElement(tendons, "fixed", name=name)
+            for joint in joints:
+                coef = float(words(self.rng.uniform(0.5, 2)))
+                ET.SubElement(one, "joint", joint=joint, coef=words(coef))
+                row[0, model.jnt_dofadr[model.joint(joint).id]] += coef if k == 0 else -0.8 * coef
+        both = np.vstack([self.held, row])
+        values = np.linalg.svd(both, compute_uv=False)
+        if len(both) >= model.nv or values[len(both) - 1] < 0.03 * values[0]:
+            return
+        self.features[f"coupling of {len(ends)} tendons"] += 1
+        self.root.append(tendons)
+        ET.SubElement(self.root, "equality").append(condition)
 
     def _motors(self) -> None:
         group = ET.Element("actuator")

@@ -158,7 +158,7 @@ class MujocoOracle(Oracle):
         for e in np.flatnonzero(self.active):
             name, kind, data = m.eq(e).name, int(m.eq_type[e]), m.eq_data[e]
             tag = {CONNECT: "connect", WELD: "weld", JOINT: "joint"}.get(kind, "tendon")
-            plain = kind in (CONNECT, WELD) or (kind == JOINT and m.eq_obj2id[e] >= 0 and not data[2:5].any())
+            plain = kind in (CONNECT, WELD) or (m.eq_obj2id[e] >= 0 and not data[2:5].any())
             yield Influence((tag, "equality", "coupling", "polycoef"), name, CARRIED if plain else EITHER, zero(self.active, e))
         if m.opt.density:
             yield Influence(("density",), "", LISTED, lambda: setattr(m.opt, "density", 0.0))
@@ -265,7 +265,7 @@ class MujocoOracle(Oracle):
         return along @ (second - first)
 
     def rows(self):
-        m, d = self.model, self.data
+        m = self.model
         gaps, rows, rates = [np.zeros(0)], [np.zeros((0, self.nv))], [np.zeros(0)]
         for e in np.flatnonzero(self.active):
             one, two, data = m.eq_obj1id[e], m.eq_obj2id[e], m.eq_data[e]
@@ -281,21 +281,21 @@ class MujocoOracle(Oracle):
                 gaps.append(gap)
                 rows.append((self._jac(k, p) - self._jac(n, r))[:size])
                 rates.append((self._rate(k, p) - self._rate(n, r))[:size])
-            elif int(m.eq_type[e]) == JOINT:
-                row = np.zeros((1, self.nv))
-                row[0, m.jnt_dofadr[one]] = 1.0
-                y = d.qpos[m.jnt_qposadr[one]] - m.qpos0[m.jnt_qposadr[one]]
-                x = u = 0.0
-                if two >= 0:
-                    x = d.qpos[m.jnt_qposadr[two]] - m.qpos0[m.jnt_qposadr[two]]
-                    u = self.v[m.jnt_dofadr[two]]
-                    row[0, m.jnt_dofadr[two]] = -sum(k * data[k] * x ** (k - 1) for k in range(1, 5))
-                gaps.append(np.array([y - sum(data[k] * x**k for k in range(5))]))
-                rows.append(row)
-                rates.append(np.array([-sum(k * (k - 1) * data[k] * x ** (k - 2) for k in range(2, 5)) * u * u]))
             else:
-                raise NotImplementedError("a condition between tendons that is not listed as left out")
+                y, row = self._coordinate(int(m.eq_type[e]), one)
+                x, other = self._coordinate(int(m.eq_type[e]), two) if two >= 0 else (0.0, np.zeros(self.nv))
+                gaps.append(np.array([y - sum(data[k] * x**k for k in range(5))]))
+                rows.append((row - sum(k * data[k] * x ** (k - 1) for k in range(1, 5)) * other)[None])
+                bend = sum(k * (k - 1) * data[k] * x ** (k - 2) for k in range(2, 5))
+                rates.append(np.array([-bend * (other @ self.v) ** 2]))
         return np.concatenate(gaps), np.vstack(rows), np.concatenate(rates)
+
+    def _coordinate(self, kind, k):
+        """What a condition couples, a hinge, slide or fixed tendon: its value from the start on, and its constant gradient."""
+        m = self.model
+        if kind == JOINT:
+            return self.data.qpos[m.jnt_qposadr[k]] - m.qpos0[m.jnt_qposadr[k]], np.eye(self.nv)[m.jnt_dofadr[k]]
+        return self.data.ten_length[k] - m.tendon_length0[k], self._tendon_row(k)
 
     def _ends(self, one, two, kind, data, whole):
         m, d = self.model, self.data
