@@ -80,7 +80,7 @@ def present_values(model: Model, position: Pose) -> dict[str, float]:
 def _gap(system: System, x: NDArray[np.float64], wanted: NDArray[np.float64], values: Mapping[str, float]) -> tuple[float, str]:
     size = float(np.ptp(x, axis=0).max()) or 1.0
     misses = np.abs(row_errors(system, x, wanted))
-    found = [(float(misses.max()), system.row_name(int(misses.argmax())))] if len(misses) else []
+    found = [(float(misses.max()), system.part_of(int(misses.argmax())))] if len(misses) else []
     flat = x.reshape(-1)
     found += [(abs(float(flat[at]) - values[system.drives[d]]), system.drives[d]) for at, d in system.coordinate_drive]
     miss, what = max(found, default=(0.0, ""))

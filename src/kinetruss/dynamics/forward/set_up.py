@@ -248,7 +248,7 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
         return
     d = (system.x0[system.q] - system.x0[system.p])[system.row_member[eq.row]]
     off = np.where(eq.kind == LENGTH, np.abs(np.linalg.norm(d, axis=1) - eq.value), -1.0)
-    worst = system.row_name(eq.row[int(np.argmax(off))])
+    worst = system.part_of(eq.row[int(np.argmax(off))])
     raise InputError(
         "The start cannot be closed: no configuration near it has the lengths of bars and drives; "
         f"the largest error is at {worst}. "
@@ -284,4 +284,4 @@ def _not_unique(system: System, reduced: System, eq: Any, x: NDArray[np.float64]
     if len(eq.row) <= LARGEST:
         unsure = rearrange(reduced, x.reshape(-1, 3), reduced.drive_start).not_unique
         rows = np.sort(eq.row)[unsure]
-    return tuple(dict.fromkeys(system.part_name(system.row_name(r).removeprefix("angle of ")) for r in rows))
+    return tuple(system.parts_of(rows))

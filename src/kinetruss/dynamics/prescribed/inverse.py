@@ -218,9 +218,7 @@ def _cut(states: States, part: slice) -> States:
 def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
     """The Forces record of one solution."""
     data = force_arrays(system, motion, loads, solved, at_rest)
-    unsure = solved["not_unique"]
-    rows = np.flatnonzero(unsure) if unsure.any() else ()
-    names = list(dict.fromkeys(system.part_name(system.row_name(r).removeprefix("angle of ")) for r in rows))
+    names = system.parts_of(np.flatnonzero(solved["not_unique"]))
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
     message = motion.message
     if off := solved.get("off", 0.0):

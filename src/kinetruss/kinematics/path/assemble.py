@@ -109,7 +109,7 @@ def refuse_unmet(system: System, x: NDArray[np.float64], wanted: NDArray[np.floa
     if miss.max() > AGREE * shortest(system):
         r = int(miss.argmax())
         raise InputError(
-            f"The lengths contradict each other: {system.part_name(system.row_name(r))!r} is fixed by the others and is "
+            f"The lengths contradict each other: {system.part_of(r)!r} is fixed by the others and is "
             f"off by {miss[r]:.3g} m. "
             "Do not prescribe all of them."
         )

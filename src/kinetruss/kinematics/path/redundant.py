@@ -187,15 +187,10 @@ def _fight(system: System, path: Path, extra: NDArray[np.int64], k: int, x: NDAr
     else:
         said.append("No drive is among them: remove one of them, or let a bar of them change its length.")
     return InputError(
-        f"The drives contradict each other: {_part(system, r)!r} is fixed by the others ({few(others, 8)}) and "
+        f"The drives contradict each other: {system.part_of(r)!r} is fixed by the others ({few(others, 8)}) and "
         f"cannot follow its prescribed values from t = {path.t[k]:g} s on (off by {miss.max():.3g} m). "
         f"{' '.join(filter(None, said))}"
     )
-
-
-def _part(system: System, r: Any) -> str:
-    """The user's part that a row belongs to."""
-    return system.part_name(system.row_name(r))
 
 
 def misses(system: System, rows: NDArray[np.int64], values: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -227,5 +222,5 @@ def _partners(system: System, r: int) -> tuple[list[str], bool]:
     shared = np.any(np.abs(states[np.abs(states[:, r]) > 1e-9]) > 1e-9, axis=0)
     shared[r] = False
     drives = [k for k in np.flatnonzero(shared) if system.row_drive[k] >= 0]
-    names = dict.fromkeys(_part(system, k) for k in drives or np.flatnonzero(shared))
-    return [name for name in names if name != _part(system, r)] or ["its supports"], bool(drives)
+    own, names = system.parts_of([r]), system.parts_of(drives or np.flatnonzero(shared))
+    return [name for name in names if name not in own] or ["its supports"], bool(drives)

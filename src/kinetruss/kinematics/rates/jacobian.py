@@ -80,7 +80,7 @@ def jacobian(
     if bad := [(r, k) for r, k in contradicted(system, x, S) if r not in own]:
         r, k = bad[0]
         raise InputError(
-            f"{by[k].name!r} cannot change alone: {system.row_name(r)!r} holds it, too. Choose another coordinate, or "
+            f"{by[k].name!r} cannot change alone: {system.part_of(r)!r} holds it, too. Choose another coordinate, or "
             "release that bar (kind: elastic or free)."
         )
     found = coordinate_gradients(system, wanted, x) @ S

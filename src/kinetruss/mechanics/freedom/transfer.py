@@ -55,7 +55,7 @@ def transfers(
     """
     plan, held = plan_at(system, x[0])
     if np.any(held[rows]):
-        name = system.part_name(system.row_name(rows[held[rows]][0]))
+        name = system.part_of(rows[held[rows]][0])
         raise InputError(f"{name!r} is held by other bars or drives too, so it cannot change alone. Choose another coordinate.")
     place = np.empty(len(system.row_member), np.int64)
     place[plan.row] = np.arange(len(plan.row))

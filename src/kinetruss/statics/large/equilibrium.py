@@ -189,7 +189,7 @@ def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64
     system = balance.system
     error = row_errors(system, x, wanted)
     worst = int(np.abs(error).argmax())
-    message = f"{system.row_name(worst)!r} is off by {abs(error[worst]):.3g} m."
+    message = f"{system.part_of(worst)!r} is off by {abs(error[worst]):.3g} m."
     position = variable(("node", "axis"), x[:, : system.dim], "m", "node position")
     data = xr.Dataset({"position": position}, coords={"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim]})
     data.attrs |= {"kind": "equilibrium", "unstable": 0, "neutral": 0, "ways_out": []}
@@ -259,7 +259,7 @@ def _not_unique(system: System, x: NDArray[np.float64]) -> list[str]:
     if not len(rows_of(system, x).redundant):
         return []
     rows = np.flatnonzero(rearrange(system, x, None).not_unique)
-    return list(dict.fromkeys(system.row_name(r).removeprefix("angle of ") for r in rows))
+    return system.parts_of(rows)
 
 
 def _unsure(balance: Balance, reached: SearchResult) -> str:

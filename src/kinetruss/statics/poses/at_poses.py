@@ -215,7 +215,7 @@ def _refuse_contradiction(system: System, x: NDArray[np.float64], wanted: NDArra
         miss = abs(row_values(system, x)[r] - wanted[r])
         if system.row_kind[r] == LENGTH and miss > 1e-8 * shortest(system):
             raise InputError(
-                f"Pose {name!r}: the drives contradict each other: the others fix {system.part_name(system.row_name(r))!r}, "
+                f"Pose {name!r}: the drives contradict each other: the others fix {system.part_of(r)!r}, "
                 f"which is off by {miss:.3g} m. Drive one of them less."
             )
 

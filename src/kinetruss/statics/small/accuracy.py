@@ -57,7 +57,7 @@ def _cause(system: System, x: NDArray[np.float64]) -> str:
     apart = row_ends(system, moved, bars)
     part = np.linalg.norm(apart, axis=1)
     strain = np.abs(np.einsum("rc,rc->r", row_directions(system, x, rows=bars), apart))
-    names = ", ".join(list(dict.fromkeys(system.part_name(system.row_name(bars[k])) for k in ranked(part, 0.5)))[:4])
+    names = ", ".join(system.parts_of(bars[k] for k in ranked(part, 0.5))[:4])
     way = moves_text(system, moved[:, : system.dim])
     if strain.max() < SHALLOW * part.max():
         return (

@@ -181,7 +181,7 @@ def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]
     found = mobility_at(pulling, x, deformations)
     if found.undriven:
         moves = "; ".join(found.mechanism_texts(4))
-        loose = list(dict.fromkeys(held.part_name(held.row_name(r)) for r in np.flatnonzero(np.isinf(flexible))))
+        loose = held.parts_of(np.flatnonzero(np.isinf(flexible)))
         slack = f"Slack here, so that they hold nothing: {few(loose, 6)}. " if loose else ""
         raise InputError(
             f"{slack}The structure is a mechanism here, with all drives locked ({found.undriven} "
