@@ -71,10 +71,12 @@ def members_at(model: ModelData, hub: str) -> dict[str, int]:
     """Members at a hub besides its own arms and braces, with their end there; none with missing nodes, which are a fault."""
     found = {}
     for name, member in model.members.items():
+        if hub not in member.ends and f"{hub}.{name}" not in member.ends:
+            continue
         if getattr(member, "brace", False) or member.ends == (hub, name):  # bars of hinges are braces
             continue
         ends = ideal_ends(model, name, member)
-        if hub in ends and {*ends, *member.ends} <= set(model.nodes):
+        if hub in ends and all(end in model.nodes for end in (*ends, *member.ends)):
             found[name] = ends.index(hub)
     return found
 

@@ -30,9 +30,10 @@ SAME = 1e-9
 def hub_faults(model: ModelData) -> list[Fault]:
     """Faults of the hubs of a model, whether it has their arms yet or not."""
     found: list[Fault] = []
+    lost = bool(missing_nodes(model))  # reported with the members and bodies
     for hub in model.hubs:
-        found += [*_names(model, hub)]
-    if found or missing_nodes(model):
+        found += [*_names(model, hub, whole=not lost)]
+    if found or lost:
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
     for hub in model.hubs:
@@ -51,14 +52,14 @@ def missing_nodes(model: ModelData) -> set[str]:
     return {name for name in named if name not in model.nodes}
 
 
-def _names(model: ModelData, hub: str) -> Iterator[Fault]:
+def _names(model: ModelData, hub: str, *, whole: bool) -> Iterator[Fault]:
     """Unknown nodes and members, members that end elsewhere, vectors of another dimension."""
     path, record = ("hubs", hub), model.hubs[hub]
     if hub not in model.nodes:
         yield unknown("node", hub, model.nodes, path)
         return
-    if missing_nodes(model):
-        return  # reported with the members and bodies
+    if not whole:
+        return
     here, dim = members_at(model, hub), len(model.nodes[hub].at)
     for field, names in (("arms", record.arms), ("clamped", record.clamped), ("hinges", record.hinges)):
         for name in names:
