@@ -2,13 +2,18 @@
 
 A shell starts what runs in the background with Ctrl-C ignored, and children would inherit that: tests that interrupt a child
 need it as it is on a terminal.
+
+What is said of kernels while they are compiled goes nowhere: which test is the first to need one depends on the order of tests.
 """
 
+import io
 import signal
 import sys
 from pathlib import Path
 
 from hypothesis import settings
+
+from kinetruss.kernels.compiled import jit
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -17,3 +22,5 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 
 settings.register_profile("patient", deadline=None)
 settings.load_profile("patient")
+
+jit.keeper.progress.stream = io.StringIO()

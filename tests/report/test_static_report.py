@@ -50,7 +50,7 @@ def test_elastic_bars_are_counted_as_bars_too(truss):
 
 def test_an_arrow_along_a_member_is_drawn_on_its_other_side(truss):
     figure = loaded(truss, report.document_page(truss).record)
-    ends = {words.partition(":")[0]: (start, end) for start, end, words in _arrows(figure)}
+    ends = {words: (start, end) for start, end, words in _arrows(figure)}
     place = projected(figure.position)
-    assert np.allclose(ends["D"][1], place[3])  # member DE leaves D along the force: the arrow ends at the node
-    assert np.allclose(ends["B"][0], place[1])  # nothing below B: it begins there
+    assert np.allclose(ends["3 kN"][1], place[3])  # member DE leaves D along the force: the arrow ends at the node
+    assert np.allclose(ends["20 kN"][0], place[1])  # nothing below B: it begins there

@@ -157,66 +157,6 @@ def _reached(plan: Plan, w: Workspace, trial: F2, x: F2, i: int, scale: float, s
 
 
 @kernel_inline
-def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
-    """Singularity measure of a block, 1/|P A^-1 E|, by iteration with A^-T and A^-1 in turn; `weak` keeps the vector.
-
-    The columns of E are rates of length: of each row that counts alone, and of the sizes of rigid parts. P leaves out nodes
-    that only their own part depends on. Without rigid parts it is the smallest singular value of A. From above: exact but for
-    the share of other directions left in the vector, which two turns a sample keep small. 1 where nothing counts.
-    """
-    first, last = plan.ptr[b], plan.ptr[b + 1]
-    size = 1.0
-    # start with the vector of the sample before
-    for k in range(first, last):
-        w.work[k - first] = weak[k]
-    # iteration on P A^-1 E E^T A^-T P: the norm of the solution is 1/measure
-    for turn in range(turns):
-        if turn % 2 == 0:
-            solve_transposed(plan, w, b, w.work)
-            total = _sized(plan, w, b)
-        else:
-            solve(plan, w, b, w.work)
-            total = 0.0
-            for k in range(last - first):
-                w.work[k] *= plan.seen[first + k]
-                total += w.work[k] * w.work[k]
-        if total == 0.0:
-            return 1.0
-        size = 1.0 / math.sqrt(total)
-        for k in range(last - first):
-            w.work[k] *= size
-    # keep it for the next sample
-    for k in range(first, last):
-        weak[k] = w.work[k - first]
-    return size
-
-
-@kernel_inline
-def _sized(plan: Plan, w: Workspace, b: int) -> float:
-    """E E^T z of block b in place of z in w.work; returns |E^T z|^2."""
-    first, total = plan.ptr[b], 0.0
-    for k in range(first, plan.ptr[b + 1]):
-        if plan.counts[k] == ALONE:
-            total += w.work[k - first] * w.work[k - first]
-        elif plan.counts[k] == RIGID_SHAPE:
-            w.work[k - first] = 0.0
-    # a part that grows in all directions: its bars in proportion to their lengths, the longest by 1
-    for g in range(plan.sized_ptr[b], plan.sized_ptr[b + 1]):
-        longest, along = 0.0, 0.0
-        for j in range(plan.size_ptr[g], plan.size_ptr[g + 1]):
-            k = plan.size_row[j, 0]
-            along += w.target[k] * w.work[k - first]
-            if plan.size_row[j, 1] == 1:
-                longest = max(longest, w.target[k])
-        along /= longest
-        total += along * along
-        for j in range(plan.size_ptr[g], plan.size_ptr[g + 1]):
-            k = plan.size_row[j, 0]
-            w.work[k - first] = w.target[k] / longest * along
-    return total
-
-
-@kernel_inline
 def _straight_on(rate: F1, trial: F2, x: F2, i: int, share: float, noise: float) -> bool:
     """From x[i] to trial[0], this share of the way, each node has its rate of the step before, within a fifth or `noise`, m.
 
@@ -237,18 +177,6 @@ def _straight_on(rate: F1, trial: F2, x: F2, i: int, share: float, noise: float)
     return True
 
 
-@kernel_inline
-def _crossing(plan: Plan, w: Workspace, x: F2, i: int, weak: F1) -> bool:
-    """x[i] is so near a singular position that branches may cross there."""
-    smallest = 1.0
-    # the least measure of all blocks
-    for b in range(plan.ptr.size - 1):
-        smallest = min(smallest, abs(factor(plan, w, b, x, i)))
-        if smallest > 0.0:
-            smallest = min(smallest, _gauge(plan, w, b, weak, 20))
-    return smallest < 1e-2
-
-
 @kernel
 def continuation(
     plan: Plan, x: F2, i: int, ends: F2, from_moving: F1, to_moving: F1, scale: float, sign: F1, straight: bool
@@ -263,11 +191,8 @@ def continuation(
     trial, now = np.empty((1, x.shape[1])), np.empty((1, ends.shape[1]))
     _copy(x, i, trial, 0)
     largest = _first_step(plan, ends)
-    done, step, begun = 0.0, largest, False
-    rate, weak, least = np.zeros(x.shape[1]), np.ones(plan.row.size), 1e-4 * largest
     # the first step only tells the direction
-    if straight:
-        step = least
+    done, step, rate, begun = 0.0, 1e-4 * largest if straight else largest, np.zeros(x.shape[1]), False
     # continuation: step doubled after a success, halved after a failure
     while done < 1.0:
         reach = min(1.0, done + step)
@@ -277,8 +202,7 @@ def continuation(
         for k in range(plan.moving.size):
             trial[0, plan.moving[k]] = from_moving[k] + reach * (to_moving[k] - from_moving[k])
         reached = _reached(plan, w, trial, x, i, scale, sign)
-        ahead = not begun or (reached and _straight_on(rate, trial, x, i, reach - done, 1e-9 * scale))
-        if reached and ahead:
+        if reached and (not begun or _straight_on(rate, trial, x, i, reach - done, 1e-9 * scale)):
             for c in range(x.shape[1]):
                 rate[c] = (trial[0, c] - x[i, c]) / (reach - done)
             done, begun = reach, straight
@@ -289,8 +213,6 @@ def continuation(
             step *= 0.5
             if step < (1e-7 if reached else 1e-6):
                 return done
-            if reached and step < least and not _crossing(plan, w, x, i, weak):
-                begun = False  # rounding turns a slow node
     return 1.0
 
 
@@ -358,6 +280,66 @@ def _acceleration(plan: Plan, w: Workspace, b: int, states: States, i: int, give
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
         sum_second(plan, b, first, x[i], v[i], seconds[i], w.work, w.scratch)
     _solved(plan, w, b, states.a, i)
+
+
+@kernel_inline
+def _gauge(plan: Plan, w: Workspace, b: int, weak: F1, turns: int) -> float:
+    """Singularity measure of a block, 1/|P A^-1 E|, by iteration with A^-T and A^-1 in turn; `weak` keeps the vector.
+
+    The columns of E are rates of length: of each row that counts alone, and of the sizes of rigid parts. P leaves out nodes
+    that only their own part depends on. Without rigid parts it is the smallest singular value of A. From above: exact but for
+    the share of other directions left in the vector, which two turns a sample keep small. 1 where nothing counts.
+    """
+    first, last = plan.ptr[b], plan.ptr[b + 1]
+    size = 1.0
+    # start with the vector of the sample before
+    for k in range(first, last):
+        w.work[k - first] = weak[k]
+    # iteration on P A^-1 E E^T A^-T P: the norm of the solution is 1/measure
+    for turn in range(turns):
+        if turn % 2 == 0:
+            solve_transposed(plan, w, b, w.work)
+            total = _sized(plan, w, b)
+        else:
+            solve(plan, w, b, w.work)
+            total = 0.0
+            for k in range(last - first):
+                w.work[k] *= plan.seen[first + k]
+                total += w.work[k] * w.work[k]
+        if total == 0.0:
+            return 1.0
+        size = 1.0 / math.sqrt(total)
+        for k in range(last - first):
+            w.work[k] *= size
+    # keep it for the next sample
+    for k in range(first, last):
+        weak[k] = w.work[k - first]
+    return size
+
+
+@kernel_inline
+def _sized(plan: Plan, w: Workspace, b: int) -> float:
+    """E E^T z of block b in place of z in w.work; returns |E^T z|^2."""
+    first, total = plan.ptr[b], 0.0
+    for k in range(first, plan.ptr[b + 1]):
+        if plan.counts[k] == ALONE:
+            total += w.work[k - first] * w.work[k - first]
+        elif plan.counts[k] == RIGID_SHAPE:
+            w.work[k - first] = 0.0
+    # a part that grows in all directions: its bars in proportion to their lengths, the longest by 1
+    for g in range(plan.sized_ptr[b], plan.sized_ptr[b + 1]):
+        longest, along = 0.0, 0.0
+        for j in range(plan.size_ptr[g], plan.size_ptr[g + 1]):
+            k = plan.size_row[j, 0]
+            along += w.target[k] * w.work[k - first]
+            if plan.size_row[j, 1] == 1:
+                longest = max(longest, w.target[k])
+        along /= longest
+        total += along * along
+        for j in range(plan.size_ptr[g], plan.size_ptr[g + 1]):
+            k = plan.size_row[j, 0]
+            w.work[k - first] = w.target[k] / longest * along
+    return total
 
 
 @kernel_inline
