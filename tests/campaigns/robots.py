@@ -37,6 +37,8 @@ SURE = 1e-9
 """Relative difference up to which a number counts as right."""
 LOST = 1e-9
 """Singular value below which a freedom moves nothing, where the largest is about 1."""
+SMALL = 1e-3
+"""m: rows that are all far smaller than this are round-off, as those of a closure between two bodies that are welded."""
 NOISE = 1e-3
 """Acceleration, rad/s^2 or m/s^2, beside which those of robots at rest without forces are round-off."""
 TIME, SPEED = 0.25, 1.0
@@ -312,7 +314,7 @@ def idle(oracle: Oracle, drive: str) -> bool:
 def null(A: Any) -> Any:
     """Orthonormal basis (columns) of the null space."""
     _, s, Vt = np.linalg.svd(A)
-    rank = int(np.sum(s > LOST * max(float(s.max(initial=0.0)), 1e-12)))
+    rank = int(np.sum(s > LOST * max(float(s.max(initial=0.0)), SMALL)))
     return Vt[rank:].T
 
 
