@@ -464,9 +464,10 @@ class _Mjcf:
 
     def _loops(self) -> None:
         """Conditions that close where the robot is drawn, as far as they are independent."""
-        names = [one.get("name", "") for one in self.bodies]
         single = [name for name, kind in self.joints.items() if kind in ("hinge", "slide")]
         model = mujoco.MjModel.from_xml_string(self.text())
+        there = {model.body(k).name for k in range(model.nbody)}  # without those that are fused
+        names = [name for one in self.bodies if (name := one.get("name", "")) in there]
         data = mujoco.MjData(model)
         mujoco.mj_forward(model, data)
         group = ET.Element("equality")
