@@ -43,7 +43,7 @@ NOISE = 1e-3
 """Acceleration, rad/s^2 or m/s^2, beside which those of robots at rest without forces are round-off."""
 TIME, SPEED = 0.25, 1.0
 """s over which a robot moves to its next pose, and rad/s or m/s of its joints on the way."""
-MOVES = kt.DOP853(max_steps=20_000)
+MOVES = kt.DOP853(max_steps=2_000)
 """Next to a singular pose light bodies turn so fast that the way takes hours: a shorter one is taken instead."""
 HARMLESS = (
     "geom", "site", "camera", "light", "sensor", "keyframe", "contact", "asset", "visual", "statistic", "size", "texture",
