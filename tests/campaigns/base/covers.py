@@ -32,6 +32,10 @@ EVERY = (
     "task free", "task hold", "task force", "task torque", "task in time", "task none",
     "motion sine", "motion constant_rate", "motion quintic", "motion trapezoid", "motion cyclic", "motion step_response",
     "motion spline", "motion monotone",
+    "beam elastic", "beam rigid", "damped beam", "released beam", "beam on a hinge", "orientation of a beam", "clamped node",
+    "hub with arms", "hub with hinges", "hub that clamps", "bearing", "bearing against a member",
+    "spring on angle", "spring on hinge", "spring on coordinate", "spring on length", "spring on a sum", "spring by a table",
+    "spring with play", "spring with friction", "preloaded spring", "damped spring", "base rotation",
 )  # fmt: skip
 """What a campaign must have met."""
 
@@ -39,6 +43,7 @@ EVERY = (
 def covers(case: Case) -> tuple[str, ...]:
     """The kinds in a case."""
     found = {*_whole(case), *_bars(case), *_nodes(case.model), *_bodies(case.model), *_continua(case.model)}
+    found |= {*_beams(case.model), *_hubs(case.model), *_springs(case.model)}
     return tuple(sorted(found | {*_loads(case.model), *_drives(case), *_couplings(case.model)}))
 
 
@@ -51,6 +56,8 @@ def _whole(case: Case) -> Iterator[str]:
     yield "in its own configuration" if np.array_equal(at, case.x) else "off its conditions"
     if model.gravity is None:
         yield "no gravity"
+    if model.base_rotation is not None:
+        yield "base rotation"
     if case.load_case:
         one = model.load_cases[case.load_case]
         yield "load case"
@@ -146,6 +153,39 @@ def _continua(model: kt.Model) -> Iterator[str]:
             yield "membrane orthotropic"
     for other in model.solids.values():
         yield "solid" if other.orthotropic is None else "solid orthotropic"
+
+
+def _beams(model: kt.Model) -> Iterator[str]:
+    for beam in model.beams.values():
+        yield f"beam {beam.kind}"
+        for word, true in (
+            ("damped beam", beam.damping), ("released beam", beam.release), ("beam on a hinge", beam.hinges),
+            ("orientation of a beam", beam.orientation is not None),
+        ):  # fmt: skip
+            if true:
+                yield word
+    if model.clamped:
+        yield "clamped node"
+
+
+def _hubs(model: kt.Model) -> Iterator[str]:
+    for hub in model.hubs.values():
+        for word, true in (("hub with arms", hub.arms), ("hub with hinges", hub.hinges), ("hub that clamps", hub.clamped)):
+            if true:
+                yield word
+    for bearing in model.bearings.values():
+        yield "bearing" if bearing.against is None else "bearing against a member"
+
+
+def _springs(model: kt.Model) -> Iterator[str]:
+    for spring in model.springs.values():
+        yield "spring on a sum" if spring.coordinate is None else f"spring on {spring.coordinate.kind}"
+        for word, true in (
+            ("spring by a table", spring.table), ("spring with play", spring.play), ("spring with friction", spring.friction),
+            ("preloaded spring", spring.preload), ("damped spring", spring.damping),
+        ):  # fmt: skip
+            if true:
+                yield word
 
 
 def _loads(model: kt.Model) -> Iterator[str]:

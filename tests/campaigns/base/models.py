@@ -20,22 +20,13 @@ sys.path.insert(0, str(Path(__file__).parent))  # a script finds what stands bes
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from continua import block, planar_bodies, skin, spatial_bodies
+from frames import FRAMES, frame, rubbing, sprung, turned
 from webs import Dice, braced, carried, large_web, planar_web, spatial_web
 
 import kinetruss as kt
 from action_models import WAYS
 from kinetruss.library import joints, mechanisms, vgt
 from random_trusses import truss
-
-LATER = ("thermal_expansion", "source")
-"""Fields of materials that came after BASE, or say where numbers are from: no case depends on them."""
-
-
-def _known_then(tree: Any) -> Any:
-    """A tree without the fields in `LATER`."""
-    if isinstance(tree, dict):
-        return {key: _known_then(value) for key, value in tree.items() if key not in LATER}
-    return [_known_then(value) for value in tree] if isinstance(tree, list) else tree
 
 
 def _told(value: Any) -> Any:
@@ -68,7 +59,7 @@ class Case:
     @property
     def fingerprint(self) -> str:
         """The same where the question is the same."""
-        whole = _known_then(self.model.model_dump(mode="json", exclude_defaults=True))
+        whole = self.model.model_dump(mode="json", exclude_defaults=True)
         parts = [json.dumps(whole, sort_keys=True, default=str).encode(), *(y.tobytes() for y in (self.x, self.v, self.a))]
         return hashlib.sha256(
             b" ".join([*parts, repr((self.t, _told(self.tasks), _told(self.trajectory))).encode()])
@@ -129,7 +120,7 @@ LIBRARY: dict[str, Callable[[Dice], kt.Model]] = {
     "n_four_bar": lambda d: mechanisms.n_four_bar(int(d.integers(2, 7)), angle=d.uniform(0.2, 0.8)),
     "rhombus": lambda d: mechanisms.rhombus_with_spring(stiffness=d.uniform(20, 90), angle=d.uniform(0.8, 1.3)),
     "von_mises": lambda d: mechanisms.von_mises(rise=d.uniform(0.2, 0.6), strain=d.choice(["engineering", "green"]).item()),
-    "andrews": lambda d: mechanisms.andrews(form=d.choice(["bars"]).item()),  # that with a beam is another model since
+    "andrews": lambda d: mechanisms.andrews(form=d.choice(["bars", "beam"]).item()),
     "delta": lambda d: mechanisms.delta(at=(*d.uniform(-0.1, 0.1, 2), -0.75), platform_mass=d.uniform(0.2, 2)),
     "stewart": lambda d: mechanisms.stewart(kind=d.choice(["6-6", "6-3", "3-3"]).item(), leg_mass=d.uniform(0, 2),
                                             platform_mass=d.uniform(1, 5), turned=tuple(d.uniform(-0.2, 0.2, 3))),
@@ -159,11 +150,13 @@ KINDS: dict[str, Callable[[Dice], kt.Model]] = {
     "planar web": planar_web, "spatial web": spatial_web, "planar bodies": planar_bodies, "spatial bodies": spatial_bodies,
     "skin": skin, "block": block, "way": ways, "library": lambda dice: _library(dice)[1], "chain": _chain, "braced": braced,
     "planar web again": planar_web, "spatial web again": spatial_web, "way again": ways, "joint": _pairs,
-    "driven": _driven, "skin again": skin, "spatial bodies again": spatial_bodies,
+    "driven": _driven, "skin again": skin, "spatial bodies again": spatial_bodies, **FRAMES, "frame again": frame,
+    "rubbing again": rubbing, "sprung again": sprung,
 }  # fmt: skip
 """As many as have no divisor with `EVERY`, so that each gets its share."""
 DRIVEN: dict[str, Callable[[Dice], kt.Model]] = {
-    **KINDS, "driven again": _driven, "driven once more": _driven, "way once more": ways, "way then": ways,
+    "turned": turned, **KINDS, "turned again": turned, "driven again": _driven, "driven once more": _driven,
+    "way once more": ways, "way then": ways,
     "carried": carried, "carried again": carried,
     "motors": lambda dice: vgt.double_octahedral(1, beta=dice.uniform(-0.1, 0.1), payload_mass=dice.uniform(0, 5), **TRAIN),
     "sized": lambda dice: truss(int(dice.integers(1 << 30)), 3, massless=False, driven=False, braced=True, sized=True)[0],

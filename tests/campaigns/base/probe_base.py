@@ -21,22 +21,23 @@ from answers import SOLVED, Answer, Part, asked
 from asking import main
 from models import Case
 
-from kinetruss.dynamics._balance import Balance, balance_of, balanced_rows, row_pulls, sum_pushes, sum_stiffness
-from kinetruss.dynamics._cases import case_loads
-from kinetruss.dynamics._continua import continua_account, continua_stiffness
-from kinetruss.dynamics._equations import equations
-from kinetruss.dynamics._free import applied as left_over
-from kinetruss.dynamics._matrices import law_arrays, mass_matrix, tangents
-from kinetruss.dynamics._state import moving_forces
-from kinetruss.kernels import _kkt as kkt
-from kinetruss.kernels._applied import applied, no_force
-from kinetruss.kernels._forces import energies
-from kinetruss.kernels._plan import ANGLE, GREEN, LENGTH
-from kinetruss.kernels._rows import second_terms
-from kinetruss.kernels._sum_rows import sum_gammas
-from kinetruss.kinematics._freedom import held_rows
-from kinetruss.statics._stiffness import flexibility, stiff_rows
-from kinetruss.system import System, compile, jacobian, measured
+from kinetruss.dynamics.assembly.equations import equations
+from kinetruss.dynamics.linear.state import moving_forces
+from kinetruss.dynamics.prescribed.free import applied as left_over
+from kinetruss.kernels.solve import kkt as kkt
+from kinetruss.kernels.structure.applied import applied, no_force
+from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
+from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.sweep.forces import energies
+from kinetruss.mechanics import System, compile, jacobian, measured
+from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
+from kinetruss.mechanics.assembly.cases import case_loads
+from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_balance
+from kinetruss.mechanics.assembly.laws import bar_laws
+from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
+from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
+from kinetruss.mechanics.constraints.derivatives import held_rows
+from kinetruss.statics.small.stiffness import flexibility, stiff_rows
 
 SOLVERS = ("dense", "sparse", "sweep")
 SHIFT = 1e-9
@@ -123,11 +124,9 @@ def drawn(names: tuple[str, ...]) -> np.ndarray:
 class Forward:
     """The equations of forward dynamics."""
 
-    def __init__(self, q: Question, solver: str = "auto", implicit: bool = False) -> None:
+    def __init__(self, q: Question, solver: str = "auto") -> None:
         self.q, case = q, q.case
-        self.eq, self.ws = equations(
-            q.system, case.load_case, case.tasks, case.trajectory, solver=solver, t_end=1.0, implicit=implicit
-        )
+        self.eq, self.ws = equations(q.system, case.load_case, case.tasks, case.trajectory, solver=solver, t_end=1.0)
         self.x, self.v = q.x.reshape(-1).copy(), q.v.reshape(-1).copy()
         kkt.prepare_rows(self.eq, self.ws, case.t, self.x, self.v)
         kkt.row_gradients(self.eq, self.ws, self.x)
@@ -148,7 +147,7 @@ class Forward:
         found, y = np.zeros((self.x.size,) * 2), np.zeros(self.x.size)
         for c in range(self.x.size):
             y[:], y[c] = 0.0, 1.0
-            kkt.kinetic(self.eq, self.ws, self.x, y)  # leaves M y in its room
+            kkt.kinetic(self.eq, self.ws, self.x, y)  # leaves M y in its workspace
             found[:, c] = self.ws.h
         return found
 
@@ -158,20 +157,17 @@ class Forward:
 
     def gaps(self) -> Part:
         """How far the rows are from what they hold."""
-        kkt.row_gaps(self.eq, self.x, self.ws.aim, out := np.zeros(len(self.rows)))
+        kkt.row_gaps(self.eq, self.x, self.ws.target, out := np.zeros(len(self.rows)))
         return self.by_row(out, self.q.reach)
 
     def rate_gaps(self) -> Part:
         """The same of their rates."""
-        kkt.row_rate_gaps(self.eq, self.ws, self.x, self.v, self.ws.aim, out := np.zeros(len(self.rows)))
+        kkt.row_rate_gaps(self.eq, self.ws, self.x, self.v, self.ws.target, out := np.zeros(len(self.rows)))
         return self.by_row(out, 6 * self.q.pace)
 
     def right_sides(self) -> Part:
         """gamma of J a = gamma."""
-        eq, ws, out = self.eq, self.ws, np.zeros(len(self.rows))
-        second_terms(eq.kind, eq.A, eq.B, eq.motion, ws.now, self.x, self.v, ws.aim, ws.u, out)
-        if eq.sum_row.size:
-            sum_gammas(eq, ws, self.x, self.v, out)
+        kkt.row_gammas(self.eq, self.ws, self.x, self.v, out := np.zeros(len(self.rows)))
         return self.by_row(out, 10 * self.q.pace * self.q.turn)
 
     def met(self, a: np.ndarray) -> bool:
@@ -213,27 +209,18 @@ class Forward:
     def solved(self) -> tuple[np.ndarray, np.ndarray, float]:
         """Accelerations, what the rows pull with on gradients of size 1, and the smallest pivot."""
         x, v, a, N = self.x.copy(), self.v.copy(), np.zeros(self.x.size), np.zeros(len(self.rows))
-        pivot = kkt.accelerate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N, -1.0)
+        pivot = kkt.evaluate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N)
         return a, N * self.unit, pivot
 
-    def stepped(self) -> tuple[np.ndarray, np.ndarray, float]:
-        """The same with the matrix of an implicit step."""
-        eq, ws, v = self.eq, self.ws, self.v.copy()
-        N, f, gamma = drawn(self.rows), drawn(self.q.at), drawn(self.rows)
-        beta = 0.01 * float(np.abs(self.M()).max()) / (float(eq.law[:, 0].max(initial=0.0)) + 1.0)
-        pivot = kkt.factor_step(eq, ws, self.x, v, N / self.unit, 1.0, beta, 0.3 * beta)
-        kkt.solve(eq, ws, f, gamma * self.unit, a := np.zeros(f.size), out := np.zeros(len(N)))
-        return a, out * self.unit, pivot
 
-
-def solved_parts(answer: Answer, q: Question, way: str, solver: str) -> None:
+def solved_parts(answer: Answer, q: Question, solver: str) -> None:
     """Accelerations and row forces by one solver; their scale is how they change with positions and velocities."""
-    name = f"forward {solver} {way}"
+    name = f"forward {solver} solved"
     try:
-        one = Forward(q, solver, way == "stepped")
-        *first, pivot = getattr(one, way)()
+        one = Forward(q, solver)
+        *first, pivot = one.solved()
         # redundant rows of a state that no structure can be in: every choice of rows gives another answer
-        met = way != "solved" or one.met(first[0])
+        met = one.met(first[0])
         least = [q.pace * q.turn, float(q.size().max()) + 1.0]
         change = list(least)
         for turn in range(2):
@@ -241,7 +228,7 @@ def solved_parts(answer: Answer, q: Question, way: str, solver: str) -> None:
             one.x *= 1 + SHIFT * dice.normal(size=one.x.size)
             one.v *= 1 + SHIFT * dice.normal(size=one.x.size)
             kkt.row_gradients(one.eq, one.ws, one.x)
-            for k, (new, old) in enumerate(zip(getattr(one, way)()[:2], first, strict=True)):
+            for k, (new, old) in enumerate(zip(one.solved()[:2], first, strict=True)):
                 change[k] = max(change[k], float(np.abs(new - old).max(initial=0.0)) / SHIFT)
         for k, (kind, names) in enumerate((("accelerations", q.at), ("row forces", one.rows))):
             largest = float(np.abs(first[k]).max(initial=0.0))
@@ -263,7 +250,7 @@ class Inverse:
         q = self.q
         x, w, b = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, v * q.v, a * q.a))
         joint, rest = np.zeros((1, len(q.system.members), 2, 3)), np.zeros((1, q.x.size))
-        left_over(q.system, q.loads, x, w, b, joint, rest)
+        left_over(q.system, q.loads, States(x, w, b), EndForces(joint, rest))
         return rest[0], joint[0]
 
     def joints(self) -> Part:
@@ -286,12 +273,9 @@ class Inverse:
         q, s, l = self.q, self.q.system, self.q.loads
         x, v, a = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, q.v, q.a))
         out = np.zeros((1, 3))
-        energies(
-            s.p, s.q, s.two_rods, s.rods, s.law, s.spring, s.natural, s.damping, s.bodies, s.body, s.length0, s.pair_p,
-            s.pair_q, s.pair_mass, s.pair_skew, s.lump, l.lump_gravity, l.gravity, x, v, a, out,
-        )  # fmt: skip
+        energies(structure_of(s), nodal_loads(l), States(x, v, a), out)
         if s.continua is not None:
-            out[:, :2] += continua_account(s.continua, l.gravity, x, v, a)
+            out[:, :2] += strain_balance(s.continua, x, v)
         power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3
         return Part(out[0], (("energy", "rate", "lost"),), np.array([q.energy_size(mass), power, power]) + 1e-300)
 
@@ -321,28 +305,28 @@ class Still:
     def moving(self, which: int) -> Part:
         """Stiffness or damping of a moving state."""
         q, b = self.q, self.balance
-        tension, torque = row_pulls(b.system, q.x, self.N)
-        tension = tension + law_arrays(b.system, *q.ends())[0] - b.push
+        tension, torque = row_tensions(b.system, q.x, self.N)
+        tension = tension + bar_laws(b.system, *q.ends()).tension - b.push
         return self.matrix(tangents(b.system, q.x, tension, b.torque + torque, b.gravity, q.v, q.a)[which])
 
     def curved(self) -> Part:
         """Geometric stiffness of sums."""
-        return self.matrix(sum_stiffness(self.balance.system, self.q.x, sum_pushes(self.balance.system, self.N)))
+        return self.matrix(sum_stiffness(self.balance.system, self.q.x, measure_forces(self.balance.system, self.N)))
 
     def turning(self) -> list[Part]:
         """Gradients of rows, how they turn, and what rates are multiplied with."""
-        jets = held_rows(self.balance.system, self.q.x, self.q.v)
-        g, turned = jets.g[0].toarray(), jets.g[1].toarray()
+        found = held_rows(self.balance.system, self.q.x, self.q.v)
+        g, turned = found.g[0].toarray(), found.g[1].toarray()
         unit = np.maximum(np.linalg.norm(g, axis=1, keepdims=True), 1e-300)
         places, fast = (self.rows, self.q.at), 10 * self.q.turn
         scale = fast + np.abs(turned / unit).max(initial=0.0)
-        r = Part(jets.r / unit, (self.rows, ("r", "r'", "r''")), np.abs(jets.r / unit) + np.array([0, 1, fast]) * self.q.pace)
+        r = Part(found.r / unit, (self.rows, ("r", "r'", "r''")), np.abs(found.r / unit) + np.array([0, 1, fast]) * self.q.pace)
         return [Part(g / unit, places, 1.0), Part(turned / unit, places, scale), r]
 
     def laws(self) -> Part:
         """Tension, slope and damping of all members."""
         s, (L, Ld) = self.q.system, self.q.ends()
-        found = np.stack(law_arrays(s, L, Ld), axis=1)
+        found = np.stack(bar_laws(s, L, Ld)[:3], axis=1)
         slope = np.where(s.law != 0, s.spring * (1 + (L / np.where(s.natural > 0, s.natural, 1)) ** 2), 0)
         return Part(found, (s.members, ("pull", "slope", "damping")), np.stack([self.q.pulls(), slope, s.damping], axis=1))
 
@@ -400,9 +384,7 @@ def assembled(case: Case, answer: Answer) -> None:
     except Exception as error:  # noqa: BLE001 - compared by its kind
         answer.refuse("still", error)
     Inverse(q).assembled(answer, mass_matrix(q.system, q.x).toarray())
-    solved_parts(answer, q, "solved", SOLVERS[case.number % 3])
-    if case.number % 4 == 0:
-        solved_parts(answer, q, "stepped", SOLVERS[case.number // 4 % 2])
+    solved_parts(answer, q, SOLVERS[case.number % 3])
 
 
 if __name__ == "__main__":

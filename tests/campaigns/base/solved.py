@@ -33,6 +33,9 @@ ALLOWED = {
     "buckling": 1e-10,
     "linearise": 1e-12,
     "simulate": 1e-9,
+    "strength": 1e-12,
+    "beams": 1e-12,
+    "flexible": 1e-9,
 }
 """Allowed differences, of the scale: iterations end a little above round-off, and runs within their tolerances."""
 NOTHING = 1e-3
@@ -183,7 +186,27 @@ def simulate(model: kt.Model, case: Case) -> Found:
     yield from _data(run.data, "energy", last=True)
 
 
+def strength(model: kt.Model, case: Case) -> Found:
+    """Utilisations of members and drives along a motion, by every rule."""
+    forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, case.trajectory, samples=5), case.load_case)
+    yield from _data(kt.strength.check(model, forces, stations=5).data, "value", "limit", "utilisation")
+
+
+def beams(model: kt.Model, case: Case) -> Found:
+    """Section forces of beams under a small load."""
+    found = kt.strength.beams(model, kt.statics.linear(model, load_case=case.load_case), stations=5)
+    yield from _data(found, "section_T", "section_V", "section_M", "end_force", "end_moment")
+
+
+def flexible(model: kt.Model, case: Case) -> Found:
+    """The end of a short run of elastic members on a prescribed motion."""
+    run = kt.flexible.simulate(model, case.trajectory, T_END, samples=3, load_case=case.load_case)
+    yield from _data(run.motion.data, "position", "velocity", last=True)
+    yield from _data(run.forces.data, "member_force", "drive_force", last=True)
+
+
 QUESTIONS: dict[str, Callable[[kt.Model, Case], Found]] = {
     "mobility": mobility, "follow": follow, "inverse": inverse, "linear": linear, "equilibrium": equilibrium,
-    "buckling": buckling, "linearise": linearise, "simulate": simulate,
+    "buckling": buckling, "linearise": linearise, "simulate": simulate, "strength": strength,
+    "beams": beams, "flexible": flexible,
 }  # fmt: skip
