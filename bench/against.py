@@ -23,6 +23,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import jointed
 from revision import checkout
 
 HERE = Path(__file__).resolve().parents[1]
@@ -161,6 +162,38 @@ def linearise(bays: int) -> Callable[[], object]:
     return lambda: kt.dynamics.linearise(model, free=model.all_drives, dofs=list(model.all_drives))
 
 
+def frame(storeys: int, large: bool) -> Callable[[], object]:
+    """A frame of beams at rest, with small displacements or large ones."""
+    import kinetruss as kt
+
+    model = jointed.frame(storeys)
+    return lambda: kt.statics.equilibrium(model) if large else kt.statics.linear(model)
+
+
+def swinging_frame(storeys: int, steps: int) -> Callable[[], object]:
+    """The same let go from its drawing, in implicit steps."""
+    import kinetruss as kt
+
+    model, method = jointed.frame(storeys), kt.GeneralizedAlpha(step=1e-3)
+    return lambda: kt.dynamics.simulate(model, steps * 1e-3, samples=3, method=method)
+
+
+def turned(model: Any, samples: int) -> Callable[[], object]:
+    """Motion and forces of a model whose drives turn."""
+    import kinetruss as kt
+
+    path = kt.ConstantRate(rates=dict.fromkeys(model.all_drives, 0.5), duration=0.5)
+    return lambda: kt.dynamics.inverse(model, kt.kinematics.follow(model, path, samples=samples))
+
+
+def let_go(model: Any, t_end: float) -> Callable[[], object]:
+    """A model that moves by itself, its drives free."""
+    import kinetruss as kt
+
+    tasks, method = {name: kt.Free() for name in model.all_drives}, kt.DOP853(rtol=1e-6, atol=1e-6)
+    return lambda: kt.dynamics.simulate(model, t_end, samples=3, tasks=tasks, method=method)
+
+
 CASES: dict[str, Callable[[], Callable[[], object]]] = {
     "follow small": lambda: follow(0, 1000), "follow large": lambda: follow(50, 100),
     "inverse small": lambda: inverse(0, 1000), "inverse large": lambda: inverse(50, 100),
@@ -168,6 +201,10 @@ CASES: dict[str, Callable[[], Callable[[], object]]] = {
     "implicit large": lambda: springs(10, 20),
     "linear small": lambda: linear(10), "linear large": lambda: linear(2000),
     "linearise": lambda: linearise(5),
+    "beams linear": lambda: frame(40, large=False), "beams at rest": lambda: frame(4, large=True),
+    "beams implicit": lambda: swinging_frame(4, 20),
+    "hinges in space": lambda: turned(jointed.hinged_arm(), 200), "hubs": lambda: turned(jointed.crank_in_space(), 200),
+    "bearings": lambda: let_go(jointed.crank_in_space(0.2), 0.02), "springs": lambda: let_go(jointed.sprung_links(8), 0.5),
 }  # fmt: skip
 
 

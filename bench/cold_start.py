@@ -1,6 +1,7 @@
 """Seconds of a first start, with an empty cache of kernels: processor and wall time (``--json`` for one object).
 
-Two starts of a four-bar, each in a process of its own: `follow`, `dynamics.inverse` and `strength.check`; `simulate` alone.
+Two starts of a four-bar, each in a process of its own: `follow`, `dynamics.inverse` and `strength.check`; `simulate` alone. Two
+of a crank in space with hubs, hinges and a bearing, and of links with springs and a coupling; one of a frame of beams.
 ``--against REV`` measures another revision too, checked out into a temporary folder, in turn with this one.
 """
 
@@ -34,13 +35,34 @@ model = kt.Model(
     drives={"motor": kt.AngleDrive("crank")},
 )
 """
+JOINTED = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).resolve().parent)!r})
+import jointed
+import kinetruss as kt
+"""
 STARTS = {
-    "inverse": """
+    "inverse": FOUR_BAR
+    + """
 motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 10.0}, duration=0.6283))
 kt.strength.check(model, kt.dynamics.inverse(model, motion))
 """,
-    "simulate": """
+    "simulate": FOUR_BAR
+    + """
 kt.dynamics.simulate(model, t_end=1.0, tasks={"motor": kt.Free()})
+""",
+    "hubs": JOINTED
+    + """
+model = jointed.crank_in_space(0.2)
+kt.dynamics.inverse(model, kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 0.5}, duration=0.5), samples=11))
+""",
+    "springs": JOINTED
+    + """
+kt.dynamics.simulate(jointed.sprung_links(4), t_end=0.2)
+""",
+    "beams": JOINTED
+    + """
+kt.statics.equilibrium(jointed.frame(2))
 """,
 }
 
@@ -50,7 +72,7 @@ def main() -> None:
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--against", metavar="REV", help="another revision, measured in turn with this one")
     parser.add_argument("--rounds", type=int, default=1, help="starts of each kind; medians are told (default: 1)")
-    parser.add_argument("--starts", nargs="+", choices=STARTS, default=list(STARTS), help="which starts (default: both)")
+    parser.add_argument("--starts", nargs="+", choices=STARTS, default=list(STARTS), help="which starts (default: all)")
     options = parser.parse_args()
     with contextlib.ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
@@ -91,7 +113,7 @@ def first_start(source: Path, start: str) -> tuple[float, float]:
     with tempfile.TemporaryDirectory() as cache:
         environment = os.environ | {"PYTHONPATH": str(source), "NUMBA_CACHE_DIR": cache}
         before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-        subprocess.run([sys.executable, "-c", FOUR_BAR + STARTS[start]], env=environment, check=True)
+        subprocess.run([sys.executable, "-c", STARTS[start]], env=environment, check=True)
         wall, after = time.perf_counter() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall
 
