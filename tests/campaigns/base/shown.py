@@ -21,7 +21,7 @@ import numpy as np
 
 import kinetruss as kt
 
-VOLATILE = ("wall_time", "provenance", "out", "seconds", "run_time")
+VOLATILE = ("wall_time", "provenance", "out")
 """Keys of records whose values depend on the machine or the hour."""
 TAKEN = re.compile(r"(?<=; )\d[\d.]* (?:ms|s|min|h)$|(?<=computing took</th>\n<td>)[^<]*", re.MULTILINE)
 """What the last words of a summary's line, and a row of the report, say that a run took."""
