@@ -48,7 +48,7 @@ def changed(folder, file, more):
     return source
 
 
-@pytest.mark.skipif(not hasattr(os, "symlink"), reason="compiled kernels are borrowed by a link")
+@pytest.mark.skipif(not hasattr(os, "symlink"), reason="the test needs symbolic links, which this system lacks")
 def test_a_changed_source_is_found(answers, tmp_path):
     """The area of tubes grows by 1e-9: masses and stiffnesses."""
     more = "\n_area = Tube.area.fget\nTube.area = property(lambda one: (1 + 1e-9) * _area(one))\n"
@@ -58,7 +58,7 @@ def test_a_changed_source_is_found(answers, tmp_path):
     assert "forward rows" not in found
 
 
-@pytest.mark.skipif(not hasattr(os, "symlink"), reason="compiled kernels are borrowed by a link")
+@pytest.mark.skipif(not hasattr(os, "symlink"), reason="the test needs symbolic links, which this system lacks")
 def test_a_changed_message_is_found(tmp_path, monkeypatch):
     """Every fault ends in another word."""
     monkeypatch.setattr(compare, "hash_of", lambda _: "")

@@ -26,6 +26,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
+from functools import cache
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
@@ -165,7 +166,7 @@ def pairs(old: Path, new: Path) -> Iterator[tuple[Answer, Answer]]:
 def campaign(work: Path, seed: int, count: int, runs: int, source: Path = TREE / "src") -> Found:
     """Ask BASE and a source, and compare. work : folder in which BASE and its answers stay."""
     base = hash_of(BASE)
-    files = [file for file in HERE.glob("*.py") if file.name not in ("probe.py", "compare.py")]
+    files = [file for file in HERE.glob("*.py") if file.name not in ("probe.py", "compare.py", "shown.py")]
     files += [HERE.parents[1] / f"{name}.py" for name in ("action_models", "random_trusses")]
     kept = work / f"answers-{base[:12]}-{state_of(files)}-{seed}"
     return side_by_side(("probe_base.py", tree_of(base, work), kept), ("probe.py", source, work), seed, count, runs)
@@ -184,11 +185,17 @@ def side_by_side(old: Side, new: Side, seed: int, count: int, runs: int) -> Foun
             codes = [code if one is None else one.wait() for one, code in zip(started, codes, strict=True)]
         if any(codes):
             raise RuntimeError(f"Probes ended with {codes} (new, old); their own words are above.")
-        rules = tomllib.loads((HERE / "intended.toml").read_text()).get("difference", [])
         found = Found()
         for one, two in pairs(old[2], Path(folder)):
-            found.take(one, two, rules)
+            found.take(one, two, intended())
         return found
+
+
+@cache
+def intended() -> list[dict[str, Any]]:
+    """The differences that are meant."""
+    found: list[dict[str, Any]] = tomllib.loads((HERE / "intended.toml").read_text()).get("difference", [])
+    return found
 
 
 def read_alike(work: Path, source: Path, examples: int, wrong: int, seed: int, found: Found) -> None:
@@ -196,7 +203,6 @@ def read_alike(work: Path, source: Path, examples: int, wrong: int, seed: int, f
     sys.path.insert(0, str(HERE.parent))
     import fuzz
 
-    rules = tomllib.loads((HERE / "intended.toml").read_text()).get("difference", [])
     with tempfile.TemporaryDirectory(dir=work) as folder:
         files, sides = Path(folder) / "wrong", [Path(folder) / "old", Path(folder) / "new"]
         files.mkdir()
@@ -213,7 +219,7 @@ def read_alike(work: Path, source: Path, examples: int, wrong: int, seed: int, f
             if old == new:
                 found.counts["shown"] += 1
             else:
-                found.note(_first_difference(name.removesuffix(".txt"), old, new), rules, ())
+                found.note(_first_difference(name.removesuffix(".txt"), old, new), intended(), ())
 
 
 def _lines(path: Path) -> list[str]:

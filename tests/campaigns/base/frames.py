@@ -80,45 +80,41 @@ def frame(dice: Dice) -> kt.Model:
     )
 
 
-def driven_frame(dice: Dice) -> kt.Model:
-    """A crank of bars that carries an elastic beam, or is one: beams in given motion."""
-    at = {"O": (0, 0), "A": (0.2, 0.25), "B": (1.0, 0.4), "Q": (1.1, -0.1)}
-    beams: dict[str, Any] = {"coupler": kt.Beam(ends=("A", "B"), release=("A", "B"), damping=1e-3 * _some(dice, 0.5))}
-    bars: dict[str, Any] = {"rocker": kt.Bar(ends=("B", "Q"), mass=0.5), "crank": kt.Bar(ends=("O", "A"), mass=0.3)}
+def _four_bar(dice: Dice, **fields: Any) -> kt.Model:
+    """A crank and a rocker in the plane with what is between and at them, driven at the crank and pushed."""
+    at = {"O": (0, 0), "A": (0.15, 0.25), "B": (0.95, 0.45), "Q": (1.05, 0)}
     return kt.Model(
         nodes=_near(dice, at),
         fixed=["O", "Q"],
-        beams=beams,
-        bars=bars,
         section=SECTIONS[int(dice.integers(3))],
         material=STEEL,
         drives={"motor": kt.AngleDrive("crank")},
         gravity=(0, -9.81),
         loads={"push": _force(dice, "B", 2)},
+        **fields,
     )
+
+
+def driven_frame(dice: Dice) -> kt.Model:
+    """A four-bar whose coupler is an elastic beam: a beam in given motion."""
+    beam = kt.Beam(ends=("A", "B"), release=("A", "B"), damping=1e-3 * _some(dice, 0.5))
+    return _four_bar(dice, bars={"crank": ("O", "A"), "rocker": ("B", "Q")}, beams={"coupler": beam})
 
 
 def rubbing(dice: Dice) -> kt.Model:
-    """A four-bar with friction in its bearings, and a hub: of two sizes, or with a crank that it clamps."""
-    at = {"O": (0, 0), "A": (0.1, 0.25), "B": (0.9, 0.5), "Q": (1.0, 0)}
+    """A four-bar with friction in its bearings, a hub that clamps the rocker, or both."""
     bearings = {
         "b": kt.Bearing(member="coupler", node="A", radius=0.02, friction=float(dice.uniform(0.05, 0.3))),
         "q": kt.Bearing(member="rocker", node="Q", radius=0.03, friction=0.15, slip=0.02),
-        "a": kt.Bearing(member="coupler", node="B", radius=0.02, friction=0.1, against="rocker"),
     }
-    hubs: dict[str, Any] = {"B": kt.Hub(arms={"coupler": (0.03, 0.02)}, clamped=["rocker"])} if _some(dice, 0.5) else {}
-    return kt.Model(
-        nodes=_near(dice, at),
-        fixed=["O", "Q"],
-        hubs=hubs,
-        bearings=bearings if not hubs or _some(dice, 0.5) else {},
-        bars={"crank": ("O", "A"), "coupler": ("A", "B"), "rocker": ("B", "Q")},
-        section=SECTIONS[int(dice.integers(3))],
-        material=STEEL,
-        drives={"motor": kt.AngleDrive("crank")},
-        gravity=(0, -9.81),
-        loads={"push": _force(dice, "B", 2)},
-    )
+    hubs: dict[str, Any] = {}
+    if _some(dice, 0.5):
+        hubs["B"] = kt.Hub(arms={"coupler": (0.03, 0.02)}, clamped=["rocker"])
+    else:
+        bearings["a"] = kt.Bearing(member="coupler", node="B", radius=0.02, friction=0.1, against="rocker")
+    rubs = {} if hubs and _some(dice, 0.3) else bearings
+    bars = {"crank": ("O", "A"), "coupler": ("A", "B"), "rocker": ("B", "Q")}
+    return _four_bar(dice, bars=bars, hubs=hubs, bearings=rubs)
 
 
 def hinged_hubs(dice: Dice) -> kt.Model:
