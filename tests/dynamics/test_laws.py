@@ -39,6 +39,12 @@ def test_closed_forms(L, Ld):
     assert pull(CABLE, L, Ld) == pytest.approx(max(0.0, engineering) if L > L0 else 0.0, rel=1e-13, abs=1e-12)
 
 
+def test_a_taut_cable_that_shortens_fast_does_not_push():
+    assert K * 0.01 < C * 2.0
+    assert pull(CABLE, L0 + 0.01, -2.0) == 0.0
+    assert pull(ENGINEERING, L0 + 0.01, -2.0) == pytest.approx(K * 0.01 - C * 2.0, rel=1e-12)
+
+
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("L", [0.5, 0.79, 0.81, 1.3])
 def test_energy_is_what_the_tension_stores(law, L):

@@ -89,6 +89,21 @@ def test_angle_drive_turns_through_many_turns() -> None:
     assert np.ptp(motion.length.values, axis=0).max() < 1e-13
 
 
+def test_an_arm_that_turns_and_grows_has_the_accelerations_of_polar_coordinates() -> None:
+    arm = kt.Model(
+        nodes={"O": (0, 0), "P": (1, 0)}, fixed=["O"], bars={"r": {"ends": ("O", "P"), "kind": "driven"}},
+        drives={"turn": kt.AngleDrive("r")},
+    )  # fmt: skip
+    motion = kt.kinematics.follow(arm, kt.Quintic(moves={"r": (1.0, 2.5), "turn": (0.0, 2.0)}, duration=1.5), samples=16)
+    (r, angle), (rate, w), (second, alpha) = (
+        motion.data[f"drive_{name}"].sel(drive=["r", "turn"]).values.T for name in ("position", "velocity", "acceleration")
+    )
+    out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    left = np.stack([-out[:, 1], out[:, 0]], axis=1)
+    wanted = (second - r * w**2)[:, None] * out + (r * alpha + 2 * rate * w)[:, None] * left
+    np.testing.assert_allclose(motion.acceleration.sel(node="P").values, wanted, atol=1e-12)
+
+
 def test_coordinate_drive_is_a_slider() -> None:
     """A ladder on a wall: y = sqrt(l^2 - x^2)."""
     ladder = kt.Model(
