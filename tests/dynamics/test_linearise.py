@@ -230,7 +230,7 @@ def oscillator(k=50.0, c=1.2, m=2.0):
 def test_transmissibility_of_an_oscillator():
     k, c, m = 50.0, 1.2, 2.0
     found = kt.dynamics.linearise(
-        oscillator(k, c, m), inputs=["A.x", "B.x", "s"], outputs=["B.x", "A.x.force", "s.force", "B.x'"]
+        oscillator(k, c, m), inputs=["A.x", "B.x", "s"], outputs=["B.x", "A.x.force", "s.force", "B.x'", "B.x''"]
     )
     w = np.geomspace(0.1, 100, 13)
     r, z = w / np.sqrt(k / m), c / (2 * np.sqrt(k * m))
@@ -240,6 +240,7 @@ def test_transmissibility_of_an_oscillator():
     np.testing.assert_allclose(found.transmissibility(w, of="A.x.force", wrt="B.x")[:, 0, 0], exact, rtol=1e-11)
     H = 1 / (k - m * w**2 + 1j * c * w)
     np.testing.assert_allclose(found.frequency_response(w, of="B.x'", wrt="s")[:, 0, 0], 1j * w * H, rtol=1e-11)
+    np.testing.assert_allclose(found.frequency_response(w, of="B.x''", wrt="s")[:, 0, 0], -(w**2) * H, rtol=1e-11)
     np.testing.assert_allclose(found.frequency_response(w, of="s.force", wrt="s")[:, 0, 0], m * w**2 * H, rtol=1e-11)
     assert found.modal_damping.item() == pytest.approx(z, rel=1e-13)
     np.testing.assert_allclose(found.pole_damping, z, rtol=1e-12)

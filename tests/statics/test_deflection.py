@@ -47,6 +47,18 @@ def test_elongations_are_those_of_the_displaced_ends(slewed):
     np.testing.assert_allclose(found.elongation.values, forces.member_force.values * flexible, atol=1e-19)
 
 
+def test_energy_of_a_bent_beam_is_the_work_of_its_load():
+    """F^2 l^3/(6 E I) of a cantilever under F at its end."""
+    model = kt.Model(
+        nodes={"O": (0, 0), "B": (1.5, 0)}, fixed=["O"], clamped=["O"], beams={"e": kt.Beam(ends=("O", "B"), mass=0.0)},
+        section=kt.Rod(diameter=0.02), material="steel_s235", loads={"tip": kt.NodalForce(node="B", force=(0, -20.0))},
+    )  # fmt: skip
+    found = kt.statics.deflection(model, kt.statics.at_poses(model, [{}]))
+    energy = 20.0**2 * 1.5**3 / (6 * 210e9 * np.pi * 0.02**4 / 64)
+    assert found.energy.item() == pytest.approx(energy, rel=1e-12)
+    assert found.work.item() == pytest.approx(energy, rel=1e-12)
+
+
 def test_castigliano_in_motion(slewed):
     """Displacement of a node along an added force is the slope of the strain energy by it, inertia forces held."""
     model, forces = slewed
