@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
 
-.PHONY: setup demo shell test lint docs pictures bench bench-peers lock viewer clean
+.PHONY: setup demo shell test quick lint docs pictures bench bench-peers lock viewer clean
 
 # Everything for work on kinetruss: what the demo needs, test tools, VTK, a browser's driver, the site's builder.
 setup: .venv/.ready
@@ -42,6 +42,10 @@ demo: .venv/.demo
 
 test: setup
 	@$(BIN)/pytest -n 2 --dist loadfile
+
+# The quick tests of the parts that a change touches, or of one: make quick PART=statics
+quick: setup
+	@$(BIN)/python tests/quick.py $(PART)
 
 lint: setup
 	@$(BIN)/ruff check .

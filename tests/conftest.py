@@ -1,4 +1,5 @@
-"""Makes the oracles in tests/reference importable; no time limits inside property tests, on busy machines too.
+"""Makes the oracles in tests/reference importable; no time limits inside property tests, on busy machines too. The profile
+`quick` tries fewer examples (tests/quick.py).
 
 A shell starts what runs in the background with Ctrl-C ignored, and children would inherit that: tests that interrupt a child
 need it as it is on a terminal.
@@ -21,6 +22,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile("patient", deadline=None)
+settings.register_profile("quick", settings.get_profile("patient"), max_examples=10)
 settings.load_profile("patient")
 
 jit.keeper.progress.stream = io.StringIO()

@@ -195,6 +195,7 @@ def both():
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_members_and_angles_stand_side_by_side_in_a_run():
     run = kt.run(both())
     demand = run.demand["pushed"]

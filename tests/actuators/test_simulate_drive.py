@@ -189,6 +189,7 @@ INPUTS = st.one_of(
 LOADS = st.builds(kt.DriveLoad, thrust=st.floats(-500, 500), mass=st.just(0.0) | st.floats(1e-6, 30))
 
 
+@pytest.mark.slow
 @given(st.sampled_from([GEARED, TRAIN_LACY, COARSE, TRAIN_LACY_SLEWING]), INPUTS, LOADS)
 @settings(max_examples=20)
 def test_power_closes_and_losses_only_grow(train, history, load):

@@ -156,6 +156,7 @@ def pendulum(points, nodes=("O",)):
     return bodies.rigid(GROUND, "b", shape, nodes=nodes, points=points)
 
 
+@pytest.mark.slow
 def test_motion_does_not_depend_on_the_points():
     """A box that swings about one of its points: positions of a material point, forces on the ground."""
     rng = np.random.default_rng(4)
@@ -184,6 +185,7 @@ def test_flat_bodies_with_joints_in_their_plane_get_an_apex():
     assert kt.kinematics.mobility(made).degrees_of_freedom == 3
 
 
+@pytest.mark.slow
 def test_planar_bodies():
     start = kt.Model(nodes={"A": (0, 0)}, fixed=["A"], gravity=(0, -9.81))
     made = bodies.rigid(start, "b", mass=2.0, center=(0.5, 0.1), inertia=0.18, nodes=["A"])

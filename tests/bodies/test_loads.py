@@ -35,6 +35,7 @@ def moved(rng, x):
     return turn, shift, x @ turn.T + shift
 
 
+@pytest.mark.slow
 @given(seeds, st.booleans(), st.sampled_from([4, 3]))
 def test_a_force_at_a_point(seed, follows, count):
     at = AT if count == 4 else tuple(np.array([0.3, 0.3, 0.4]) @ np.array(list(CORNERS.values())[:3]))
@@ -146,6 +147,7 @@ def loaded_box():
     return bodies.rigid(start, "b", shape, nodes=["O"]).with_(loads=loads)
 
 
+@pytest.mark.slow
 def test_forward_and_inverse_dynamics_agree():
     model = loaded_box()
     run = kt.dynamics.simulate(model, t_end=0.4)

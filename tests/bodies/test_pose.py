@@ -45,6 +45,7 @@ def random_body(rng, **fields):
     return kt.Model(nodes=nodes, bodies={"b": body}, gravity=tuple(G), **fields), center
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seeds)
 def test_pose_is_the_turn_that_made_the_motion(seed):
@@ -65,6 +66,7 @@ def test_pose_is_the_turn_that_made_the_motion(seed):
     assert np.abs(again - turn.as_matrix()).max() < 1e-12
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seeds)
 def test_seen_from_itself_a_body_rests_and_rates_are_derivatives(seed):
@@ -85,6 +87,7 @@ def test_seen_from_itself_a_body_rests_and_rates_are_derivatives(seed):
     assert np.abs(slope - np.column_stack([scalar, vector])).max() < 5 * step**2 * np.abs(w).max() ** 3
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seeds)
 def test_reactions_are_those_of_newton_and_euler_for_any_choice_of_points(seed):
@@ -122,6 +125,7 @@ def two_arms(carriers=None, mid=(0.5, 0.1)):
     return kt.Model(nodes=nodes, bodies=bodies, fixed=["O"], gravity=(0, -9.81), loads={"push": push})
 
 
+@pytest.mark.slow
 def test_reactions_do_not_know_how_mass_was_spread():
     runs = []
     for carriers, mid in ((None, (0.5, 0.1)), (("O", "B"), (0.5, 0.1)), (("O", "M"), (0.3, -0.4)), (("M", "B"), (0.2, 0.7))):
@@ -139,6 +143,7 @@ def test_reactions_do_not_know_how_mass_was_spread():
         assert np.abs(one - runs[0]).max() < 1e-7 * np.abs(runs[0]).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", ["A", "B", "C"])
 @pytest.mark.parametrize("at", ["hinge", "ground", ("hinge.1", "hinge.2")])
 def test_the_couple_of_a_drive_is_no_part_of_the_load_of_its_bearing(end, at):
@@ -197,6 +202,7 @@ def stretched(motion, model, carriers, start):
     return np.einsum("k,tkc->tc", shares, motion.position.sel(node=list(carriers)).values)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.floats(-0.2, 0.3), st.floats(-2, 2), st.floats(-2, 2), st.booleans())
 def test_a_dilating_body_is_where_its_bar_stretches_it_to(stretch, e, f, by_name):
@@ -220,6 +226,7 @@ def test_a_dilating_body_is_where_its_bar_stretches_it_to(stretch, e, f, by_name
     np.testing.assert_allclose(found.angle, turn, atol=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(st.lists(st.floats(-0.3, 0.3), min_size=6, max_size=6), st.lists(st.floats(-1, 2), min_size=3, max_size=3))
 def test_a_straining_tetrahedron_takes_every_place_along(changes, place):
@@ -238,6 +245,7 @@ def test_a_straining_tetrahedron_takes_every_place_along(changes, place):
     np.testing.assert_allclose(center, motion.position.values.mean(axis=1), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_messages_name_the_record_that_does_it():
     ends = {"nodes": {"p": (0, 0), "q": (1, 0)}, "fixed": {"p": "xy", "q": "y"}}
     body = kt.PlanarBody(mass=1, center=(0.5, 0), inertia=0.1)

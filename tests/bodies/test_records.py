@@ -129,6 +129,7 @@ FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("body", "message", "mend"), FAULTS)
 def test_faults(body, message, mend):
     with pytest.raises(kt.ModelError) as error:

@@ -61,6 +61,7 @@ def carries(model: kt.Model, names: tuple[str, str, str], margin: float, locking
     return most * margin <= 1 and (not locking or kt.actuators.is_self_locking(one))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("margin", "locking", "duration"), [(1.0, False, 10.0), (1.0, True, 10.0), (1.3, True, 10.0), (1.0, True, 3.0)]
 )

@@ -32,6 +32,7 @@ def judged(model: kt.Model, plan, tasks, choice) -> tuple[float, float]:
     return float(rods[:, 0].sum() + rods[:, 3].sum()), float(np.nanmax(verdict.data["utilisation"].values))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("duration", [0.6, 0.65])
 def test_the_lightest_of_all_combinations(duration):
     model, mission = task.chain_task(duration)
@@ -125,6 +126,7 @@ def test_yield_of_a_member_in_tension():
     assert row.smaller_utilisation == pytest.approx(needed / areas["t1"], rel=1e-12)
 
 
+@pytest.mark.slow
 def test_several_runs_and_load_cases_rule_together():
     model, mission = task.chain_task(0.65)
     slow = model.runs["slew"].with_(trajectory=kt.library.vgt.slew(2, beta=(0.0, 0.2), duration=6.0))

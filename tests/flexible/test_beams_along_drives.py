@@ -36,6 +36,7 @@ def truss(**changes) -> kt.Model:
     return kt.Model(**(fields | changes))
 
 
+@pytest.mark.slow
 def test_a_beam_moves_and_carries_like_a_rigid_one():
     elastic = truss()
     stiff = truss(beams={"arm": kt.Beam(ends=("C", "T"), mass=0.0, kind="rigid")})

@@ -109,6 +109,7 @@ def test_what_is_settled_is_the_deflection(along):
     assert np.abs(shaken.settled.values - small).max() < 1e-3 * np.abs(small).max()
 
 
+@pytest.mark.slow
 def test_vibration_is_the_simulation_to_second_order():
     off, size = [], []
     for E in (71e8, 71e9):
@@ -126,6 +127,7 @@ def test_vibration_is_the_simulation_to_second_order():
     assert 40 < off[0] / off[1] < 250
 
 
+@pytest.mark.slow
 def test_vibration_of_what_has_inextensible_members(along):
     model, forces = along
     stiff = tuple(name for name in model.bars if name.startswith("M1"))
@@ -136,6 +138,7 @@ def test_vibration_of_what_has_inextensible_members(along):
     assert np.abs(some.displacement.values - near.displacement.values).max() < 5e-3 * size
 
 
+@pytest.mark.slow
 def test_damping_takes_the_residual_vibration_away(along):
     model, forces = along
     quiet, loud = (kt.flexible.vibration(model, forces, damping=z, rest=0.2, tolerance=1e-2) for z in (0.1, 0.0))
@@ -145,6 +148,7 @@ def test_damping_takes_the_residual_vibration_away(along):
     assert left < 0.03 * loud.attrs["residual"]
 
 
+@pytest.mark.slow
 def test_damped_vibration_and_simulation_agree_on_a_line():
     model = two_springs()
     move = kt.Quintic(moves={"a": (1.0, 1.02)}, duration=0.02)
@@ -176,6 +180,7 @@ def test_poses_do_not_vibrate():
         kt.flexible.vibration(model, kt.statics.at_poses(model, [{}] * 4))
 
 
+@pytest.mark.slow
 def test_the_slow_motion_gives_the_rigid_forces(along):
     """The difference is inertia of the vibration: it falls with the square of the duration at least."""
     model, _ = along
@@ -186,6 +191,7 @@ def test_the_slow_motion_gives_the_rigid_forces(along):
     assert sizes[0] / sizes[1] > 3.5
 
 
+@pytest.mark.slow
 def test_corrected_lengths_bring_the_bay_to_its_pose(along):
     model, forces = along
     found = kt.flexible.corrected(model, forces, TOP)
@@ -200,6 +206,7 @@ def test_corrected_lengths_bring_the_bay_to_its_pose(along):
     np.testing.assert_allclose(moved.length.sel(member="M7").values, found.drive_length.sel(drive="M7").values, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_fewer_coordinates_than_drives_take_the_least_change(along):
     model, forces = along
     one = kt.flexible.corrected(model, forces, "N7.z")
@@ -344,6 +351,7 @@ def lead_flexibility(length: np.ndarray) -> np.ndarray:
     return (length - 0.4) / 2.5e6 + 0.4 / 7e6 + 1 / 3e7 + 1 / 8e6
 
 
+@pytest.mark.slow
 def test_an_actuator_gives_way_by_its_compliance():
     """Frequencies, corrected lengths, settled displacements and the deflection of a mass, at every length."""
     model, move = lifted()
@@ -364,6 +372,7 @@ def test_an_actuator_gives_way_by_its_compliance():
     np.testing.assert_allclose(shaken.settled.sel(node="B", axis="x").values, load * f, rtol=1e-9, atol=1e-15)
 
 
+@pytest.mark.slow
 def test_a_compliant_actuator_in_simulation():
     """m x'' = -m g - (x - l0)/f(l0), integrated by another method; `vibration` agrees to first order."""
     from scipy.integrate import solve_ivp

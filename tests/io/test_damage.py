@@ -80,12 +80,14 @@ def told(make):
     return []
 
 
+@pytest.mark.slow
 @settings(max_examples=150)
 @given(damages)
 def test_damaged_data(damages):
     told(lambda: kt.Model(**damaged(FULL, damages)))
 
 
+@pytest.mark.slow
 @settings(max_examples=100)
 @given(damages)
 def test_damaged_file(tmp_path_factory, damages):
@@ -96,6 +98,7 @@ def test_damaged_file(tmp_path_factory, damages):
         assert fault.column
 
 
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(damages)
 def test_damage_over_a_library_model(tmp_path_factory, damages):
@@ -107,6 +110,7 @@ def test_damage_over_a_library_model(tmp_path_factory, damages):
         assert fault.column
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", [path for path in PLACES if len(path) <= 2], ids=repr)
 @pytest.mark.parametrize("what", [None, 5, "text", [[1]], {"kind": [], "file": 3}], ids=repr)
 def test_each_table_and_entry(path, what):

@@ -53,6 +53,7 @@ def test_examples(name):
     assert list(JUDGE.iter_errors(raw(kt.library.example_files()[name][0]))) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", kt.library.example_files())
 def test_written_examples(tmp_path, name):
     path = kt.write(kt.read(kt.library.example_files()[name][0]), tmp_path / "m.json")
@@ -105,6 +106,7 @@ def test_nodes_are_needed_unless_there_is_a_library_model():
     )
 
 
+@pytest.mark.slow
 def test_fields_of_records_are_described():
     """Editors show these words: those of the docstrings."""
     tube = schema()["$defs"]["Tube"]["properties"]

@@ -76,6 +76,7 @@ def test_round_trip(tmp_path_factory, model, suffix):
     assert repr(again.model_dump()) == repr(model.model_dump())  # equal floats of other sign, -0.0, differ here
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", kt.library.example_files())
 @pytest.mark.parametrize("suffix", [".yaml", ".yml", ".json"])
 def test_examples(tmp_path, name, suffix):

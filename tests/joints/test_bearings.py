@@ -89,6 +89,7 @@ def test_friction_circles() -> None:
     assert np.allclose(joint.sum(axis=1), 0, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_every_part_is_in_equilibrium_and_energy_is_kept() -> None:
     """Free bodies of bars and nodes; the drive's work is that of load and friction."""
     model, motion, forces = linkage()
@@ -133,6 +134,7 @@ def test_at_the_arm_of_a_hub() -> None:
     assert max(residuals) < 1e-11 * float(np.abs(forces.data.joint_force).max())
 
 
+@pytest.mark.slow
 def test_many_motions_have_the_same_friction() -> None:
     """`kt.prepare` gives what the plain calls give."""
     model, motion, forces = linkage()

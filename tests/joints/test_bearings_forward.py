@@ -34,6 +34,7 @@ def rotor(space: bool) -> kt.Model:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("space", [False, True])
 def test_a_rotor_slows_down(space: bool) -> None:
     """Its rate is that of the closed form, its energy falls by the work of friction, inverse dynamics agrees."""
@@ -51,6 +52,7 @@ def test_a_rotor_slows_down(space: bool) -> None:
         assert np.allclose(back.data[name], run.forces.data[name], atol=1e-9)
 
 
+@pytest.mark.slow
 def test_two_pins_that_load_each_other() -> None:
     """A double pendulum with friction in both pins: energy and inverse dynamics, while both turn."""
     model = kt.Model(
@@ -75,6 +77,7 @@ def test_two_pins_that_load_each_other() -> None:
     assert np.allclose(with_user.motion.position, same.motion.position, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_it_creeps_below_its_slip_rate() -> None:
     """A load below the friction moves the pin slowly: I w' = M - mu r |R| tanh(w/slip)."""
     model = kt.Model(
@@ -103,6 +106,7 @@ def elbow(**changes: Any) -> kt.Model:
     return kt.Model(**given | STEEL | changes)
 
 
+@pytest.mark.slow
 def test_friction_between_moving_parts_keeps_momenta() -> None:
     """Free in space: both momenta stay, the energy falls by the dissipation, every part is in balance."""
     model = elbow()

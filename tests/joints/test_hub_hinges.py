@@ -44,6 +44,7 @@ def all_balanced(model: kt.Model, motion: Any, forces: Any, time: float, skip: t
         assert kt.dynamics.free_body(model, motion, forces, node=name, time=time).residual < 1e-9 * size, name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "axis"), [("rigid", (0.2, 1.0, 0.1)), ("driven", square())])
 def test_a_pendulum_on_an_offset_hinge(kind: str, axis: tuple[float, ...]) -> None:
     """It swings about the axis alone; the moment at the joint is that of its free body, and none of it is about the axis."""

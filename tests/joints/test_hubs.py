@@ -78,6 +78,7 @@ def test_a_hub_is_the_body_made_by_hand() -> None:
     assert np.allclose(*both, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_every_bar_and_node_is_in_equilibrium() -> None:
     """Arms clamped at the centre, members pinned at the tips: forces and moments balance, and so does the energy."""
     model = four_bar(**REAL)
@@ -127,6 +128,7 @@ def stewart() -> kt.Model:
     )
 
 
+@pytest.mark.slow
 def test_a_hub_in_space() -> None:
     """Six arms of vectors and a clamped mast on driven legs: determinate, every free body in equilibrium."""
     model = stewart()
@@ -162,6 +164,7 @@ def test_closed_frames_are_not_held() -> None:
     assert "Not held: bending by hub 'C'" in kt.strength.check(model, forces).message
 
 
+@pytest.mark.slow
 def test_simulation_agrees_with_inverse_dynamics() -> None:
     """A pendulum whose hub turns about a fixed node: forward and inverse dynamics, and energy."""
     model = kt.Model(

@@ -46,6 +46,7 @@ def made(name: str, pair: tuple[str, str]) -> kt.Model:
     return function(two_bodies(dim), "j", bodies=pair, at=PLACE[dim], **given)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", PAIRS, ids="-".join)
 @pytest.mark.parametrize("name", MADE)
 def test_freedoms_by_rank(name, pair):
@@ -108,6 +109,7 @@ def let_go(model: kt.Model, seed: int, duration: float):
     return moving, kt.dynamics.simulate(moving, duration, samples=6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MADE)
 def test_moves_as_the_classical_joint_does(name):
     model, run = let_go(made(name, ("A", "B")), 3, 0.3)
@@ -245,6 +247,7 @@ def test_two_nodes_at_one_place_must_be_made_one():
         joints.spherical(close, "j", bodies=("A", "B"), at=(1, 0, 0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
@@ -342,6 +345,7 @@ def test_info_tells_of_joints(tmp_path):
     assert f"joint j: revolute of ground and B, 1 freedom, smallest singular value {value:.3g}" in done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["direct", "linkage"])
 @pytest.mark.parametrize("at", [(2, 0), (3, 0), (2.2, 0.3), "X", "Y", (2, 1)])
 def test_a_slide_where_a_body_has_a_node_already(at, form):

@@ -34,6 +34,7 @@ def test_revolute_by_name_and_by_bodies_agree():
     assert pair.play.values.max() < 1e-8
 
 
+@pytest.mark.slow
 def test_slide_of_a_prismatic_joint_is_what_the_bodies_do():
     model, motion = released("prismatic")
     found = kt.kinematics.joint(model, motion, "j")
@@ -48,6 +49,7 @@ def test_slide_of_a_prismatic_joint_is_what_the_bodies_do():
     assert np.abs(np.abs(found.slide_rate.values) - np.abs(seen.velocity.values @ AXIS)).max() < 1e-7
 
 
+@pytest.mark.slow
 def test_joints_without_angle_are_told():
     model, motion = released("revolute")
     with pytest.raises(InputError, match="No joint called 'k'"):
@@ -62,6 +64,7 @@ def two_free():
     return kt.Model(nodes=nodes, bodies=bodies)
 
 
+@pytest.mark.slow
 def test_workspace_of_a_delta_ends_where_its_rods_do_not_reach():
     model = delta()
     u = np.linspace(-0.9, 0.9, 19)

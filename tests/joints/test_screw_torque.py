@@ -48,6 +48,7 @@ def raised(model: kt.Model) -> tuple[Any, Any, Any]:
     return motion, forces, kt.actuators.evaluate(model, motion, forces)
 
 
+@pytest.mark.slow
 def test_the_torque_about_the_axis() -> None:
     """T = F d/2 (l + pi mu d)/(pi d - mu l) where it raises; the other hand turns it round; work plus friction is T w."""
     model = lift(C=kt.Hub(arms=tips(), section=kt.Rod(diameter=0.02), material=kt.Material(E=2e11, density=7850.0)))
@@ -62,6 +63,7 @@ def test_the_torque_about_the_axis() -> None:
     assert np.allclose(turned.data.axis_torque, -demand.data.axis_torque, equal_nan=True)
 
 
+@pytest.mark.slow
 def test_hubs_carry_it() -> None:
     """The couple on the hub changes the forces of the legs by what its free body asks, and no arm's free body."""
     model = lift(C=kt.Hub(arms=tips(), section=kt.Rod(diameter=0.02), material=kt.Material(E=2e11, density=7850.0)))

@@ -66,6 +66,7 @@ def files(place: Path) -> list[Path]:
 # -- what is kept and found --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_file_is_whole_or_not_there(filled):
     assert len(files(filled)) == FORMS
     assert all(file.suffix == ".kernel" for file in files(filled))
@@ -93,6 +94,7 @@ def broken(file: Path, how: str) -> None:
             file.unlink()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hows", [("empty", "short", "noise"), ("one bit", "another's", "gone"), ("unreadable",)], ids=str)
 def test_what_is_damaged_is_compiled_anew_and_replaced(filled, tmp_path, hows):
     place = tmp_path / "place"
@@ -104,6 +106,7 @@ def test_what_is_damaged_is_compiled_anew_and_replaced(filled, tmp_path, hows):
     assert start(place, before=before) == GOOD
 
 
+@pytest.mark.slow
 def test_a_name_that_cannot_be_replaced_is_told_once_and_costs_nothing_else(filled, tmp_path):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
@@ -157,6 +160,7 @@ def test_the_state_is_that_of_the_contents_of_a_file_and_of_all_that_it_imports(
     assert states_of(tmp_path) == before
 
 
+@pytest.mark.slow
 def test_imports_are_those_that_python_sees():
     """What compiles into a kernel comes by imports of these two forms, or from outside the folder."""
     folder = Path(caches.__file__).parents[1]
@@ -175,6 +179,7 @@ def test_imports_are_those_that_python_sees():
         assert set(caches._imported(text)) & modules == wanted & modules, file.name
 
 
+@pytest.mark.slow
 def test_another_state_finds_nothing_and_sweeps_what_nobody_needs(filled, tmp_path):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
@@ -204,6 +209,7 @@ def test_a_folder_swept_by_another_state_meanwhile_is_made_again(tmp_path, monke
     assert keeper.read("name") == b"data"
 
 
+@pytest.mark.slow
 def test_many_first_starts_at_once_disturb_nobody(tmp_path):
     command = [sys.executable, "-c", ADD, "s" * 16, str(tmp_path)]
     running = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(4)]
@@ -218,6 +224,7 @@ def test_many_first_starts_at_once_disturb_nobody(tmp_path):
 # -- places that cannot be written ------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_kernels_of_a_folder_that_may_not_be_written_are_used(filled, tmp_path):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
@@ -226,6 +233,7 @@ def test_kernels_of_a_folder_that_may_not_be_written_are_used(filled, tmp_path):
     assert start(place, before=tuple(bound())) == GOOD
 
 
+@pytest.mark.slow
 def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path):
     image, own = tmp_path / "image", tmp_path / "own"
     shutil.copytree(filled, image)
@@ -239,6 +247,7 @@ def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path):
     assert start(image, own, before=before) == GOOD
 
 
+@pytest.mark.slow
 def test_without_any_place_kernels_live_in_memory_and_that_is_said_once(tmp_path):
     place = tmp_path / "place"
     place.mkdir(mode=0o555)
@@ -305,6 +314,7 @@ print(out[0][0, 0], sum(lengths.entry.stats.cache_hits.values()))
 """
 
 
+@pytest.mark.slow
 def test_a_package_that_may_not_be_written_without_a_home_works_and_says_so(tmp_path):
     """As in a container whose image was built by another user."""
     source = Path(kinetruss.__file__).parent
@@ -333,6 +343,7 @@ def test_a_package_that_may_not_be_written_without_a_home_works_and_says_so(tmp_
     assert use(*bound()) == (["13.0", "1"], "")  # used by one who may not
 
 
+@pytest.mark.slow
 def test_kernels_that_hold_an_address_of_this_process_are_not_kept(tmp_path):
     import ctypes
 

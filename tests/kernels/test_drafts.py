@@ -37,12 +37,14 @@ def process(place: Path, more: float) -> dict[str, float]:
     return json.loads(done.stdout)
 
 
+@pytest.mark.slow
 def test_a_draft_of_one_process_is_part_of_a_kernel_of_another(tmp_path):
     assert process(tmp_path, 1.0) == {"found": 43.0, "hits": 0}
     assert len(list(tmp_path.glob("*/*.kernel"))) == 1
     assert process(tmp_path, -2.0) == {"found": 40.0, "hits": 1}
 
 
+@pytest.mark.slow
 def test_a_draft_has_no_machine_code():
     inner = numba.njit(pipeline_class=DraftCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(lambda a: a * 2.0)
 
@@ -72,6 +74,7 @@ def test_known_and_unknown_numbers_are_one_form(decorator):
     assert len(pick.overloads) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("used", [False, True], ids=["new", "used"])
 def test_python_calls_the_entry_of_a_kernel(used):
     @kernel_bare
@@ -93,6 +96,7 @@ def test_python_calls_the_entry_of_a_kernel(used):
         half("three")
 
 
+@pytest.mark.slow
 def test_a_kernel_of_arrays_gives_back_arrays():
     @kernel
     def doubled(a):

@@ -80,6 +80,7 @@ def numbers():
     return Numbers.of({"count": 5, "a": np.arange(3.0), "m": np.zeros((2, 2))})
 
 
+@pytest.mark.slow
 def test_it_is_compiled_when_it_is_first_called():
     one, x, y = numbers(), np.ones(3), np.zeros((2, 2))
     assert outer(one, x, y, False) == 0.0
@@ -96,6 +97,7 @@ def test_python_calls_it_as_any_other():
     assert weighed(one, x, y, 0.5, 2) == 9.0
 
 
+@pytest.mark.slow
 def test_named_tuples_and_whole_numbers_without_sign():
     x = np.zeros(2)
     through(numbers(), np.array([2, 1], np.uint32), x)
@@ -150,6 +152,7 @@ def test_a_kernel_is_the_same_whoever_asks_for_it_first():
     assert [forced for name, forced in inlined.items() if "asked" in name] == [False]
 
 
+@pytest.mark.slow
 def test_threads_meet_one_kernel():
     @kernel_late
     def shared(x: F1) -> float:
@@ -211,6 +214,7 @@ print(caller(np.ones(1)))
 """
 
 
+@pytest.mark.slow
 def test_what_cannot_be_compiled_never_gives_a_number(tmp_path: Path):
     (tmp_path / "broken.py").write_text(BROKEN)
     done = subprocess.run([sys.executable, tmp_path / "broken.py"], capture_output=True, text=True, check=False)

@@ -56,6 +56,7 @@ def spoilt(n, rng, bad):
     return matrix
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bad", BAD)
 @pytest.mark.parametrize("seed", range(6))
 def test_pivots_stay_inside_the_matrix(bad, seed):
@@ -71,6 +72,7 @@ def test_pivots_stay_inside_the_matrix(bad, seed):
         assert _definite(symmetric) == whole
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [2, 5, 14])
 def test_a_matrix_without_a_number_is_singular(n):
     matrix = np.full((n, n), np.nan)

@@ -87,6 +87,7 @@ def test_kernels_within_kernels_are_one_time_and_those_that_failed_are_forgotten
     assert (progress.at_work, progress.seconds) == (False, 5.0)
 
 
+@pytest.mark.slow
 def test_a_kernel_that_is_compiled_is_seen_at_work():
     """Numba asks for what is kept, compiles, and saves: what it does is known meanwhile."""
     code = """

@@ -62,6 +62,7 @@ def read_and_set(one, plain):
     return one.steps
 
 
+@pytest.mark.slow
 def test_kernels_and_python_see_the_same():
     one = Small.of(ARRAYS)
     for name, value in ARRAYS.items():
@@ -71,6 +72,7 @@ def test_kernels_and_python_see_the_same():
     assert one.table[0, 0] == 3.0
 
 
+@pytest.mark.slow
 def test_a_record_on_another_has_the_fields_of_both():
     """Kernels of the one take the other, with its own places."""
     both = More.of(ARRAYS | {"turns": 7, "weight": np.array([2.0, 3.0])})
@@ -130,6 +132,7 @@ NAMES = {"control": Control, "eq": Equations, "memory": Memory, "plan": Plan, "s
 FILES = sorted(Path(inspect.getfile(kinetruss.kernels)).parent.rglob("*.py"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_a_kernel_that_reads_a_record_names_it(path):
     """The import of its type is what compiles a kernel anew when a declaration changes."""

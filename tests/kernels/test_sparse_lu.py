@@ -43,6 +43,7 @@ def _sparse(n, rng):
     return full
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_solves_in_a_kept_order(seed):
     rng = np.random.default_rng(seed)
@@ -60,6 +61,7 @@ def test_solves_in_a_kept_order(seed):
     assert count < n**3 / 12
 
 
+@pytest.mark.slow
 def test_an_arrow_is_eliminated_from_its_shaft():
     """Full last row and column, else a diagonal: one multiplication a row in that order, n^3/3 in the other."""
     n = 20
@@ -70,6 +72,7 @@ def test_an_arrow_is_eliminated_from_its_shaft():
     assert count == n - 1
 
 
+@pytest.mark.slow
 def test_an_order_is_given_up_when_a_multiplier_explodes():
     first = np.array([[1.0, 1.0, 0.0], [1.0, -1.0, 1.0], [0.0, 1.0, 2.0]])
     second = first.copy()
@@ -95,6 +98,7 @@ def _of_block(plan, values, x, spoil, right):
     return y, z, sign, w.state[0], np.all(before == w.order.row)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("swaps", [False, True])
 def test_blocks_look_for_another_order_where_theirs_fails(swaps):
     """A platform of 21 rows with the gradients of its own, or of another configuration in which pivots vanish."""

@@ -35,6 +35,7 @@ def three_legs(seed):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 1, 2, 3])
 def test_planar_platform_has_six_complex_solutions_and_all_real_ones_are_found(seed):
     model = three_legs(seed)
@@ -81,6 +82,7 @@ def searched(model):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "count"), [("6-3", 16), ("6-6", 40)])
 def test_stewart_platforms_have_their_known_numbers_of_solutions(kind, count):
     model = mechanisms.stewart(kind=kind, turned=(0.1, 0.2, 0.1))
@@ -97,6 +99,7 @@ def test_stewart_platforms_have_their_known_numbers_of_solutions(kind, count):
             assert np.linalg.det(x[1:] - x[0]) * np.linalg.det(start[1:] - start[0]) > 0
 
 
+@pytest.mark.slow
 def test_crank_with_an_angle_has_two_ways():
     model = kt.Model(
         nodes={"A": (0, 0), "B": (0, 1), "C": (3, 2), "D": (4, 0)}, fixed=["A", "D"],
@@ -107,6 +110,7 @@ def test_crank_with_an_angle_has_two_ways():
     assert np.abs(found.position.sel(node="B").values - [np.cos(1.0), np.sin(1.0)]).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_what_cannot_be_counted_is_told():
     loose = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"b": ("A", "B")})
     with pytest.raises(InputError, match="can move with its drives held"):
@@ -146,6 +150,7 @@ def random_platform(seed):
     return mechanisms.stewart(base_points=base, platform_points=top, turned=(0.1, 0.2, 0.1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_a_general_platform_has_forty_solutions_and_none_is_missed(seed):
     """The pose it was built in is among them, and every pose that Newton's method finds from 120 random starts."""

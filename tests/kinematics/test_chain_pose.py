@@ -13,6 +13,7 @@ BASE, LONGERON = 1.2192, 0.889
 angles = st.floats(-0.6, 0.6)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=100)
 @given(st.integers(1, 8), angles, angles, st.floats(0.6, 0.9))
 def test_the_pose_comes_back(bays, beta, gamma, height):
@@ -20,6 +21,7 @@ def test_the_pose_comes_back(bays, beta, gamma, height):
     assert np.array(chain_pose(BASE, LONGERON, chain_lengths(BASE, LONGERON, *pose, bays))) == pytest.approx(pose, abs=1e-12)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=15)
 @given(angles, angles, st.floats(1.2, 1.8))
 def test_the_cell_is_drawn_in_the_pose_that_the_solver_finds(beta, gamma, height):

@@ -31,6 +31,7 @@ def _rank(J):
     return int(np.sum(values > RANK_TOLERANCE * values.max(initial=0.0)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
 @pytest.mark.parametrize("off", [0.0, 0.2, 1e-4, 1e-7, 3e-9])
 def test_has_the_rank_of_the_singular_values(shape, off):
@@ -54,6 +55,7 @@ def test_has_the_rank_of_the_singular_values(shape, off):
     assert len(kinds) > 1  # mechanisms, redundancy or both
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gap", range(4, 15))
 def test_a_rank_is_sure_only_where_it_is_right(gap):
     rng, sure = np.random.default_rng(gap), 0
@@ -70,6 +72,7 @@ def test_a_rank_is_sure_only_where_it_is_right(gap):
     assert sure > 10 or gap in range(5, 14)
 
 
+@pytest.mark.slow
 def test_the_tidy_vectors_are_those_of_the_singular_vectors():
     for seed in range(12):
         system = compile(_lattice(seed, (9, 4), 0.2 * (seed % 2), (0.4, 0.75)[seed // 6], 0.0))
@@ -80,6 +83,7 @@ def test_the_tidy_vectors_are_those_of_the_singular_vectors():
             np.testing.assert_allclose(getattr(sure, side), getattr(plain, side), atol=1e-9)
 
 
+@pytest.mark.slow
 def test_forces_of_redundant_structures_do_not_depend_on_the_way(monkeypatch):
     for seed in range(6):
         model = _lattice(seed, (9, 4), 0.1, 0.8, 0.0).with_(gravity=(0, -9.81))

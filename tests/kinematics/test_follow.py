@@ -30,6 +30,7 @@ def circles(B: np.ndarray, D: np.ndarray, r: float, s: float) -> np.ndarray:
     return B + along * d / size + np.sqrt(r**2 - along**2) * np.array([-d[1], d[0]]) / size
 
 
+@pytest.mark.slow
 def test_four_bar_positions_in_closed_form() -> None:
     model = fourbar()
     motion = kt.kinematics.follow(model, MOTOR, samples=97)
@@ -42,6 +43,7 @@ def test_four_bar_positions_in_closed_form() -> None:
         np.testing.assert_allclose(motion.position.sel(node="C").values[i], circles(B, D, r, s), atol=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spacing", [1, 7, 48])
 def test_sample_spacing_does_not_change_the_result(spacing: int) -> None:
     fine = kt.kinematics.follow(fourbar(), MOTOR, samples=97)
@@ -67,6 +69,7 @@ def test_rates_are_derivatives_with_measured_order() -> None:
     np.testing.assert_allclose(slopes, 4.0, atol=0.2)
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(st.floats(-3, 3), st.floats(-2, 2), st.randoms())
 def test_turned_and_shuffled_models_move_alike(angle: float, shift: float, random) -> None:
@@ -219,6 +222,7 @@ def test_singular_start_names_what_moves() -> None:
         kt.kinematics.follow(flat, kt.Quintic(moves={"m": (np.sqrt(2), 1.5)}, duration=1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("samples", [9, 33, 101])
 @pytest.mark.parametrize("turn", [-2.3, 3.0, 2 * np.pi])
 def test_a_parallelogram_does_not_change_to_its_crossed_form_in_silence(turn, samples):

@@ -18,6 +18,7 @@ def crank(turns=2.0, samples=201):
     return model, kt.kinematics.follow(model, turn, samples=samples)
 
 
+@pytest.mark.slow
 def test_chosen_coordinates_carry_the_motion():
     model, motion = crank()
     found = kt.kinematics.freedoms(model, motion)
@@ -31,6 +32,7 @@ def test_chosen_coordinates_carry_the_motion():
         assert found.value.values[i, 0] == motion.data["position"].sel(node=node, axis=axis).values[i]
 
 
+@pytest.mark.slow
 def test_a_hinge_drive_has_the_value_of_its_angle():
     model = kt.Model(
         nodes={"A": (0, 0), "B": (2, 0), "F": (0, 1)}, fixed=["A", "F"], bars={"b": ("A", "B")},
@@ -42,6 +44,7 @@ def test_a_hinge_drive_has_the_value_of_its_angle():
     np.testing.assert_allclose(found.rate.values[:, 0], 1.0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_an_angle_serves_for_the_whole_turn_and_a_given_set_is_kept_while_it_grips():
     model, motion = crank()
     whole = kt.kinematics.freedoms(model, motion, ["crank.angle"])
@@ -72,6 +75,7 @@ def test_lengths_and_nodes_mix():
             assert abs(found.rate.values[i, k] - wanted) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "words"),
     [
@@ -91,6 +95,7 @@ def test_what_cannot_serve_is_told(options, words):
         kt.kinematics.freedoms(model, motion, **options)
 
 
+@pytest.mark.slow
 def test_andrews_crank_needs_both_coordinates():
     model = mechanisms.andrews()
     found = kt.dynamics.simulate(model, 0.03, tasks={"motor": kt.GivenForce(torque=0.033)}, samples=301)

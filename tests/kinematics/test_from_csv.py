@@ -25,6 +25,7 @@ def table(path, names, motion=MOTION, shift=None, digits="%.17g", kinds=("", "v"
     return path
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(st.sets(st.sampled_from(FIXED)), st.randoms(use_true_random=False))
 def test_fixed_nodes_may_stand_in_the_table_or_not(tmp_path_factory, left_out, random):
@@ -35,6 +36,7 @@ def test_fixed_nodes_may_stand_in_the_table_or_not(tmp_path_factory, left_out, r
     assert got.message == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shift", [("N1", "x", 0.01), ("N3", "z", -1.0)])
 def test_a_fixed_node_elsewhere_is_named_everywhere(tmp_path, shift):
     path = table(tmp_path / "all.csv", list(BAY.nodes), shift=shift)

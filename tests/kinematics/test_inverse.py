@@ -38,6 +38,7 @@ def test_stewart_platform_counts() -> None:
     assert (found.degrees_of_freedom, found.drives, found.undriven, found.self_stress) == (6, 6, 0, 0)
 
 
+@pytest.mark.slow
 def test_stewart_legs_in_closed_form() -> None:
     model = stewart()
     moves = {"x": (0, 0.1), "y": (0, -0.05), "z": (0, 0.08), "roll": (0, 0.1), "pitch": (0, -0.15), "yaw": (0, 0.2)}
@@ -50,6 +51,7 @@ def test_stewart_legs_in_closed_form() -> None:
     np.testing.assert_allclose(motion.drive_position.values[-1], np.linalg.norm(moved - feet, axis=1), rtol=1e-13)
 
 
+@pytest.mark.slow
 @settings(max_examples=6, deadline=None)
 @given(st.lists(st.floats(-0.12, 0.12), min_size=6, max_size=6))
 def test_forward_after_inverse(ends) -> None:

@@ -27,6 +27,7 @@ def fourbar():
     )
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(*ROOM)
 def test_nodes_and_lengths_by_pose_against_complex_step(beta, gamma, height):
@@ -243,6 +244,7 @@ CASES = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_every_kind_of_coordinate_by_every_kind_of_parameter(case):
     """Central differences of models that are built anew: a support moved, a rigid bar lengthened, a drive turned."""
@@ -254,6 +256,7 @@ def test_every_kind_of_coordinate_by_every_kind_of_parameter(case):
         np.testing.assert_allclose(found.sel(wrt=name).values, (ahead - back) / (2 * h), atol=3e-8, err_msg=f"by {name}")
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(*ROOM, st.sampled_from(["M1", "M2", "M3", "M4", "M5", "M6", "M13", "M14", "M15", "M16", "M17", "M18", "M19", "M21"]))
 def test_pose_by_any_rigid_bar_of_any_bay(beta, gamma, height, bar):
@@ -274,6 +277,7 @@ def test_pose_of_a_bay_that_stands_askew():
     np.testing.assert_allclose(by[3:] @ spin[:9], spin[21:24], atol=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [elbow, slider, fourbar])
 def test_a_platform_by_the_drives_against_differences(make):
     model, h = make(), 1e-5

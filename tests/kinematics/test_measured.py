@@ -28,6 +28,7 @@ def uneven(rng, n, end=5.5):
     return np.sort(np.concatenate([[0.0, end], rng.uniform(0, end, n - 2)]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("even", [True, False])
 @pytest.mark.parametrize(("rows", "waves"), [(60, [(0.05, 1.3)]), (150, [(0.05, 1.3), (0.004, 5.0)])])
 def test_standard_errors_cover_the_truth_in_95_percent_and_noise_is_found(even, rows, waves):
@@ -51,6 +52,7 @@ def test_standard_errors_cover_the_truth_in_95_percent_and_noise_is_found(even, 
     assert 0.5 < np.std(scores) < 1.5  # three deviations of 16 draws
 
 
+@pytest.mark.slow
 def test_errors_of_a_filter_of_one_length_in_time_fall_with_the_root_of_the_rows():
     got = []
     for rows, window in ((201, 61), (801, 241)):
@@ -61,6 +63,7 @@ def test_errors_of_a_filter_of_one_length_in_time_fall_with_the_root_of_the_rows
     assert got[0] / got[1] == pytest.approx(2, rel=0.03)
 
 
+@pytest.mark.slow
 def test_savitzky_golay_covers_within_its_window():
     rng, t = np.random.default_rng(5), np.linspace(0, 5.5, 221)
     truth, inside = tones(t, (0.05, 1.3)), []
@@ -70,6 +73,7 @@ def test_savitzky_golay_covers_within_its_window():
     assert 0.93 < np.mean(inside) < 0.97
 
 
+@pytest.mark.slow
 def test_savitzky_golay_is_that_of_scipy():
     from scipy.signal import savgol_filter
 
@@ -81,6 +85,7 @@ def test_savitzky_golay_is_that_of_scipy():
         np.testing.assert_allclose(got.data[word].values[:, 0], wanted, rtol=1e-8, atol=1e-9 * np.abs(wanted).max())
 
 
+@pytest.mark.slow
 def test_outliers_nine_rows_apart_are_found_where_they_are():
     """Of 200 records with one to three outliers of 30 to 60 standard deviations, at most one is not told in full."""
     t, missed, extra = np.linspace(0, 5.5, 120), 0, 0
@@ -96,6 +101,7 @@ def test_outliers_nine_rows_apart_are_found_where_they_are():
     assert extra <= 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("replace", [False, True])
 def test_outliers_are_replaced_only_if_asked(replace):
     t = np.linspace(0, 5.5, 120)
@@ -110,6 +116,7 @@ def test_outliers_are_replaced_only_if_asked(replace):
         assert got.noise.item() == pytest.approx(NOISE, rel=0.3)
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(st.integers(20, 200), st.floats(0.5, 3.0), st.floats(0, 6.28))
 def test_a_record_without_noise_is_its_own_curve_and_has_no_outliers(rows, rate, phase):
@@ -121,6 +128,7 @@ def test_a_record_without_noise_is_its_own_curve_and_has_no_outliers(rows, rate,
     assert got.noise.item() < 1e-6
 
 
+@pytest.mark.slow
 def test_false_outliers_are_rare():
     rng, t = np.random.default_rng(11), np.linspace(0, 5.5, 200)
     count = sum(outlying(t, 1 + NOISE * rng.standard_normal(200)).sum() for _ in range(25))
@@ -153,6 +161,7 @@ def test_given_rates_in_other_units_are_reported(rate, second, said):
     assert said in kt.kinematics.measured(record).message
 
 
+@pytest.mark.slow
 def test_noisy_values_with_their_own_rates_agree():
     """Noise in the lengths, at many rows, is no misfit of the rates."""
     t, rng = np.linspace(0, 5.5, 2000), np.random.default_rng(2)
@@ -164,6 +173,7 @@ def test_noisy_values_with_their_own_rates_agree():
     assert np.isnan(got.value_error.values).all()
 
 
+@pytest.mark.slow
 def test_coloured_noise_is_reported():
     rng, t = np.random.default_rng(4), np.linspace(0, 5.5, 800)
     white = rng.standard_normal(800)
@@ -176,6 +186,7 @@ def test_coloured_noise_is_reported():
     assert "not white" not in smoothed(t, y + NOISE * white).message
 
 
+@pytest.mark.slow
 def test_a_motion_faster_than_its_rows_is_reported():
     t = np.linspace(0, 5.5, 60)
     noise = NOISE * np.random.default_rng(1).standard_normal(60)
@@ -190,6 +201,7 @@ runs:
 """
 
 
+@pytest.mark.slow
 def test_a_run_from_a_file(tmp_path):
     t = np.linspace(0, 4, 81)
     rng = np.random.default_rng(9)

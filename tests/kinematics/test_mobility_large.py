@@ -43,6 +43,7 @@ def both(model, monkeypatch):
     return dense, sparse
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(
     st.integers(0, 2**32 - 1), st.integers(2, 25), st.sampled_from([2, 3]), st.integers(0, 70), st.integers(0, 3), st.booleans()
@@ -87,6 +88,7 @@ def panels(count, *, crossed=False):
     return kt.Model(nodes=nodes, fixed=["b0", "t0"], bars=bars)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("crossed", [False, True])
 def test_long_trusses_are_no_mechanisms_and_a_bar_less_is_found(crossed):
     """3,000 panels: the softest bending is strained by 1e-7 only. Without one chord, the part beyond turns about one node."""
@@ -99,6 +101,7 @@ def test_long_trusses_are_no_mechanisms_and_a_bar_less_is_found(crossed):
     assert np.abs(broken.mechanisms[:, :1500]).max() < 1e-6  # bottom nodes before the cut stand still
 
 
+@pytest.mark.slow
 def test_bending_of_a_very_long_truss_is_told_from_a_mechanism(monkeypatch):
     """As if it were so long that its softest bending were below the tolerance: its bars part by no more than they stretch."""
     model = panels(400)
@@ -107,6 +110,7 @@ def test_bending_of_a_very_long_truss_is_told_from_a_mechanism(monkeypatch):
     assert kt.kinematics.mobility(model).undriven == 0
 
 
+@pytest.mark.slow
 def test_a_flat_grid_in_space_has_a_freedom_for_every_node():
     """Nothing holds the nodes across the plane: counted at once, and named."""
     side = 14

@@ -41,6 +41,7 @@ USES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("use", USES)
 def test_another_crank_is_refused(use):
     moved = dict(four_bar().nodes) | {"B": kt.Node(at=(0, 0.2))}
@@ -48,6 +49,7 @@ def test_another_crank_is_refused(use):
         USES[use](four_bar(nodes=moved))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("use", [name for name in USES if name not in ("evaluate",)])
 def test_another_place_or_drive_is_refused(use):
     shifted = {name: tuple(np.array(node.at) + np.array([0.05, 0])) for name, node in four_bar().nodes.items()}
@@ -57,6 +59,7 @@ def test_another_place_or_drive_is_refused(use):
         USES[use](four_bar(drives={"motor": kt.AngleDrive("rocker")}))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("use", USES)
 def test_what_fixes_no_geometry_may_change(use):
     nodes = dict(four_bar().nodes) | {"C": kt.Node(at=(0.30, 0.25), mass=2.0)}
@@ -64,6 +67,7 @@ def test_what_fixes_no_geometry_may_change(use):
         USES[use](four_bar(**changes))
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(st.sampled_from(["crank", "coupler", "rocker"]), st.floats(1e-5, 0.2), st.booleans())
 def test_any_rigid_length_that_differs_is_refused(bar, share, longer):
@@ -90,6 +94,7 @@ def test_a_coupling_that_is_not_kept():
         kt.dynamics.inverse(geared(3.0), motion)
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(st.floats(1e-5, 5e-3), st.integers(0, 2**32 - 1))
 def test_a_measured_motion_may_be_off_by_as_much_as_it_was(noise, seed):
@@ -105,6 +110,7 @@ def test_a_measured_motion_may_be_off_by_as_much_as_it_was(noise, seed):
         kt.dynamics.inverse(four_bar(nodes=moved), measured)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["taylor", "dop853", "energy"])
 def test_simulated_motions_are_the_models_own(method):
     methods = {"taylor": None, "dop853": kt.DOP853(), "energy": kt.EnergyMomentum(step=1e-3)}

@@ -23,6 +23,7 @@ def reached(model, key, value):
     return float(kt.kinematics.platform(model, motion, ("N7", "N9", "N8"), base=("N1", "N2", "N3"))[key][-1])
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(
     SIDES, SIDES, SIDES, SIDES, st.permutations(ACTIVE), st.sampled_from(["M1", "M6", "M13", "M18", "M19"]),
@@ -44,6 +45,7 @@ def test_asked_is_got_or_refused(base, longeron, other_base, bar_change, drives,
         assert in_order and off < 2e-6 and got == pytest.approx(asked[1], abs=1e-6 if off < 1e-8 else 1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("drives", [one for one in itertools.permutations(ACTIVE) if one != ACTIVE])
 @pytest.mark.parametrize("bay", [1, 2, 3])
 def test_drives_in_another_order_are_named_in_the_right_one(bay, drives):

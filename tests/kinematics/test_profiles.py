@@ -81,6 +81,7 @@ def state_space(t, w, zeta, p):
     return states[:, 0], states[:, 1], states @ drive[1]
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(
     st.one_of(st.floats(0.02, 20), st.just(1.0), NEAR_ONE),

@@ -25,6 +25,7 @@ def slope(values, h):
     return np.einsum("t,t...->...", STENCIL, values) / h
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "rate"),
     [

@@ -18,6 +18,7 @@ def apex(height):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("height", [0.3, 0.05, 1e-3, -0.4])
 @pytest.mark.parametrize("samples", [3, 11, 200])
 def test_out_of_reach_says_how_far_it_goes(height, samples):
@@ -59,6 +60,7 @@ def test_targets_of_a_platform_hold_what_is_not_named():
         inverse(bay, still(x=0.02, y=0.0, z=0.01), platform=("N7", "N9", "N8"), samples=5)
 
 
+@pytest.mark.slow
 def test_too_few_targets_are_counted_and_not_listed():
     tower = kt.library.vgt.double_octahedral(6)
     top = [name for name in tower.nodes if name.startswith("B6.")][-3:] or list(tower.nodes)[-3:]
@@ -74,6 +76,7 @@ def test_what_a_platform_cannot_do_to_first_order_is_named():
         inverse(two, still(x=0.0, y=0.0, z=0.01, roll=0.0, pitch=0.0, yaw=0.01), platform=top, samples=5)
 
 
+@pytest.mark.slow
 def test_wanted_node_motions_count_turns_as_others_do():
     """A node led on a circle about a pivot by two drives: the angle of its bar counts on with 3 samples as with 300."""
     arms = kt.Model(

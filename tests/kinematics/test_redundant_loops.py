@@ -19,6 +19,7 @@ def turned(model, samples, **options):
     return kt.kinematics.follow(model, kt.ConstantRate(rates={"crank": TURN}, duration=1.0), samples=samples, **options)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", loop_models.STARTS)
 def test_full_turn_against_the_closure_of_the_hinges(name):
     data, angles, model = made(name)
@@ -31,6 +32,7 @@ def test_full_turn_against_the_closure_of_the_hinges(name):
     assert worst < 1e-11
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", loop_models.STARTS)
 def test_power_of_the_crank_closes_all_the_way_round(name):
     *_, model = made(name)
@@ -38,6 +40,7 @@ def test_power_of_the_crank_closes_all_the_way_round(name):
     assert np.abs(forces.energy_balance).max() < 1e-9 * np.abs(forces.power).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", loop_models.STARTS)
 @pytest.mark.parametrize("samples", [5, 13, 61])
 def test_spacing_of_samples_changes_nothing(name, samples):
@@ -46,6 +49,7 @@ def test_spacing_of_samples_changes_nothing(name, samples):
     np.testing.assert_allclose(turned(model, samples).position.values, fine, rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.25, 0.6, 0.95])
 @pytest.mark.parametrize("name", loop_models.STARTS)
 def test_assembled_and_posed_where_the_motion_goes(name, share):
@@ -57,6 +61,7 @@ def test_assembled_and_posed_where_the_motion_goes(name, share):
     assert posed.status is kt.Status.COMPLETED
 
 
+@pytest.mark.slow
 def test_the_reach_of_a_redundant_loop_is_no_fight_of_drives():
     # the threefold Bricard linkage cannot turn its first hinge all round
     model = kt.library.mechanisms.bricard(twist=1.2, angle=0.8)

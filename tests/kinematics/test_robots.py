@@ -58,6 +58,7 @@ def test_stiffness_is_that_of_springs_in_the_legs():
     assert np.abs(at - wanted).max() < 1e-9 * np.abs(wanted).max()
 
 
+@pytest.mark.slow
 def test_workspace_of_two_legs_is_two_circles():
     model = five_bar()
     u, v = np.linspace(-0.6, 1.6, 23), np.linspace(0.05, 1.5, 15)

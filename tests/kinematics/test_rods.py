@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 import kinetruss as kt
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.sampled_from(["base_length", "tube_length"]), st.floats(0.2, 2.0), st.floats(0.9, 1.3))
 def test_a_rod_longer_than_its_member_is_no_model(side, rod, active):

@@ -25,6 +25,7 @@ def jack(**changes):
     return kt.Model(**fields | changes)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(STEPS, st.data())
 def test_monotone_tables_never_leave_the_range_of_two_neighbours(steps, data):
@@ -39,6 +40,7 @@ def test_monotone_tables_never_leave_the_range_of_two_neighbours(steps, data):
         assert np.all(rate * steps[i] >= -size / (b - a)) and (steps[i] != 0 or np.abs(rate).max() < size / (b - a))
 
 
+@pytest.mark.slow
 @settings(max_examples=50, deadline=None)
 @given(STEPS)
 def test_monotone_tables_go_through_their_points_with_continuous_acceleration(steps):
@@ -67,6 +69,7 @@ def test_a_rest_to_rest_quintic_is_kept_whatever_its_rows():
             np.testing.assert_allclose(one[:, 0], other, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("values", [(1, 1, 1, 1.2, 1.2, 1.2), (1, 1, 1.1, 1.2, 1.2, 1.3), (1.2, 1.2, 1.2, 1.0, 1.0, 1.0, 1.0)])
 def test_a_spline_that_swings_the_other_way_says_so(values):
     times = tuple(0.2 * k for k in range(len(values)))
@@ -88,6 +91,7 @@ def test_well_sampled_laws_are_not_accused(law):
     assert list(swings("", t, {"a": law(t)})) == []
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(st.lists(st.floats(0.95, 1.05), min_size=4, max_size=9), st.sampled_from(["spline", "monotone"]))
 def test_simulated_and_followed_tables_are_the_same(values, shape):

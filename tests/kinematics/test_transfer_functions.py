@@ -88,6 +88,7 @@ def test_a_motion_is_its_transfer_functions_times_its_rates():
         np.testing.assert_allclose(a, motion.acceleration.values[i], atol=1e-10)
 
 
+@pytest.mark.slow
 @settings(max_examples=4, deadline=None)
 @given(st.lists(st.floats(-0.08, 0.08), min_size=3, max_size=3))
 def test_lengths_of_a_bay_against_differences(change):

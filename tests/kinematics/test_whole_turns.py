@@ -35,6 +35,7 @@ def rotor(rate, drive="angle"):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [2.0, -9.0])
 def test_angles_of_a_crank_that_is_driven(rate):
     model, ends = crank_rocker(), set()
@@ -50,6 +51,7 @@ def test_angles_of_a_crank_that_is_driven(rate):
     assert abs(next(iter(ends))[0] + 11.0 * rate) < 2 * math.pi
 
 
+@pytest.mark.slow
 def test_a_trajectory_that_goes_to_and_fro_between_samples():
     model = crank_rocker()
     for period in (1.0, 2.0, 0.4):
@@ -57,6 +59,7 @@ def test_a_trajectory_that_goes_to_and_fro_between_samples():
         assert np.abs(pose(model, motion, ("A", "B")).angle.values).max() < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [None, kt.DOP853(), kt.EnergyMomentum(step=0.004)])
 @pytest.mark.parametrize("drive", ["angle", "hinge"])
 @pytest.mark.parametrize("rate", [11.0, -7.0])
@@ -73,6 +76,7 @@ def test_angles_of_what_is_let_go(method, drive, rate):
     assert ends[-1, 4] == pytest.approx(ends[-1, 3] - ends[-1, 2], abs=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [None, kt.DOP853(), kt.EnergyMomentum(step=0.004)])
 def test_hinges_in_space(method):
     model, ends = Arm().model(), []
@@ -88,6 +92,7 @@ def test_hinges_in_space(method):
     assert np.abs(ends[-1]).max() > 2 * math.pi
 
 
+@pytest.mark.slow
 def test_spatial_hinges_that_are_driven():
     model, ends = Arm().model(), []
     for samples in COUNTS:

@@ -53,6 +53,7 @@ def test_edges_of_regular_solids_are_equal(kind):
     assert kt.kinematics.mobility(stack).undriven == 0
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=20)
 @given(st.integers(2, 6), st.floats(-0.2, 0.2), st.floats(-0.2, 0.2))
 def test_a_stack_of_double_octahedra_is_the_chain_to_the_last_bit(bays, beta, gamma):
@@ -326,6 +327,7 @@ def test_arguments_are_named():
         cells.mirror(cells.triangle(), "z")
 
 
+@pytest.mark.slow
 def test_a_large_stack_has_every_cell():
     model = cells.stack([BAY] * 300)
     assert (len(model.nodes), len(model.members)) == (1803, 5400)

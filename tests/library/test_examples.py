@@ -11,6 +11,7 @@ from kinetruss.library import example_files
 SCRIPTS = sorted((Path(__file__).parents[2] / "examples").rglob("*.py"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
 def test_script(script, capsys, tmp_path):
     left = runpy.run_path(str(script), run_name="__main__")
@@ -32,6 +33,7 @@ def test_model_files_come_with_scripts():
     assert [path.name for path in shelf["measured_slew"]] == ["measured_slew.yaml", "measured_slew.csv"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", example_files())
 def test_model_file(name):
     model = kt.read(example_files()[name][0])

@@ -68,6 +68,7 @@ def places(model, position):
     return {name: position.sel(node=name).values for name in model.nodes}
 
 
+@pytest.mark.slow
 def test_corrected_lengths_straighten_the_tower_in_another_model(tower):
     """Nonlinear equilibrium of elastic bars with the lengths found: all six coordinates of the top, and all forces."""
     model, forces, found = tower
@@ -86,6 +87,7 @@ def test_corrected_lengths_straighten_the_tower_in_another_model(tower):
         assert got == pytest.approx(found.member_force.sel(member=member).item(), abs=1e-3), member
 
 
+@pytest.mark.slow
 def test_work_of_the_actuators_is_what_the_tower_and_its_loads_gain(tower):
     """Slow straightening: the integral of tension over length = change of strain energy less the work of wind and weight."""
     model, forces, found = tower

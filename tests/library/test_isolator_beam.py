@@ -61,6 +61,7 @@ def test_the_beam_alone(model):
     assert kt.dynamics.linearise(arm).frequency.values[0] == pytest.approx(exact, rel=7e-4)
 
 
+@pytest.mark.slow
 def test_beam_and_isolator_by_modes_of_the_clamped_beam(model):
     """Plate and beam: k = w^2 (m0 + m' + sum m_i w_i^2/(w_i^2 - w^2)), m_i, w_i of the clamped beam, m' the rest of its mass.
 
@@ -104,6 +105,7 @@ def test_feedback_of_the_plate_damps_the_beam(model):
     assert closed.real.max() < 1e-6 * np.abs(closed).max()
 
 
+@pytest.mark.slow
 def test_the_page_says_what_the_script_finds(model):
     section = PAGE.split("## An isolator with a flexible beam")[1].split("## ")[0]
     bare = model.with_(nodes={n: node for n, node in model.nodes.items() if n[0] == "N"}, beams={}, bodies={}, clamped={})

@@ -41,6 +41,7 @@ def turned(roll, pitch, yaw):
     return about_z @ about_y @ about_x
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("held", [(), ("B3.M9",), ("B1.M7", "B4.M11")])
 def test_lengths_of_the_end_dock(docked, held):
     """Forward after inverse: the eighteen lengths alone, put into the model, bring the platform to the port."""
@@ -125,6 +126,7 @@ def hangs(model, rigid, lengths, x):
     return kt.statics.equilibrium(springs).position.sel(node=HOOK).values - rigid[HOOK]
 
 
+@pytest.mark.slow
 def test_the_corrected_crane_is_where_the_rigid_one_would_be():
     """Another model, of springs with the corrected natural lengths, in equilibrium with large displacements."""
     model, run = read("space_crane")

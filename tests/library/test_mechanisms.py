@@ -32,6 +32,7 @@ def state(model: kt.Model) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUILT)
 @given(angle=ANGLES, rate=st.floats(-5, 5))
 def test_bars_have_their_length_and_keep_it(name, angle, rate):
@@ -120,6 +121,7 @@ def test_von_mises_truss_by_name_and_with_units(strain):
     assert {bar.strain for bar in model.bars.values()} == {strain}
 
 
+@pytest.mark.slow
 def test_oracles_of_linkages_against_integration():
     """The closed form of the row and Lagrange's equation conserve what they must."""
     times = np.linspace(0, 10, 201)

@@ -24,6 +24,7 @@ def test_bars_and_freedom(name):
     assert (len(model.bars), found.undriven, found.self_stress) == (ONE_FREEDOM[name], 1, 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "tolerance"), [("peaucellier", 1e-13), ("hart", 1e-13)])
 def test_exact_straight_line(name, tolerance):
     model = getattr(mechanisms, name)()
@@ -67,6 +68,7 @@ def test_rank_decides_not_count(model, count, rank, stress):
     assert (found.maxwell, found.rank, found.undriven, found.self_stress) == (count, rank, 1, stress)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["bennett", "bricard"])
 def test_loops_move_and_keep_energy(name):
     run = kt.dynamics.simulate(getattr(mechanisms, name)(), 0.3, samples=4)

@@ -67,6 +67,7 @@ def test_delta_out_of_reach():
 POSE = st.tuples(st.floats(1, 2), st.floats(-3, 3), st.floats(-3, 3), st.floats(0.3, 1.8), st.floats(-3, 3))
 
 
+@pytest.mark.slow
 @given(pose=POSE, rates=st.tuples(*[st.floats(-2, 2)] * 5))
 @settings(max_examples=20)
 def test_robot_keeps_its_rigid_bars_and_their_rates(pose, rates):

@@ -75,12 +75,14 @@ def crossed(at, force):
     return np.cross(*(np.pad(one, (0, 3 - len(one))) for one in (at, force)))
 
 
+@pytest.mark.slow
 def test_every_freedom_has_its_drive(followed):
     _, model, _, _, _ = followed
     found = kt.kinematics.mobility(model)
     assert (found.undriven, found.self_stress) == (0, 0)
 
 
+@pytest.mark.slow
 def test_supports_bear_the_weight_and_the_loads(followed):
     """At rest in three poses: forces and moments of the supports, from masses that the test counts itself."""
     _, model, motion, _, case = followed
@@ -132,6 +134,7 @@ def test_forward_after_inverse(followed):
     np.testing.assert_allclose(found, motion.position.values[120], atol=1e-9)
 
 
+@pytest.mark.slow
 def test_limits(followed):
     """Every member holds with its factors of safety; motors too, but for those of the thesis."""
     name, model, motion, forces, _ = followed

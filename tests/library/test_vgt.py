@@ -57,6 +57,7 @@ def test_masses_of_the_thesis():
     assert [node.mass for node in model.nodes.values()] == [0] * 6 + [2] * 3
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=20)
 @given(st.integers(2, 5), st.floats(-0.2, 0.2), st.floats(-0.2, 0.2))
 def test_chain_of_bays(bays, beta, gamma):

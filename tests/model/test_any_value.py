@@ -28,6 +28,7 @@ def records() -> Iterator[type[Record]]:
         yield from below
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("record", [pytest.param(one, id=f"{one.__module__}.{one.__name__}") for one in records()])
 def test_every_field_takes_any_value_or_refuses_it_with_a_mend(record):
     refused = 0

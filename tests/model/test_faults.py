@@ -172,6 +172,7 @@ def test_every_fault_has_a_mend():
     assert all(fault.mend for fault in caught.value.faults)
 
 
+@pytest.mark.slow
 def test_thousands_of_faults_are_told_in_short():
     """All of them as data; the text tells the first. No table is copied for each."""
     stray = {f"k{k}": 1 for k in range(3000)}

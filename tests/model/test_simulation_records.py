@@ -226,6 +226,7 @@ def test_files_hold_it(tmp_path, suffix):
     assert kt.Model.model_validate_json(model.model_dump_json()) == model
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["kind", "analysis", "tasks", "method", "events"])
 def test_an_editor_marks_what_is_wrong(name):
     judge = Draft202012Validator(schema())

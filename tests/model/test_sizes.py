@@ -56,12 +56,14 @@ def test_library_numbers_beyond_measure(number):
                 assert "missing" in str(error)
 
 
+@pytest.mark.slow
 def test_tables_of_too_many_names():
     nodes = {f"N{k}": (float(k), 0.0) for k in range(MOST_ENTRIES + 1)}
     with pytest.raises(kt.ModelError, match=f"nodes: has {MOST_ENTRIES + 1} entries; expected at most {MOST_ENTRIES}"):
         kt.Model(nodes=nodes)
 
 
+@pytest.mark.slow
 def test_a_small_file_takes_no_memory(tmp_path):
     """Under a limit of memory that a billion of anything would break."""
     file = tmp_path / "many.yaml"
@@ -82,6 +84,7 @@ def test_whole_numbers():
         hold(1000, "A run", "Take fewer.", most=10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", kt.library.example_files())
 def test_a_node_without_one_coordinate(name):
     """Whatever names the node: its own fault is told, and others only of what does not rest on it."""

@@ -63,6 +63,7 @@ def test_changes_are_refused_and_leave_the_table(change):
     assert model.nodes == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", EXAMPLES, ids=lambda model: model.title[:30])
 def test_copies_are_equal_and_read_only(model, tmp_path):
     copies = [

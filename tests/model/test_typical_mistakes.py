@@ -48,6 +48,7 @@ WRONG_FIELDS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("k", range(len(WRONG_FIELDS)))
 def test_the_message_says_what_to_write(k):
     mistake, told = WRONG_FIELDS[k]
@@ -67,6 +68,7 @@ def test_a_wrong_name_offers_the_right_one():
     assert "crnk" not in _four_bar().bars and _four_bar().bars.get("crnk") is None
 
 
+@pytest.mark.slow
 def test_units_are_read_where_a_file_reads_them(tmp_path):
     model = _four_bar()
     free = {"motor": kt.GivenForce(torque=0.0)}

@@ -37,6 +37,7 @@ def words_of(page: str) -> str:
     return html.unescape(re.sub(r"<[^>]*>", " ", kept))
 
 
+@pytest.mark.slow
 @everything
 def test_report(name, run, tmp_path):
     call("report", stored(name, run), "-o", tmp_path, "--no-open", "--no-pdf")
@@ -67,6 +68,7 @@ def test_report_on_paper(tmp_path):
     assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF-")
 
 
+@pytest.mark.slow
 @everything
 def test_info_and_the_summary(name, run):
     record = json.loads(call("info", stored(name, run), "--json"))
@@ -74,6 +76,7 @@ def test_info_and_the_summary(name, run):
     assert named(call("info", stored(name, run))) == ""
 
 
+@pytest.mark.slow
 @everything
 def test_view_and_picture(name, run, tmp_path):
     folder = stored(name, run)
@@ -88,6 +91,7 @@ def test_view_and_picture(name, run, tmp_path):
         assert named(words_of(path.read_text("utf-8"))) == ""
 
 
+@pytest.mark.slow
 @everything
 def test_plots(name, run, tmp_path):
     found = runs.load(stored(name, run))

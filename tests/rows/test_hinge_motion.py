@@ -16,6 +16,7 @@ def angles(run, model):
     return run.motion.data["drive_position"].values - compile(model).drive_start
 
 
+@pytest.mark.slow
 def test_arm_under_torques_moves_as_by_minimal_coordinates():
     arm = Arm()
     model = arm.model()
@@ -62,6 +63,7 @@ def test_torques_of_inverse_dynamics_reproduce_the_motion():
     assert off[1] < 1e-3 and 3.8 < off[0] / off[1] < 4.2
 
 
+@pytest.mark.slow
 def test_double_pendulum_under_torques():
     one = DoublePendulum()
     model = one.model()
@@ -198,6 +200,7 @@ def sprung_arm():
     return model.with_(bars=dict(model.bars) | {"spring": spring}), {"base": kt.GivenForce(torque=5.0), "elbow": kt.Hold()}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [kt.EnergyMomentum(0.002), kt.GeneralizedAlpha(0.002), kt.Rattle(0.002)])
 def test_implicit_methods_take_hinges_and_springs(method):
     model, tasks = sprung_arm()

@@ -49,6 +49,7 @@ def value(system, x):
     return total
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_gradients_and_their_rates_are_derivatives(seed):
@@ -69,6 +70,7 @@ def test_gradients_and_their_rates_are_derivatives(seed):
     assert np.abs(full - np.array(rows)).max() < 1e-6 * max(np.abs(H).max(), size**3)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_rates_along_a_motion_agree_with_those_of_gradients(seed):

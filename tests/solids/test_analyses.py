@@ -14,11 +14,13 @@ def block(**more):
     return grid, kt.Model(nodes=grid.nodes, fixed=grid.at(x=0.0), material=RUBBER, solids={"b": grid.solid()}, **more)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["triangles", "four", "linear", "tetrahedra"])
 def test_patches(kind):
     assert cases.patch(kind)["displacement"] < 1e-13
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("strain", "power"), [("constant", 2), ("linear", 4)])
 def test_cantilever_converges_at_the_known_order(strain, power):
     found = cases.order(strain)
@@ -28,6 +30,7 @@ def test_cantilever_converges_at_the_known_order(strain, power):
     assert found["limit"] == pytest.approx(sag, rel=3e-3 if strain == "constant" else 1e-5)
 
 
+@pytest.mark.slow
 def test_waves_in_a_bar_of_solids():
     speed = np.sqrt(70e9 / 2700.0)
     found = cases.waves()
@@ -35,12 +38,14 @@ def test_waves_in_a_bar_of_solids():
     assert found["second"] == pytest.approx(3 * speed / 4, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_energy_momentum_keeps_energy_and_spin():
     found = cases.vibration()
     assert found["energy"] < 1e-12
     assert found["spin"] < 1e-12
 
 
+@pytest.mark.slow
 def test_methods_agree_and_the_forces_of_a_simulation_balance():
     grid, model = block()
     tip = grid.nearest((1.0, 0.0, 0.0))
@@ -76,6 +81,7 @@ def test_rest_is_where_linearisation_and_statics_meet():
     assert kt.strength.elements(model, rest, "b").von_mises.values.max() > 0
 
 
+@pytest.mark.slow
 def test_a_column_of_membrane_buckles_like_eulers():
     E, length, depth, thick = 1e9, 20.0, 1.0, 0.1
     grid = kt.library.meshes.rectangle(width=length, height=depth, columns=20, rows=1, six_nodes=True)
@@ -94,6 +100,7 @@ def test_a_column_of_membrane_buckles_like_eulers():
     assert found.load_factor.values[0] == pytest.approx(wanted, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_elements_share_nodes_with_bars_and_drives():
     grid = kt.library.meshes.rectangle(width=1.0, height=1.0, columns=2, rows=2).renamed({"n8": "tip"})
     model = kt.Model(

@@ -14,6 +14,7 @@ from reference.total_lagrange import KINDS, tangent
 STEEL = cases.STEEL
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_force_and_tangent_are_those_of_the_formulas(kind):
     found = cases.element(kind)
@@ -22,6 +23,7 @@ def test_force_and_tangent_are_those_of_the_formulas(kind):
     assert found["rotation"] < 1e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_whole_tangent_is_that_of_the_formulas(kind):
     model = cases.one_element(kind)
@@ -32,6 +34,7 @@ def test_the_whole_tangent_is_that_of_the_formulas(kind):
     assert np.abs(K - exact).max() < 1e-13 * np.abs(exact).max()
 
 
+@pytest.mark.slow
 @settings(max_examples=15)
 @given(kind=st.sampled_from(KINDS), seed=st.integers(0, 10_000), size=st.floats(0.01, 0.5))
 def test_forces_balance_are_the_slope_of_the_energy_and_do_no_work_on_rotations(kind, seed, size):

@@ -15,6 +15,7 @@ def bay(**changes):
     return kt.library.vgt.double_octahedral(**fields | changes)
 
 
+@pytest.mark.slow
 def test_a_motion_at_rest_has_the_same_forces():
     model = bay()
     motion = kt.kinematics.follow(model, kt.library.vgt.slew(beta=(-0.15, 0.15)), samples=5)
@@ -25,6 +26,7 @@ def test_a_motion_at_rest_has_the_same_forces():
         np.testing.assert_allclose(found.data[name].values, static.data[name].values, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_all_forms_of_poses_agree():
     model = bay()
     found = kt.statics.at_poses(model, POSES)
@@ -38,6 +40,7 @@ def test_all_forms_of_poses_agree():
     np.testing.assert_array_equal(text.member_force.values[0], text.member_force.values[1])
 
 
+@pytest.mark.slow
 def test_neither_order_nor_neighbours_count():
     model = bay()
     one, two = kt.statics.at_poses(model, POSES), kt.statics.at_poses(model, POSES[::-1])

@@ -36,6 +36,7 @@ def middle(model: kt.Model) -> np.ndarray:
     return kt.statics.linear(model).displacement.sel(node="M").values
 
 
+@pytest.mark.slow
 def test_a_hinge_frees_the_bending_about_its_axis_only():
     """P L^3/(192 E I) with both ends clamped, 7 P L^3/(768 E I) with one of them on a hinge."""
     I2, I3 = BOX.second_moments
@@ -70,6 +71,7 @@ def test_a_hinge_along_the_beam_lets_it_twist():
     assert turns == pytest.approx({1: 1.0, 3: 0.5}, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_rigid_beam_on_a_hinge_is_a_pendulum_in_its_plane():
     axis = np.array([1.0, 1.0, 0.0]) / math.sqrt(2)
     model = kt.Model(
@@ -131,6 +133,7 @@ def post_on_an_arm(hinge, kind="elastic"):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["elastic", "rigid"])
 def test_a_beam_that_a_hinge_holds_does_not_spin_freely(kind):
     """Hinged about its own axis: if the arm bends, the post turns with it, which takes no force. P L^3/(3 E I) of the arm."""

@@ -33,6 +33,7 @@ def frame_in_space() -> kt.Model:
     )
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(turn=st.tuples(*[st.floats(-3, 3)] * 3), shift=st.tuples(*[st.floats(-5, 5)] * 3))
 def test_rigid_motions_give_no_energy_and_no_force(turn, shift):
@@ -99,6 +100,7 @@ def rod_tip(load: float) -> np.ndarray:
     return tip
 
 
+@pytest.mark.slow
 def test_the_bend_of_45_degrees_is_that_of_a_curved_rod():
     from kinetruss.verification.members.beams import bend
 
@@ -180,6 +182,7 @@ def test_a_truss_carries_a_beam_on_its_last_plate():
     assert weak < I2 and lowest == pytest.approx(exact, rel=6e-3)  # one element: 0.5 % above, less rotary inertia
 
 
+@pytest.mark.slow
 def test_energy_momentum_steps_keep_the_energy_of_a_beam():
     model = kt.Model(
         nodes={"A": (0, 0), "B": (0.5, 0)},
@@ -195,6 +198,7 @@ def test_energy_momentum_steps_keep_the_energy_of_a_beam():
     assert run.kinetic_energy.values.min() < 0.2 * energy[0]
 
 
+@pytest.mark.slow
 def test_section_forces_in_motion_are_in_balance():
     """A beam that swings about a pin: no moment at the pin and at the free end, and the weight and inertia in between."""
     model = kt.Model(nodes={"O": (0, 0), "B": (1, 0)}, fixed=["O"], beams={"e": ("O", "B")}, gravity=(0, -9.81), **MATTER)

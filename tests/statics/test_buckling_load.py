@@ -46,6 +46,7 @@ def test_three_links_have_two_modes():
     np.testing.assert_allclose(found.mode_shape.sel(node="N1", axis="x") / found.mode_shape.sel(node="N2", axis="x"), [-1, 1])
 
 
+@pytest.mark.slow
 def test_agrees_with_the_bifurcation_of_the_path():
     model = column()
     path = kt.statics.path(model, "P", to=4.0)

@@ -45,6 +45,7 @@ def test_rhombus_with_a_spring():
     assert found.stable and found.message == "" and found.ways_out == []
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.floats(-3.1, 3.1), min_size=3, max_size=3))
 def test_a_chain_hangs_down_from_any_start(angles):
@@ -57,6 +58,7 @@ def test_a_chain_hangs_down_from_any_start(angles):
     assert found.stable
 
 
+@pytest.mark.slow
 def test_an_unstable_equilibrium_is_kept_and_named():
     up = kt.statics.equilibrium(chain(2), [(0, 0), (0, 1), (0, 2)])
     np.testing.assert_allclose(up.position, [(0, 0), (0, 1), (0, 2)])
@@ -170,6 +172,7 @@ def test_torque_and_coordinate_force():
     assert found.drive_force.item() == G
 
 
+@pytest.mark.slow
 def test_far_lengths_stay_on_the_branch_of_the_start():
     model = kt.library.mechanisms.four_bar()
     for turn in (0.9, 2.5, 4.0):
@@ -177,6 +180,7 @@ def test_far_lengths_stay_on_the_branch_of_the_start():
         np.testing.assert_allclose(found.position, kt.kinematics.assemble(model, {"motor": turn}), atol=1e-10)
 
 
+@pytest.mark.slow
 def test_a_chain_stretched_out_too_short_sags():
     """Ten links of 1.2 m drawn over 10 m in one line: their lengths cannot be reached to first order from there."""
     nodes = {f"N{i}": kt.Node(at=(i, 0), mass=1.0 if 0 < i < 10 else 0.0) for i in range(11)}
@@ -221,12 +225,14 @@ def test_simplex_finds_its_twist():
     assert found.data.attrs["neutral"] == 3 and found.data.attrs["unstable"] == 0
 
 
+@pytest.mark.slow
 def test_large_net_in_reasonable_time():
     found = kt.statics.equilibrium(net(26))
     assert found.data.attrs["residual"] < 1e-9 and found.data.attrs["unstable"] == 0
     assert found.data.sizes["mode"] == 0 and found.position.min().item() < -0.1
 
 
+@pytest.mark.slow
 def test_failures():
     model = chain(2)
     with pytest.raises(AnalysisError, match=r"cannot be closed.*'(rope|b1|b2)' is off by") as caught:
@@ -283,6 +289,7 @@ def test_a_given_torque_alone_is_a_load():
     assert P[0] * back[1] - P[1] * back[0] == pytest.approx(-500.0, rel=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("strain", ["engineering", "green"])
 @pytest.mark.parametrize("above", [1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10])
 def test_just_above_its_limit_load_a_von_mises_truss_snaps_through_and_just_below_it_stays(strain, above):
@@ -328,6 +335,7 @@ def test_a_coordinate_drive_is_held_where_it_is_told():
         kt.statics.equilibrium(model, lengths={"push": 1.0}, tasks={"push": kt.Free()})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sought", [kt.statics.buckling, kt.statics.path])
 def test_lengths_that_cannot_be_closed_end_paths_and_buckling_too(sought):
     model = kt.Model(nodes={"A": (0, 0), "B": (2, 0), "C": (1, 1)}, fixed=["A", "B"],

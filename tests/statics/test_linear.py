@@ -47,6 +47,7 @@ def tower(loads=None, random=None):
     )
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.floats(0.1, 1.3))
 def test_timoshenko_three_bars(angle):
@@ -79,6 +80,7 @@ def test_own_weight_of_a_hanging_bar():
     assert kt.statics.linear(model, weight="lumped").member_force.item() == 0.0
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(
     st.lists(st.floats(-0.2, 0.2), min_size=24, max_size=24),
@@ -109,6 +111,7 @@ def test_castigliano_on_a_redundant_tower():
         assert (energies[0] - energies[1]) / (2 * h) == pytest.approx(found[k], rel=1e-10, abs=1e-15)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(st.lists(st.floats(-0.2, 0.2), min_size=24, max_size=24), st.tuples(forces, forces, forces))
 def test_forces_and_reactions_of_a_redundant_tower_balance(shifts, load):

@@ -19,6 +19,7 @@ def closed_form(strain, y, rise=0.3):
     return 2 * (l0 - length) * y / length if strain == "engineering" else (rise**2 - y**2) * y / l0**2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("strain", ["engineering", "green"])
 def test_von_mises_truss_to_its_limit_and_beyond(strain):
     found = kt.statics.path(von_mises(strain), "load", points=60)
@@ -38,6 +39,7 @@ def test_von_mises_truss_to_its_limit_and_beyond(strain):
     assert (np.sign(found.stiffness.values) == np.where(between, -1, 1)).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("strain", ["engineering", "green"])
 @pytest.mark.parametrize(("half", "rise", "EA"), [(1.3, 0.55, 2e5), (2.0, 0.7, 3.0), (0.4, 0.05, 1e7)])
 def test_limits_where_one_freedom_is_left(strain, half, rise, EA):
@@ -57,6 +59,7 @@ def test_limits_where_one_freedom_is_left(strain, half, rise, EA):
     np.testing.assert_allclose(found.limit_points, [limit, -limit], rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_tall_arches_bifurcate_before_their_limit():
     """The path leaves its plane of symmetry first where h/a > 2.3979160998211375."""
     low, tall = (
@@ -72,6 +75,7 @@ def test_tall_arches_bifurcate_before_their_limit():
     np.testing.assert_allclose(np.abs(side), [1, 0], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_rigid_arch_on_a_spring():
     """Two rigid bars of length 1; the right foot slides against a spring: P = 2 k (cos(a0) - cos(a)) ... = 4 k s tan(a)."""
     rise = 0.5
@@ -110,6 +114,7 @@ def dome(strain="engineering"):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_star_dome():
     model = dome()
     linear = kt.statics.linear(model).displacement.sel(node="1", axis="z").item() / INCH
@@ -144,6 +149,7 @@ def test_ends_at_a_load_factor_and_other_loads_stay():
     assert closed_form("engineering", y) == pytest.approx(0.005, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_refusals():
     model = von_mises("engineering")
     for load, fields, text in (
@@ -174,6 +180,7 @@ def arch():
     return kt.Model(nodes=nodes, fixed=["0", "4", "5", "6", "7"], bars=bars, loads=loads)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("largest", "points"), [(0.5, 60), (0.05, 90), (0.03, 120)])
 def test_long_steps_stay_on_the_branch(largest, points):
     """With steps of 0.03 a corrector that may go anywhere ends on another branch, whose limit is 40.5."""

@@ -49,6 +49,7 @@ def model_of(x, bars, base, areas, loads):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(
     st.integers(0, 2**32 - 1), st.sampled_from([2, 3]), st.integers(5, 16), st.floats(-4, 4), st.sampled_from([0, 3, 6]),
@@ -103,6 +104,7 @@ def panels(count, bars=("B", "T", "D", "V")):
                     material=METAL, loads={"p": kt.NodalForce(node=f"t{count}", force=(0.0, -1.0))})  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_long_cantilever_has_the_forces_of_equilibrium():
     """Chords carry the moment, diagonals sqrt(2); the tip sinks by the sum of N n l/(E A) (Maxwell, Mohr)."""
     count = 5000
@@ -146,6 +148,7 @@ def test_residuals_in_doubled_precision_are_exact_to_the_last_digit(seed, size, 
         assert abs(found[r] - float(exact)) <= 2.3e-16 * abs(float(exact)) + 1e-30 * size_of
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("power", [2, 6, 9])
 def test_bounds_of_errors_hold_and_are_not_far_off(power):
     """A symmetric system of condition 10^power, its entries rounded: the error stays below the bound, but not far below."""

@@ -9,6 +9,7 @@ import kinetruss as kt
 import loop_models
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", loop_models.STARTS)
 @pytest.mark.parametrize("gravity", [(0.0, 0.0, -9.81), (9.81, 0.0, 0.0), (0.0, -6.0, 7.0)])
 def test_all_lengths_are_kept_and_weight_does_no_work(name, gravity):

@@ -57,6 +57,7 @@ def by_trial(model: kt.Model) -> tuple[np.ndarray, np.ndarray, float]:
     raise AssertionError("no set is consistent")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dim", [2, 3])
 def test_cables_pull_or_are_slack_as_every_set_tried_says(dim):
     rng, slackened, tautened = np.random.default_rng(dim), 0, 0

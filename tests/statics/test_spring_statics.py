@@ -36,6 +36,7 @@ def test_chain_of_links_buckles_as_henckys(count):
     assert kt.statics.buckling(hencky(count, k), "P").load_factor.values == pytest.approx(wanted[:6], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_post_buckled_path_of_the_column():
     """P = k (phi - phi_0)/(L sin(phi)) from the vertical, with an imperfection phi_0."""
     k, L, off = 100.0, 2.0, 0.02

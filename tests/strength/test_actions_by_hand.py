@@ -19,6 +19,7 @@ def bending(found, part):
     return np.linalg.norm(np.atleast_2d(found.section_M.sel(part=part).values[0].T), axis=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", [("O", "A"), ("A", "O")])
 @pytest.mark.parametrize("how", ["angle", "hinge", "hinge turned round", "geared"])
 def test_a_cantilever_that_a_motor_holds(ends, how):
@@ -49,6 +50,7 @@ def test_a_cantilever_that_a_motor_holds(ends, how):
     assert row.position == pytest.approx(0.0 if ends[0] == "O" else L, abs=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("reach", [0.0, 0.35, -0.4, 1.3])
 def test_a_door_about_a_slanted_or_upright_axis(reach):
     """Both bars of a panel lean out from the axis: the motor's couple is in them, in the shares of the foot of the far node."""
@@ -173,6 +175,7 @@ def test_a_strut_whose_length_is_coupled_bears_the_force_of_the_coupling():
     assert kt.statics.equilibrium(model).member_force.sel(member="rope").item() == pytest.approx(m * G)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", ["torque", "motor"])
 def test_a_simulated_arm_bends_by_its_motor(given):
     """From rest by a torque tau: at the root M = tau, whatever gives it."""
@@ -193,6 +196,7 @@ def test_a_simulated_arm_bends_by_its_motor(given):
     np.testing.assert_allclose(found[0], 0.0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_what_no_bar_carries_is_named():
     """A hinge drive of a triangle none of whose bars leads from the axis to the node; a bracket on a bar; a plate on three."""
     base = {"gravity": (0, -G), "section": STEEL["section"], "material": STEEL["material"]}

@@ -176,6 +176,7 @@ def nodes_meet(cut):
     np.testing.assert_allclose(left, 0.0, atol=CLOSE * cut.largest)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2, 3, 4])
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
 def test_every_bar_is_in_balance(way, seed):
@@ -188,12 +189,14 @@ def test_every_bar_is_in_balance(way, seed):
     in_balance(model, forces.static)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
 def test_bars_of_a_pose_at_rest_are_in_balance(way):
     model = way(np.random.default_rng(77))
     in_balance(model, kt.statics.at_poses(model, [{}]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["chain", "clamped", "loaded", "gears", "door"])
 def test_bars_of_a_simulation_are_in_balance(way):
     """Let go under given torques."""
@@ -202,6 +205,7 @@ def test_bars_of_a_simulation_are_in_balance(way):
     in_balance(model, run.forces)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
 def test_free_bodies_and_equations_agree_with_the_sections(way):
     rng = np.random.default_rng(9)

@@ -23,6 +23,7 @@ def cantilever(count: int, **loads: kt.NodalForce | kt.BodyCouple) -> kt.Model:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [8, 16])
 def test_a_leaf_bent_far_has_the_forces_of_its_free_body(count: int) -> None:
     """N, V and M at every station are those of the load at the tip: P across the tangent, P along it, P times its arm."""
@@ -48,6 +49,7 @@ def test_a_leaf_bent_far_has_the_forces_of_its_free_body(count: int) -> None:
     assert along.end_moment.sel(beam="b0", end="A").values == pytest.approx(about, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_circle_has_a_moment_and_no_axial_force() -> None:
     """Bent by an end moment M to the whole circle: N = V = 0 everywhere, M the same."""
     M = 2 * np.pi * 2.1e11 * 0.02 * 0.004**3 / 12 / 2
@@ -58,6 +60,7 @@ def test_a_circle_has_a_moment_and_no_axial_force() -> None:
         assert np.abs(along[name].values).max() < 1e-8 * M
 
 
+@pytest.mark.slow
 def test_a_bend_in_space_has_the_forces_of_its_free_body() -> None:
     """Bathe's bend of 45 degrees under 600: the resultants at all ends are the load and its moment."""
     count, R, P = 8, 100.0, 600.0
@@ -88,6 +91,7 @@ def test_a_bend_in_space_has_the_forces_of_its_free_body() -> None:
             assert moment == pytest.approx(float(np.linalg.norm(np.cross(arm, load))), abs=1e-7 * P * R)
 
 
+@pytest.mark.slow
 def test_a_soft_pendulum_is_in_balance_at_every_joint() -> None:
     """Bent while it swings: no moment at the pin, the reaction there, and at nodes what one beam takes the other gives."""
     model = kt.Model(

@@ -39,6 +39,7 @@ def row_of(verdict, part, rule):
     return next(row for row in verdict.table() if (row.part, row.rule) == (part, rule))
 
 
+@pytest.mark.slow
 def test_the_verdict_has_the_stress_of_a_cantilever():
     """N/A + M c/I at the clamp, with 1.5 V/A at the same point, over the yield strength and its safety factor."""
     area = SIDE**2
@@ -116,6 +117,7 @@ def vibrating(folder):
     return model, run, path
 
 
+@pytest.mark.slow
 def test_a_simulated_run_a_mission_and_the_pictures_have_the_same_utilisation(tmp_path):
     model, run, path = vibrating(tmp_path)
     whole = run.verdict

@@ -194,6 +194,7 @@ def test_repeated_records_are_averaged(tmp_path):
         measured_strains(MODEL, [paths[0], odd])
 
 
+@pytest.mark.slow
 def test_comparison_finds_scale_offset_and_lag():
     file, *_ = kt.library.example_files()["strain_gauges"]
     model = kt.read(file)

@@ -49,6 +49,7 @@ def test_level_bar_in_closed_form():
     assert found.values == pytest.approx([axial - bending, axial, axial + bending], rel=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(st.floats(0, 1), st.floats(-3, 3), st.lists(st.floats(0, 6.28), min_size=3, max_size=6, unique=True))
 def test_groups_are_the_components_of_the_section(at, tilt, angles):

@@ -41,6 +41,7 @@ def test_over_counts_the_others():
     assert found.record["more"] == ["1 more over"]
 
 
+@pytest.mark.slow
 def test_what_was_not_checked_is_no_ok():
     found = headline(held(material=kt.Material(E=210e9, density=7850)))
     assert (found.state, found.checked, found.parts) == ("open", 0, 2)

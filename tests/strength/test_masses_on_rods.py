@@ -101,6 +101,7 @@ def legs_at(model: kt.Model, forces: kt.results.Forces, i: int, on_tube=()):
     return legs, [side + N * leg.u for side, N, leg in zip(across, pull, legs, strict=True)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("dim", "on_tube"), [(2, ()), (3, ()), (2, ON_TUBE), (3, ON_TUBE)])
 def test_forces_are_those_of_two_rods_and_point_masses(dim, on_tube):
     model = tripod(dim, on_tube=on_tube)

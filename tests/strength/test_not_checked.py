@@ -40,6 +40,7 @@ def bracket(*, up: bool, first: kt.Material | None, second: kt.Material | None, 
 materials = st.sampled_from([KNOWN, UNKNOWN, None])
 
 
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(up=st.booleans(), first=materials, second=materials)
 def test_a_member_has_a_utilisation_only_where_a_checked_rule_speaks_of_it(up, first, second):
@@ -75,6 +76,7 @@ def called(*arguments: object) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 def test_the_summary_names_rule_reason_and_parts(stored):
     record = json.loads(called("info", stored, "--json"))
     assert record["not_checked"] == {"yield: no section": ["arm"], "yield: no yield strength": ["a"]}
@@ -84,6 +86,7 @@ def test_the_summary_names_rule_reason_and_parts(stored):
     assert "yield: no yield strength (a)" in text
 
 
+@pytest.mark.slow
 def test_the_page_and_the_picture_and_the_report_say_so(stored, tmp_path):
     run = runs.load(stored)
     scene = viewer.scene(run)
@@ -97,6 +100,7 @@ def test_the_page_and_the_picture_and_the_report_say_so(stored, tmp_path):
     assert any("no yield strength" in note for one in figures for note in one.notes)
 
 
+@pytest.mark.slow
 def test_the_export_holds_no_number_and_a_state(stored, tmp_path):
     called("export", stored, tmp_path / "v.csv", "--group", "verdict")
     head, *rows = [line.split(",") for line in (tmp_path / "v.csv").read_text().splitlines()]

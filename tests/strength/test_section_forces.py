@@ -123,6 +123,7 @@ def reduced(force, moment, x, planar, u):
     return S[0], S[1:2] if planar else S[1:], M[2:] if planar else M[1:]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dim", [2, 3])
 @settings(max_examples=25, deadline=None)
 @given(data=st.data())
@@ -141,6 +142,7 @@ def test_bar_against_the_free_body_of_its_a_side(dim, data):
             assert np.allclose(got, want, atol=2e-8 * (1 + np.abs(F).max() + np.abs(a).max())), (share, got, want)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dim", [2, 3])
 @pytest.mark.parametrize("overlap", [True, False])
 @settings(max_examples=20, deadline=None)

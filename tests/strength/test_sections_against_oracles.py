@@ -47,6 +47,7 @@ def axes(model: kt.Model, name: str, x: np.ndarray) -> np.ndarray:
     return np.array([u, np.cross(third, u), third])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("make", "tube_length"), [(bay, 0.254), (bay, 0.6), (triangle, 2.0), (triangle, 1.2)])
 def test_sections_of_every_part(make, tube_length):
     model, trajectory = make(tube_length)

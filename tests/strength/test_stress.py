@@ -14,6 +14,7 @@ ANGLE = np.linspace(0, 2 * np.pi, 4001)
 GRID = np.linspace(-1, 1, 401)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(stress, stress, stress, stress, stress)
 def test_round_section_against_the_whole_circumference(a, b2, b3, k2, k3):
@@ -45,6 +46,7 @@ alike = st.tuples(
 shared = st.sampled_from([1.0, 1e3, 1e-3, 1e8])
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None)
 @given(alike, alike, alike, alike, alike, st.sampled_from([1.0, np.sqrt(3), 1 / np.sqrt(3)]), shared)
 def test_round_section_against_all_roots_of_its_quartic(a, b2, b3, k2, k3, ratio, unit):
@@ -53,6 +55,7 @@ def test_round_section_against_all_roots_of_its_quartic(a, b2, b3, k2, k3, ratio
     assert wanted * (1 - 1e-13) <= found <= wanted * (1 + 1e-7)
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(stress, stress, stress, stress, st.floats(1e-9, 1e-2), st.floats(0, 6.3))
 def test_round_section_where_a_saddle_lies_near_the_top(a, b, k, other, small, turn):
@@ -93,6 +96,7 @@ def test_the_stress_of_a_sum_is_at_most_the_sum_of_stresses(one, other):
         assert von_mises(shape, *(one + other)) <= (von_mises(shape, *one) + von_mises(shape, *other)) * (1 + 1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(stress, stress, stress, stress, stress)
 def test_rectangle_against_the_whole_section(a, b2, b3, k2, k3):
@@ -167,6 +171,7 @@ def values(coef, nut, xi, path=False):
     return np.concatenate(rows, axis=1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("measure", [ROUND, RECTANGLE, GENERAL, MOMENT_RESULTANT, MOMENT_SUM])
 def test_maxima_along_a_part_are_located_not_sampled(measure):
     rng = np.random.default_rng(measure)

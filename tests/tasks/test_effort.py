@@ -34,6 +34,7 @@ def best(model, **task):
     return found.drive_position.values[0]
 
 
+@pytest.mark.slow
 def test_an_arm_that_lifts_a_load_to_a_height_has_the_least_torques_of_one_variable():
     """Torques of a massless arm with links of 1 m and 0.8 m under a weight: P x_tip and P (x_tip - x_elbow)."""
     a, b, P, height = 1.0, 0.8, 50.0, 1.2
@@ -58,6 +59,7 @@ def test_an_arm_that_lifts_a_load_to_a_height_has_the_least_torques_of_one_varia
     assert found.drive_position.sel(drive="shoulder").item() == pytest.approx(exact, abs=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hold", [(), ("B2.M9",)])
 def test_no_motion_that_keeps_task_and_strokes_lessens_the_effort(hold):
     model = mast()
@@ -81,6 +83,7 @@ def test_no_motion_that_keeps_task_and_strokes_lessens_the_effort(hold):
             assert effort(model, other.drive_position.values[0]) > least * (1 - 1e-9)
 
 
+@pytest.mark.slow
 def test_the_least_effort_does_not_depend_on_the_unit_of_force_nor_on_the_side():
     one = best(mast(gravity=(0, 0, 0), force=(300.0, 0, 0)))
     thousand = best(mast(gravity=(0, 0, 0), force=(3e5, 0, 0)))
@@ -92,6 +95,7 @@ def test_the_least_effort_does_not_depend_on_the_unit_of_force_nor_on_the_side()
     assert effort(model, motion.drive_position.values[-1]) == pytest.approx(effort(model, first), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_drives_without_limits_that_would_run_off_are_named():
     model = mast(bays=3, limits=None)
     task = kt.Positioning(nodes=("B3.N7", "B3.N9", "B3.N8"), moves={"x": 0.1}, hold=["B2.M9"], objective="least_effort")

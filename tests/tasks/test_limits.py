@@ -34,6 +34,7 @@ def quintic(t):
     return 2 + s**3 * (10 - 15 * s + 6 * s**2), 15 * s**2 * (1 - s) ** 2, 15 * s * (1 - s) * (1 - 2 * s)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limits", [{"rate": {"a": 0.3}}, {"rate": {"a": 0.3, "b": 0.66}, "acceleration": 1.3}])
 def test_a_drive_at_its_limit_stays_there_and_the_other_does_the_rest(limits):
     motion = moved(**limits)
@@ -56,6 +57,7 @@ def test_limits_that_are_not_reached_change_nothing():
     assert np.array_equal(moved(rate=0.47, acceleration=0.8).drive_position, moved().drive_position)
 
 
+@pytest.mark.slow
 def test_limits_that_cannot_be_kept_are_said_with_the_factor_that_keeps_them():
     """a + b has a peak of 0.9375 m/s, the limits sum up to 0.9: both are exceeded by 0.9375/0.9 at the least."""
     motion = moved(rate={"a": 0.3, "b": 0.6})
@@ -70,6 +72,7 @@ def test_limits_that_cannot_be_kept_are_said_with_the_factor_that_keeps_them():
     assert slow.attrs["limits_kept"] == 1
 
 
+@pytest.mark.slow
 def test_without_freedom_or_against_the_choice_the_motion_says_so():
     held = moved(rate=0.5, hold=["a"])
     assert held.attrs["worst_ratio"] == pytest.approx(PEAK / 0.5, rel=1e-9)
@@ -86,6 +89,7 @@ def test_without_freedom_or_against_the_choice_the_motion_says_so():
     assert "factor" not in jump.message
 
 
+@pytest.mark.slow
 def test_a_mast_keeps_rates_accelerations_and_strokes():
     model = kt.library.vgt.double_octahedral(bays=2, limits=("1.0 m", "1.35 m"))
     top = ("B2.N7", "B2.N9", "B2.N8")
@@ -114,6 +118,7 @@ def test_an_equal_division_of_angles_keeps_the_limits_of_its_task():
     assert "the task leaves the drives no freedom" in motion.message
 
 
+@pytest.mark.slow
 def test_force_at_rest_and_speed_of_motors_are_compared_and_the_rest_is_named():
     trains = {"screw": "screw_lacy_spatial", "gear": "gear_lacy", "motor": "motor_lacy"}
     model = kt.library.vgt.double_octahedral(tip_force=(0, 0, "-20 N"), gravity=(0, 0, -9.81), **trains)

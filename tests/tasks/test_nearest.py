@@ -48,6 +48,7 @@ def test_of_two_nearest_corners_the_nearer_is_found_from_anywhere():
         assert f"best of 16 starts, {found.same.values[0]} of them came as near" in str(found.message.values[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_the_nearest_pose_of_random_points_is_that_of_a_fine_grid_of_drives(seed):
     point = np.random.default_rng(seed).uniform((-1.5, -1.5), (2.5, 2.0))

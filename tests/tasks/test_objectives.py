@@ -80,6 +80,7 @@ def test_a_planar_arm_has_the_manipulability_of_a_fine_grid():
     assert found.drive_position.sel(drive="turn2").item() == pytest.approx(exact, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_ten_bays_stay_within_their_strokes_all_the_way_though_most_drives_end_there():
     mast = kt.library.vgt.double_octahedral(bays=BAYS, limits=(0.9, 1.4))
     task = kt.Gimbal(
@@ -95,6 +96,7 @@ def test_ten_bays_stay_within_their_strokes_all_the_way_though_most_drives_end_t
     assert np.degrees([end.beta, end.gamma]) == pytest.approx([40, 20], abs=1e-8)
 
 
+@pytest.mark.slow
 def test_beyond_a_fold_of_the_least_change_the_drives_next_to_those_before_go_on():
     """The least change ends in a fold although the task can be done there; the path of the platform is as asked."""
     arm6 = cells.stack(

@@ -12,6 +12,7 @@ MODEL = kt.library.vgt.double_octahedral(bays=2, gravity=(0, 0, -9.81), tip_forc
 MOTION = kt.kinematics.inverse(MODEL, kt.Positioning(nodes=TOP, moves={"x": 0.15}, duration=2.0), samples=101)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "limits",
     [{"rate": 0.05}, {"acceleration": {"B1.M7": 0.2}}, {"force": 1500.0}, {"rate": 0.2, "acceleration": 1.0, "force": 2500.0}],
@@ -36,6 +37,7 @@ def test_the_scaled_motion_is_that_of_the_task_with_the_other_duration():
     assert again.drive_acceleration.values == pytest.approx(found.motion.drive_acceleration.values, abs=1e-10)
 
 
+@pytest.mark.slow
 def test_motor_limits_are_kept():
     trains = {"screw": "screw_lacy_spatial", "gear": "gear_lacy", "motor": "motor_lacy"}
     model = kt.library.vgt.double_octahedral(tip_force=(0, 0, "-20 N"), gravity=(0, 0, -9.81), **trains)
@@ -98,6 +100,7 @@ def torque(kind, duration, s):
     return np.abs(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [0.2, 20.0])
 @pytest.mark.parametrize("kind", RESISTING)
 def test_whatever_resists_the_limit_is_kept_and_a_quicker_motion_would_exceed_it(kind, given):
@@ -111,6 +114,7 @@ def test_whatever_resists_the_limit_is_kept_and_a_quicker_motion_would_exceed_it
     assert min(quicker) > 24.0
 
 
+@pytest.mark.slow
 def test_friction_beyond_the_limit_leaves_a_motion_that_creeps():
     """Weight and friction exceed the limit together: only below the rate of slip is there less friction."""
     model = crank(springs={"s": kt.Spring(coordinate=HINGE, friction=5.0, slip=0.05)})
@@ -120,6 +124,7 @@ def test_friction_beyond_the_limit_leaves_a_motion_that_creeps():
     assert found.use == pytest.approx(1, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_a_load_that_comes_later_is_not_one_at_rest():
     late = kt.NodalForce(node="A", times=[0.0, 1.0, 1.1], forces=[(0, 0), (0, 0), (0, -60.0)])
     model = crank(loads={"late": late})
@@ -129,6 +134,7 @@ def test_a_load_that_comes_later_is_not_one_at_rest():
     assert found.duration < 1
 
 
+@pytest.mark.slow
 def test_what_no_pace_changes_has_no_quickest_motion():
     model = crank()
     steady = kt.kinematics.follow(model, kt.ConstantRate(rates={"turn": 1.0}, duration=1.0), samples=21)

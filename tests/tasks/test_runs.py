@@ -22,6 +22,7 @@ runs:
 """
 
 
+@pytest.mark.slow
 def test_a_run_from_a_file_does_its_task_and_can_be_stored(tmp_path):
     path = tmp_path / "model.yaml"
     path.write_text(TEXT)
@@ -65,6 +66,7 @@ def test_out_of_reach_ends_a_run_early_with_its_words():
     assert "nearest pose" in result.message
 
 
+@pytest.mark.slow
 def test_a_mission_takes_tasks_among_its_motions(tmp_path):
     path = tmp_path / "model.yaml"
     path.write_text(

@@ -39,6 +39,7 @@ def end(model: kt.Model, task, samples: int = 21):
     return motion
 
 
+@pytest.mark.slow
 @settings(max_examples=15)
 @given(SEEDS, st.tuples(SMALL, SMALL))
 def test_gimbal(seed, change):
@@ -50,6 +51,7 @@ def test_gimbal(seed, change):
     assert [found.beta.values[-1], found.gamma.values[-1]] == pytest.approx(wanted, abs=1e-10)
 
 
+@pytest.mark.slow
 @settings(max_examples=15)
 @given(SEEDS, st.tuples(SMALL, SMALL, SMALL))
 def test_positioning_of_a_tool_point(seed, change):
@@ -60,6 +62,7 @@ def test_positioning_of_a_tool_point(seed, change):
     assert found.position.values[-1] == pytest.approx(tool + change, abs=1e-10)
 
 
+@pytest.mark.slow
 @settings(max_examples=10)
 @given(SEEDS, st.tuples(*[st.floats(-0.01, 0.01)] * 6))
 def test_docking_of_a_frame(seed, change):
@@ -83,6 +86,7 @@ def test_docking_of_a_frame(seed, change):
     assert [*moved.position.values[0], *moved.euler.values[0][::-1]] == pytest.approx(wanted, abs=1e-9)
 
 
+@pytest.mark.slow
 @settings(max_examples=10)
 @given(SEEDS, st.tuples(SMALL, SMALL, SMALL))
 def test_reflecting_throws_the_light_from_source_to_target(seed, change):
@@ -100,6 +104,7 @@ def test_reflecting_throws_the_light_from_source_to_target(seed, change):
     assert mirrored @ (target - centre) > 0
 
 
+@pytest.mark.slow
 @settings(max_examples=10)
 @given(SEEDS, st.tuples(SMALL, SMALL, SMALL))
 def test_pointing_at_a_place_that_moves(seed, change):
@@ -110,6 +115,7 @@ def test_pointing_at_a_place_that_moves(seed, change):
     assert found.normal.values[-1] == pytest.approx(away / np.linalg.norm(away), abs=1e-10)
 
 
+@pytest.mark.slow
 @settings(max_examples=8)
 @given(st.integers(0, 30), st.floats(-0.02, 0.02))
 def test_coordinates_of_every_kind(seed, change):
@@ -169,6 +175,7 @@ def _rates_fit(motion) -> float:
     return max(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", ["quintic", "spline"])
 def test_rates_and_accelerations_are_those_of_the_drives(law):
     model = bent(4)
@@ -211,6 +218,7 @@ def test_straight_masts_cannot_yaw():
         assert motion.status.ok
 
 
+@pytest.mark.slow
 def test_gimbal_of_three_bays_exact_even_and_by_equal_division():
     moves = {"beta": "30 deg", "gamma": "30 deg"}
     ends = {}
@@ -262,6 +270,7 @@ def test_strokes_are_kept_and_what_holds_a_drive_there_is_needed():
     assert change[d] - A[:, d] @ s < 0
 
 
+@pytest.mark.slow
 def test_objectives_lower_what_they_say():
     model = kt.library.vgt.double_octahedral(bays=2, gravity=(0, 0, -9.81), tip_force=(300, 0, 0), limits=("1.0 m", "1.35 m"))
     top = ("B2.N7", "B2.N9", "B2.N8")
@@ -299,6 +308,7 @@ def test_several_tasks_at_once_with_timing_of_their_own():
     assert np.degrees(beta) == pytest.approx(4, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_out_of_reach_reports_the_nearest_pose():
     task = kt.Positioning(nodes=TOP, moves={"z": 9.0})
     limited = kt.library.vgt.double_octahedral(bays=3, limits=("1.0 m", "1.35 m"))
@@ -315,6 +325,7 @@ def test_out_of_reach_reports_the_nearest_pose():
     assert ((q > 1.0 - 1e-9) & (q < 1.35 + 1e-9)).all()
 
 
+@pytest.mark.slow
 def test_random_poses_of_a_ten_bay_chain_are_reached_from_where_it_stands_straight():
     model = kt.library.vgt.double_octahedral(bays=10, limits=("42 in", "50 in"))
     top, rng = tuple(f"B10.N{k}" for k in (7, 9, 8)), np.random.default_rng(8)
