@@ -6,11 +6,14 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 BENCH = Path(__file__).parents[2] / "bench"
 sys.path.insert(0, str(BENCH / "peers"))
 
 import _robots  # noqa: E402
+
+pytestmark = pytest.mark.slow
 
 
 def test_delta_closed_form():

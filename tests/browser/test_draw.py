@@ -15,6 +15,8 @@ from kinetruss import dynamics, kinematics
 from kinetruss.library import cells
 from served import WAIT, Served, start
 
+pytestmark = pytest.mark.slow
+
 # Theo Jansen's published lengths of one leg, mm (T. Jansen, The Great Pretender, 010 Publishers, 2007)
 JANSEN = {
     "b": 41.5,

@@ -11,6 +11,8 @@ import kinetruss as kt
 from hand import Hand, drawn
 from served import Served, start
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def served(tmp_path) -> Iterator[Served]:

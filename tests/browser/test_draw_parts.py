@@ -14,6 +14,8 @@ from hand import drawn
 from kinetruss import dynamics, kinematics, runs, statics
 from served import Served, start
 
+pytestmark = pytest.mark.slow
+
 PLACES = {"A": (0.0, 0.0), "B": (1.0, 0.0), "C": (0.0, -0.8), "D": (1.4, 0.4), "E": (1.8, 0.0)}
 
 

@@ -5,6 +5,8 @@ import pytest
 from kinetruss import runs, viewer
 from shipped import RUNS, named, stored
 
+pytestmark = pytest.mark.slow
+
 FIRST = list({name: (name, run) for name, run in reversed(RUNS)}.values())[::-1]
 
 

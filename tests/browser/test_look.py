@@ -10,6 +10,8 @@ from kinetruss import runs, viewer
 from kinetruss.display import OVER, rgb
 from samples import fourbar, tripod
 
+pytestmark = pytest.mark.slow
+
 NO_WEBGL = """const asked = HTMLCanvasElement.prototype.getContext;
 HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
   return kind.startsWith("webgl") ? null : asked.call(this, kind, ...more);

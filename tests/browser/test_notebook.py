@@ -14,6 +14,8 @@ import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from samples import tripod
 
+pytestmark = pytest.mark.slow
+
 WAIT = 60_000  # ms
 
 HOST = """

@@ -8,6 +8,8 @@ import kinetruss as kt
 from kinetruss import runs, viewer
 from samples import tripod
 
+pytestmark = pytest.mark.slow
+
 TUBE = kt.Tube(outer=0.02, inner=0.016)
 UNKNOWN = kt.Material(E=70e9, density=2700)
 

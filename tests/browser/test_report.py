@@ -19,6 +19,8 @@ from kinetruss.report.document._print import print_page
 from kinetruss.results import Status
 from kinetruss.runs import RunResult
 
+pytestmark = pytest.mark.slow
+
 WAIT = 60.0  # s, for a machine that is busy with other things
 
 

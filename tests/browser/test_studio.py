@@ -13,6 +13,8 @@ from kinetruss import dynamics, kinematics
 from samples import tripod
 from served import Served, serve, start
 
+pytestmark = pytest.mark.slow
+
 
 def dyad() -> kt.Model:
     """Two bars whose lengths are driven; flat on the ground they are singular."""

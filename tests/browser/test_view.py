@@ -15,6 +15,8 @@ from kinetruss import strength, viewer
 from kinetruss.display import limits_of
 from samples import fourbar, tripod
 
+pytestmark = pytest.mark.slow
+
 BACK = np.array([0xF7, 0xF8, 0xFA])
 SEQUENTIAL = ("#482878", "#3e4a89", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725")
 DIVERGING = ("#053a7a", "#2b7bba", "#8fc1e3", "#d4d4d4", "#f2b279", "#d9662b", "#8c2d04")

@@ -12,6 +12,8 @@ from kinetruss import viewer
 from samples import fourbar
 from served import Served, serve, start
 
+pytestmark = pytest.mark.slow
+
 HOLD = """
 const Real = window.WebSocket;
 window.held = [];

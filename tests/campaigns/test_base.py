@@ -10,6 +10,8 @@ import pytest
 
 from campaigns.base import compare
 
+pytestmark = pytest.mark.slow
+
 SEED, COUNT, RUNS = 4, 17, 1
 
 

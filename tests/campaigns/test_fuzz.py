@@ -9,6 +9,8 @@ import kinetruss as kt
 from campaigns import fuzz
 from campaigns.mutations import bases, places
 
+pytestmark = pytest.mark.slow
+
 SEED = 7
 
 

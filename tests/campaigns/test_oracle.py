@@ -8,6 +8,8 @@ import pytest
 
 import kinetruss as kt
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def oracle():

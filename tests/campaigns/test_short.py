@@ -6,6 +6,8 @@ import pytest
 
 from campaigns import cache, measured, two_writers
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the test needs os.fork, which this system lacks")
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of copies beside threads; none of theirs is used

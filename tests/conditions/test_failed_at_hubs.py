@@ -98,6 +98,7 @@ def elastic(**changes: Any) -> kt.Model:
     )
 
 
+@pytest.mark.slow
 def test_elastic_bars_out_of_balance_say_so() -> None:
     """In the pose without load they have no force, whatever the load is: the message tells what is missing, also of a pair."""
     model = elastic(

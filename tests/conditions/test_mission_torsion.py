@@ -59,6 +59,7 @@ def alone(model: kt.Model) -> dict[tuple[str, str], float]:
     return found
 
 
+@pytest.mark.slow
 def test_the_envelope_has_the_torsion_of_the_runs() -> None:
     """Part by part, rule by rule and pair by pair; torsion is what governs the arm."""
     model = flap()
@@ -80,6 +81,7 @@ def test_the_envelope_has_the_torsion_of_the_runs() -> None:
     assert not mission.verdict.message
 
 
+@pytest.mark.slow
 def test_an_arm_whose_section_does_not_know_its_shear_stress_is_not_checked() -> None:
     """In one case it is twisted, in the other not: no number of the other case is shown for both."""
     general = kt.General(area=3e-4, I2=8e-9, I3=8e-9, c2=0.01, c3=0.01)
@@ -114,6 +116,7 @@ def swung() -> kt.Model:
     return model.with_(hubs={"O": model.hubs["O"].with_(section=None, material=None)}, runs=runs)
 
 
+@pytest.mark.slow
 def test_a_sizing_counts_torsion_and_proves_it(tmp_path: Path) -> None:
     """The tube is the lightest that passes runs of models with each tube; with smaller ones only the message is left."""
     model, worst = swung(), {}

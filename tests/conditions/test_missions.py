@@ -87,6 +87,7 @@ def assert_worst_of(mission, runs):
     assert np.all(mission.extremes["value"].sel(quantity="tension").values >= members - 1e-9 * np.abs(members))
 
 
+@pytest.mark.slow
 @settings(max_examples=6, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(st.tuples(share, share), min_size=1, max_size=3), st.floats(50, 900))
 def test_the_envelope_is_the_worst_of_the_runs_done_one_by_one(moves, force):
@@ -94,6 +95,7 @@ def test_the_envelope_is_the_worst_of_the_runs_done_one_by_one(moves, force):
     assert_worst_of(kt.run(model), one_by_one(model))
 
 
+@pytest.mark.slow
 def test_active_members_and_their_motors_too():
     bay = kt.library.vgt.double_octahedral(bays=1, gravity=(0, 0, -9.81), payload_mass=20.0, material="aluminium_6061_t6")
     model = bay.with_(
@@ -122,6 +124,7 @@ def test_motors_have_their_peaks_over_all_pairs():
     assert mission.trains["value"].sel(quantity="drawn energy").values == pytest.approx(energy, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_drives_have_energy_and_root_mean_square_of_their_histories():
     model = crane()
     mission, runs = kt.run(model), one_by_one(model)
@@ -140,6 +143,7 @@ def test_drives_have_energy_and_root_mean_square_of_their_histories():
         assert (units["power"], units["energy"]) == ("W", "J")
 
 
+@pytest.mark.slow
 def test_poses_are_motions_of_a_mission():
     model = crane()
     poses = {"low": {}, "high": {"lift": 1.4, "swing": 2.0}}
@@ -152,6 +156,7 @@ def test_poses_are_motions_of_a_mission():
     assert_worst_of(kt.run(model, "all"), one_by_one(model))
 
 
+@pytest.mark.slow
 def test_a_let_go_actuator_stands_in_equilibrium_and_swings_in_a_simulation():
     """Motions may be equilibria and simulations: a released drive is free in them, and the envelope has their forces."""
     start = {"lift": math.hypot(0.2, 1.3), "swing": math.hypot(1.4, 1.4)}
@@ -197,6 +202,7 @@ def test_what_a_condition_makes_impossible_is_a_finding_and_the_rest_goes_on():
     assert "what to know" in report.summary(mission).text
 
 
+@pytest.mark.slow
 def test_a_mission_goes_on_after_its_last_pair(tmp_path):
     model, out = crane(), tmp_path / "out"
     whole = kt.run(model)
@@ -220,6 +226,7 @@ def test_a_mission_goes_on_after_its_last_pair(tmp_path):
         assert one.extremes.identical(whole.extremes)
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_the_pairs():
     def peak(cases):
         model = crane(loads=tuple(np.linspace(50, 400, cases)))
@@ -235,6 +242,7 @@ def test_memory_does_not_grow_with_the_pairs():
     assert many < 1.5 * few
 
 
+@pytest.mark.slow
 def test_a_long_motion_is_streamed_in_blocks(monkeypatch):
     from kinetruss.runs.missions import stream
 
@@ -247,6 +255,7 @@ def test_a_long_motion_is_streamed_in_blocks(monkeypatch):
     assert parts.drives["value"].values == pytest.approx(whole.drives["value"].values, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_every_command_shows_a_mission(tmp_path):
     model, out = crane(), str(tmp_path / "out")
     kt.write(model, tmp_path / "m.yaml")
@@ -268,6 +277,7 @@ def test_every_command_shows_a_mission(tmp_path):
     assert "Report of a mission" in (tmp_path / "report" / "report.html").read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_a_report_tells_of_infinite_utilisation(tmp_path):
     """Beyond Euler's load the beam-column rule has no finite number: the page has it as a text, and is written."""
     model = crane(loads=(4e5,))

@@ -67,6 +67,7 @@ def in_space(model, motion, spin, rate, center):
     return kt.kinematics.from_arrays(model, t, X, V, A), np.array(turn)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("gravity", "rate"), [(None, RATE), ((1.0, 2.0, -9.81), np.zeros(3))])
 def test_forces_are_those_of_the_same_motion_in_a_frame_that_does_not_rotate(gravity, rate):
     """Members, joints, supports, interfaces and section forces; gravity keeps its direction in space."""
@@ -268,6 +269,7 @@ def test_forces_in_a_rotating_base_have_no_deflection():
             kt.flexible.frequencies(one, forces)
 
 
+@pytest.mark.slow
 def test_a_stored_run_keeps_the_rotation_and_its_pages_show_it(tmp_path):
     """Section forces from the folder, those of the viewer's arrays, and the table of inputs."""
     model = tripod(
@@ -321,6 +323,7 @@ def test_a_rotation_with_the_components_of_another_dimension_is_refused():
         tripod(base_rotation=kt.BaseRotation(angular_velocity=[1.0]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", [False, True])
 def test_a_simulation_in_a_rotating_base_is_the_one_in_space(turns):
     """A chain of a driven-out rod and a swinging one, with masses along them: places, forces and the motion of its energy."""
@@ -351,6 +354,7 @@ def test_a_simulation_in_a_rotating_base_is_the_one_in_space(turns):
         assert np.abs(inverse.member_force.values - found.forces.member_force.values).max() < 1e-6 * size
 
 
+@pytest.mark.slow
 def test_a_simulated_motion_of_drives_has_the_forces_of_inverse_dynamics():
     """With a force of the user on it, which is a load beside the fictitious forces."""
     base = kt.BaseRotation(angular_velocity=SPIN, angular_acceleration=RATE, center=CENTER)
@@ -371,6 +375,7 @@ def test_a_simulated_motion_of_drives_has_the_forces_of_inverse_dynamics():
     assert np.abs(ready.position[:, :, : model.dim] - again.motion.position.values).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_a_run_of_a_simulation_under_the_condition_goes_on_where_it_stopped(tmp_path):
     model = tripod(
         gravity=(0, 0, -9.81),

@@ -76,6 +76,7 @@ def test_two_elastic_bars_in_a_row_share_the_heat_of_one():
     assert found.displacement.sel(node="B", axis="x").item() == pytest.approx(0.5 * ALPHA * 50, rel=1e-9)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(vectors, vectors)
 def test_base_acceleration_is_gravity_shifted(gravity, acceleration):

@@ -14,6 +14,8 @@ from pydantic import TypeAdapter
 import kinetruss as kt
 from kinetruss.cli import main
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 SITE = sorted(page for page in (ROOT / "docs").rglob("*.md") if "made" not in page.parts)

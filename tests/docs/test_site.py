@@ -18,6 +18,8 @@ import api  # noqa: E402
 import gallery  # noqa: E402
 import tables  # noqa: E402
 
+pytestmark = pytest.mark.slow
+
 TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
 CELL = re.compile(r"^```\{code-cell\}\n((?::[^\n]*\n)*)(.*?)^```", re.MULTILINE | re.DOTALL)
 

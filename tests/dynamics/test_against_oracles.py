@@ -94,11 +94,13 @@ def chain(request):
     return model, ends, motion, kt.dynamics.inverse(model, motion)
 
 
+@pytest.mark.slow
 def test_chain_agrees_with_newton_euler(chain):
     model, _, motion, forces = chain
     compare(model, motion, forces)
 
 
+@pytest.mark.slow
 def test_statics_agree_with_newton_euler(chain):
     model, _, motion, forces = chain
     still = kt.kinematics.from_arrays(
@@ -107,6 +109,7 @@ def test_statics_agree_with_newton_euler(chain):
     compare(model, still, forces.static)
 
 
+@pytest.mark.slow
 def test_chain_agrees_with_bay_by_bay_form(chain):
     model, ends, motion, forces = chain
     nodes = list(model.nodes)
@@ -125,6 +128,7 @@ def test_chain_agrees_with_bay_by_bay_form(chain):
         np.testing.assert_allclose(joint, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
 
 
+@pytest.mark.slow
 def test_renumbered_chain_is_the_same_structure():
     model = chain_model(3)
     rng = np.random.default_rng(7)
@@ -151,6 +155,7 @@ angles = st.floats(-0.25, 0.25)
 heights = st.floats(0.95, 1.1)  # higher up, a tilted bay is out of reach
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(st.lists(st.tuples(angles, angles, heights), min_size=2, max_size=2), st.floats(0.5, 5.0))
 def test_random_poses_agree_with_newton_euler(ends, duration):
@@ -159,6 +164,7 @@ def test_random_poses_agree_with_newton_euler(ends, duration):
     compare(model, motion, kt.dynamics.inverse(model, motion, static=False))
 
 
+@pytest.mark.slow
 def test_planar_truss_with_rotary_inertia_and_its_own_load_gravity():
     tube = kt.Tube(outer=0.0254, inner=0.022225)
     model = kt.Model(
@@ -174,6 +180,7 @@ def test_planar_truss_with_rotary_inertia_and_its_own_load_gravity():
     compare(model, motion, kt.dynamics.inverse(model, motion))
 
 
+@pytest.mark.slow
 def test_turned_crank_and_pushed_slider():
     rod = kt.Material(E=200e9, density=7850.0)
     model = kt.Model(
@@ -194,6 +201,7 @@ def test_turned_crank_and_pushed_slider():
         np.testing.assert_allclose(forces.drive_force.sel(drive="slide").values[i], oracle.push[0], atol=ROUNDING * largest)
 
 
+@pytest.mark.slow
 def test_interface_between_base_and_tube():
     model = chain_model(1)
     motion = kt.kinematics.follow(model, pose_quintic(model, [(0.2, -0.15, HEIGHT)], 1.0), samples=5)

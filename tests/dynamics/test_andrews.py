@@ -18,6 +18,7 @@ def motion():
     return kt.kinematics.from_arrays(model, TIMES, *histories)
 
 
+@pytest.mark.slow
 def test_torque_and_energy_come_back(motion):
     forces = kt.dynamics.inverse(mechanisms.andrews(), motion, static=False)
     np.testing.assert_allclose(forces.drive_force.values, andrews.TORQUE, rtol=1e-10)
@@ -28,6 +29,7 @@ def test_torque_and_energy_come_back(motion):
     assert np.ptp(total[:2]) < 1e-10
 
 
+@pytest.mark.slow
 def test_forces_at_the_joint_of_four_bodies(motion):
     """At the start only the spring and the crank's rod act on the body of B; the rods of G and H carry nothing."""
     end = kt.dynamics.inverse(mechanisms.andrews(), motion, static=False).joint_force.isel(time=0)

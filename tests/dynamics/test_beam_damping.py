@@ -31,12 +31,14 @@ def kicked(dim: int = 3, delay: float = DELAY) -> kt.Model:
     return model.with_(velocities={name: (0.0, 1.0, 0.5)[:dim] for name in model.nodes if name.startswith("N2")})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dim", [2, 3])
 def test_every_mode_has_half_its_frequency_times_the_delay(dim):
     found = kt.dynamics.linearise(cantilever(dim))
     np.testing.assert_allclose(found.modal_damping, math.pi * found.frequency * DELAY, rtol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [None, kt.EnergyMomentum(step=5e-6), kt.Radau(), kt.GeneralizedAlpha(step=5e-6)])
 def test_the_energy_that_is_lost_is_the_work_of_the_damping(method):
     model = kicked()
@@ -69,6 +71,7 @@ def test_derivatives_of_the_forces_and_rigid_motions():
     assert np.abs(still).max() < 1e-9 * np.abs(force(system.x0, v)).max()
 
 
+@pytest.mark.slow
 def test_section_forces_in_motion_are_in_balance():
     """At the free end moment and shear vanish, next to each other elements agree, at the clamp they are the reactions."""
     model = kicked()
@@ -87,6 +90,7 @@ def test_section_forces_in_motion_are_in_balance():
     np.testing.assert_allclose(given, whole, atol=5e-4 * np.abs(whole).max())
 
 
+@pytest.mark.slow
 def test_vibration_along_drives_decays_with_the_damping_of_its_beam():
     """A beam with damping on a driven crank, and one without that is given the ratio: the same decay to first order."""
     fields = {

@@ -105,6 +105,7 @@ def forces_of(model):
     return kt.dynamics.inverse(model, motion)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("swapped", [False, True])
 def test_mechanism_against_point_masses(swapped):
     found, wanted = forces_of(fourbar(body(swapped))), forces_of(fourbar(("B", "C"), dumb_bell()))
@@ -116,6 +117,7 @@ def test_mechanism_against_point_masses(swapped):
     assert float(abs(found.data["energy_balance"]).max()) < 1e-13 * float(abs(found.data["power"]).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("swapped", [False, True])
 @pytest.mark.parametrize("static", [False, True])
 def test_newton_and_euler(swapped, static):
@@ -131,6 +133,7 @@ def test_newton_and_euler(swapped, static):
         assert cut.bodies[0].mass == MASS
 
 
+@pytest.mark.slow
 def test_centre_of_mass_and_its_rates():
     model, other = fourbar(body()), fourbar(("B", "C"), dumb_bell())
     forces, wanted = forces_of(model), forces_of(other).motion.data
@@ -181,6 +184,7 @@ def test_linear_statics_carries_its_weight():
     assert np.abs(total - (0, 9.81 * MASS)).max() < 1e-12 * 9.81 * MASS
 
 
+@pytest.mark.slow
 def test_no_sections_and_the_verdict_says_why():
     model = fourbar(body(), section=kt.Rod(diameter=0.01), material=kt.Material(E=210e9, density=7850, yield_strength=240e6))
     assert compile(model).rods[compile(model).is_body].max() == 0  # the default section adds no mass to it

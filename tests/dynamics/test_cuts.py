@@ -30,6 +30,7 @@ def cantilever(order=("a", "b"), size=None):
     return JOINTS.weld(model, "mid", bodies=order, at=(1, 0, 0), size=size)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [("a", "b"), ("b", "a")])
 @pytest.mark.parametrize("size", [None, 0.3])
 def test_welds_of_a_cantilever_carry_what_hangs_on_them(order, size):
@@ -44,6 +45,7 @@ def test_welds_of_a_cantilever_carry_what_hangs_on_them(order, size):
     np.testing.assert_allclose(other.force.values, [[0, 0, -3 * G]], atol=1e-11)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [("a", "b"), ("b", "a")])
 def test_the_weld_of_a_swinging_pendulum(order):
     """Two welded planar bodies let go level: F = m (a - g), M = I alpha about the second's centre, by the compound pendulum."""
@@ -69,6 +71,7 @@ def test_the_weld_of_a_swinging_pendulum(order):
     np.testing.assert_allclose(found.moment.values[:, 0], moment, atol=1e-8)
 
 
+@pytest.mark.slow
 def test_a_loop_of_welds_is_told_as_undetermined():
     """Held at both ends the beam is statically indeterminate, whatever bars were saved; a sum over its ends is not."""
     model = JOINTS.weld(cantilever(), "end", bodies=("b", "ground"), at=(2, 0, 0))
@@ -105,6 +108,7 @@ def closes(model, motion, forces, time):
     return system
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("source", [Arm, DoublePendulum])
 def test_hinges_stand_in_the_equations(source):
     model = source().model()
@@ -124,6 +128,7 @@ def test_hinges_stand_in_the_equations(source):
             assert "drive elbow" in [term.source for term in turned.terms if term.symbol == "T"]
 
 
+@pytest.mark.slow
 def test_the_force_of_a_coupling_is_told():
     """A box that sinks on a screw: the coupling turns it by I times its angular acceleration, and closes in every equation."""
     mass, pitch = 3.0, 0.3
@@ -139,6 +144,7 @@ def test_the_force_of_a_coupling_is_told():
     np.testing.assert_array_equal(kt.dynamics.joint_reaction(model, run, "b", "s").coupling_force, run.forces.coupling_force)
 
 
+@pytest.mark.slow
 def test_the_guide_of_a_slider_is_its_couplings():
     """A block on an incline, held on it by two couplings: together they push it with m g cos(tilt) across the line."""
     tilt, mass = np.radians(30), 2.0
@@ -153,6 +159,7 @@ def test_the_guide_of_a_slider_is_its_couplings():
     np.testing.assert_allclose(found.force.values, np.tile(across, (4, 1)), atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dim", [2, 3])
 def test_membranes_and_solids_stand_in_the_equations(dim):
     """With them every node balances in motion and at rest; their own weight is in the supports."""

@@ -43,6 +43,7 @@ def recorded(**fields):
     return kt.Event(**fields, stop=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 @settings(max_examples=25, deadline=None)
 @given(share=st.floats(-3.0, 0.99999), end=st.floats(0.05, 60.0), speed=st.floats(1.0, 40.0))
@@ -60,6 +61,7 @@ def test_a_throw_passes_a_level_as_often_as_its_parabola(method, share, end, spe
     assert [one.direction for one in run.events][: len(found)] == [1 if t < speed / G else -1 for t in found]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("seed", range(4))
 def test_a_rotor_passes_levels_as_often_as_its_circle(method, seed):
@@ -86,6 +88,7 @@ def test_a_rotor_passes_levels_as_often_as_its_circle(method, seed):
         np.testing.assert_allclose(found, inside, atol=near)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("seed", range(3))
 def test_coordinate_length_and_force_come_to_the_same_instant_together(method, seed):
@@ -110,6 +113,7 @@ def test_coordinate_length_and_force_come_to_the_same_instant_together(method, s
     np.testing.assert_allclose(N, y, atol=2e-7 if exact else 0.05)
 
 
+@pytest.mark.slow
 def test_an_apex_on_the_level_is_one_event_and_a_level_above_it_none():
     apex = 12.0**2 / (2 * G)
     for end in (3.0, 7.0, 40.0):
@@ -119,6 +123,7 @@ def test_an_apex_on_the_level_is_one_event_and_a_level_above_it_none():
             assert abs(times(run, "g") - 12.0 / G).max(initial=0.0) < 2e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", METHODS)
 def test_a_run_restarted_at_an_event_finds_the_next_one_and_not_the_same_again(method):
     event = {"e": kt.Event(coordinate="A.x", value=0.25)}
@@ -135,6 +140,7 @@ def test_a_run_restarted_at_an_event_finds_the_next_one_and_not_the_same_again(m
     np.testing.assert_allclose(found, wanted, atol=1e-8 if method in ("taylor", "dop853") else 0.02)
 
 
+@pytest.mark.slow
 def test_arriving_at_a_value_and_resting_there_is_one_event():
     model = kt.Model(
         nodes={"A": (0, 0), "B": kt.Node(at=(1, 0), mass=1.0)}, fixed={"A": "xy", "B": "y"},
@@ -146,12 +152,14 @@ def test_arriving_at_a_value_and_resting_there_is_one_event():
     assert run.events[0].time == pytest.approx(1.0, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_thousands_of_events_are_all_kept():
     run = simulate(rotor(0.1, 2 * math.pi), 2600.0, samples=2, events={"e": recorded(coordinate="A.y", value=0.0)})
     assert len(run.events) == 5200
     assert run.events[-1].time == pytest.approx(2600.0 - 0.1 / (2 * math.pi), abs=1e-4)
 
 
+@pytest.mark.slow
 def test_events_behind_the_one_that_stops_do_not_happen():
     events = {"stop": kt.Event(coordinate="P.y", value=3.0, direction="falling"), "more": recorded(coordinate="P.y", value=2.0)}
     run = simulate(ball(12.0), 30.0, samples=4, events=events)

@@ -50,6 +50,7 @@ def test_gains_given():
     assert not weak.stable and "not asymptotically stable" in weak.message
 
 
+@pytest.mark.slow
 def test_least_cost_of_a_free_mass():
     """x'' = f/m, cost q^2 x^2 + f^2: closed-loop poles sqrt(q/m) (-1 +- i)/sqrt(2)."""
     mass = kt.Model(nodes={"B": kt.Node(at=(0, 0), mass=2.0)}, fixed={"B": "y"})
@@ -77,6 +78,7 @@ def test_sampled_loops_place_the_same_poles():
     np.testing.assert_allclose(found.closed_loop, Ad - Bd @ found.gains.values, rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_transmissibility_with_the_loop_closed():
     """Feedback of the absolute rate (a skyhook): |x/u| = |k + i w c|/|k - m w^2 + i w (c + s)|."""
     lin, w = oscillator(), np.geomspace(0.3, 80, 11)
@@ -97,6 +99,7 @@ def test_transmissibility_with_the_loop_closed():
     np.testing.assert_allclose(H[:, 1], -2 * w**2 * H[:, 0], rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_sampled_response_is_that_of_a_long_run_in_time():
     """Steady state of the exact sampled equations under a sine, its part at the frequency of the sine."""
     lin, period = oscillator(), 0.05
@@ -128,6 +131,7 @@ def test_sampled_response_is_that_of_a_long_run_in_time():
     np.testing.assert_allclose(quick, slow, rtol=1e-3, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_simulated_loop_falls_onto_the_closed_form():
     model = inverted()
     loop = kt.dynamics.feedback(upright(), poles=[-5, -6])
@@ -138,6 +142,7 @@ def test_a_simulated_loop_falls_onto_the_closed_form():
     np.testing.assert_allclose(theta, exact, rtol=1e-5, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_a_simulated_sampled_loop():
     """Against the rod's own equation with a torque that stands still over each period."""
     model, period = inverted(), 0.05
@@ -155,6 +160,7 @@ def test_a_simulated_sampled_loop():
     np.testing.assert_allclose(theta, exact, atol=1e-8)
 
 
+@pytest.mark.slow
 def test_drives_let_go_push_with_what_holds_them():
     model = kt.library.vgt.double_octahedral(payload_mass=4.0)
     lin = kt.dynamics.linearise(model, dofs=["M7", "M9", "M11"], inputs=["M7", "M9", "M11"])
@@ -167,6 +173,7 @@ def test_drives_let_go_push_with_what_holds_them():
     assert np.abs(off[0]).max() == pytest.approx(0.004) and np.abs(off[-1]).max() < 1e-4
 
 
+@pytest.mark.slow
 def test_refusals():
     lin = oscillator()
     for fields, text in (
@@ -194,6 +201,7 @@ def test_refusals():
         kt.dynamics.feedback(alone, state_cost=1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("drive", [kt.AngleDrive("rod"), kt.HingeDrive(axis="A", start="F", end="B")])
 def test_a_hinge_let_go_is_held_by_a_torque_in_a_simulation(drive):
     """A rod at 45 degrees, held by the torque m g/2 cos(45 deg) about its hinge."""
@@ -221,6 +229,7 @@ def masses(**stiffness):
     return kt.Model(nodes=nodes, bars=bars, fixed=fixed)
 
 
+@pytest.mark.slow
 def test_a_motion_that_no_input_reaches_stays_and_is_named():
     """The reached mass has the gains that it has alone."""
     alone = kt.dynamics.linearise(masses(A=9.0), inputs="A.x", dofs="A.x")

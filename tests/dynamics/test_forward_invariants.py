@@ -57,6 +57,7 @@ def energy(run: kt.results.Simulation) -> np.ndarray:
     return run.kinetic_energy.values + run.potential_energy.values
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUILD)
 @FEW
 @given(a=ANGLE, b=ANGLE, w=RATE)
@@ -66,6 +67,7 @@ def test_energy_is_kept(name, a, b, w):
     assert np.ptp(energy(run)) < 1e-7 * scale + 1e-10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [1, 3, 5])
 @pytest.mark.parametrize("beside", [1e-4, 1e-3, 3e-3, 1e-2])
 @pytest.mark.parametrize("rate", [0.0, 0.01, 0.3])
@@ -86,6 +88,7 @@ def test_energy_is_kept_where_a_mechanism_turns_back_right_behind_a_singular_pos
         np.testing.assert_allclose([one.time for one in run.passages], flat, atol=2e-4)
 
 
+@pytest.mark.slow
 @FEW
 @given(first=st.tuples(RATE, RATE, RATE), second=st.tuples(RATE, RATE, RATE))
 def test_momenta_of_a_free_structure_are_kept(first, second):
@@ -96,6 +99,7 @@ def test_momenta_of_a_free_structure_are_kept(first, second):
         assert np.abs(change).max() < 1e-7 * 12 * speed + 1e-10
 
 
+@pytest.mark.slow
 @FEW
 @given(turn=ANGLE, shift=st.tuples(st.floats(-9, 9), st.floats(-9, 9)), a=ANGLE, b=ANGLE)
 def test_a_problem_turned_moved_and_mirrored_has_the_motion_turned_moved_and_mirrored(turn, shift, a, b):
@@ -116,6 +120,7 @@ def test_a_problem_turned_moved_and_mirrored_has_the_motion_turned_moved_and_mir
     np.testing.assert_allclose(two.forces.member_force.values, force, atol=1e-5 * np.abs(force).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["double_pendulum", "four_bars", "rhombus", "spatial", "cage"])
 @settings(max_examples=6)
 @given(a=st.floats(0.2, 1.2), b=ANGLE, w=st.floats(0.3, 2))
@@ -132,6 +137,7 @@ def test_a_motion_run_backwards_comes_home(name, a, b, w):
     np.testing.assert_allclose(-home.velocity.values, start.velocity.values, atol=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUILD)
 def test_inverse_dynamics_along_the_motion_finds_the_same_forces(name):
     model = BUILD[name](0.4, 0.9, 1.3)
@@ -143,6 +149,7 @@ def test_inverse_dynamics_along_the_motion_finds_the_same_forces(name):
         np.testing.assert_allclose(run.forces.data[what].values, expected, atol=1e-8 * size, err_msg=what)
 
 
+@pytest.mark.slow
 def test_forces_of_a_driven_motion_given_back_reproduce_it():
     """Inverse dynamics of a crank that is turned; its torque as a table turns the crank let go in the same way."""
     model = mechanisms.four_bar(gravity=None)
@@ -155,6 +162,7 @@ def test_forces_of_a_driven_motion_given_back_reproduce_it():
     np.testing.assert_allclose(run.forces.drive_force.values[:, 0], torque[::400], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_forces_of_driven_active_members_given_back_reproduce_the_motion():
     """The same through base rods, tubes and their convective terms, in the triangular truss with gravity."""
     model = kt.library.vgt.triangular()
@@ -165,6 +173,7 @@ def test_forces_of_driven_active_members_given_back_reproduce_the_motion():
     np.testing.assert_allclose(run.motion.length.values, motion.length.values[::400], atol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_trajectory_in_a_simulation_is_the_motion_of_follow():
     model = mechanisms.four_bar()
     turn = kt.Quintic(moves={"motor": (math.pi / 2, math.pi / 2 + 3.0)}, duration=1.0)

@@ -12,6 +12,7 @@ from reference import andrews, linkages, pendulums
 TIGHT = kt.DOP853(rtol=1e-12, atol=1e-13)
 
 
+@pytest.mark.slow
 @settings(max_examples=10)
 @given(
     angles=st.tuples(st.floats(-3, 3), st.floats(-3, 3)),
@@ -40,6 +41,7 @@ def test_double_pendulum(angles, rates, lengths, masses, bobs):
         assert run.kinetic_energy.values[i] == pytest.approx(kinetic, abs=1e-7 * (1 + kinetic))
 
 
+@pytest.mark.slow
 def test_triple_pendulum_with_every_solver():
     chain = pendulums.Chain((1, 1, 1), (1, 1, 1), (0, 0, 0))
     theta, rate = chain.run(np.full(3, np.pi / 2), np.zeros(3), np.array([0.0, 1.0]))
@@ -51,6 +53,7 @@ def test_triple_pendulum_with_every_solver():
         np.testing.assert_allclose(end.velocity.values[1:], v, atol=1e-9, err_msg=solver)
 
 
+@pytest.mark.slow
 def test_torque_on_a_pendulum():
     """A constant torque of a motor at the pin, as the couple of an angle drive."""
     model = mechanisms.pendulum(mass=0.5, angle=0.0).with_(drives={"motor": kt.AngleDrive("link1")})
@@ -62,6 +65,7 @@ def test_torque_on_a_pendulum():
     np.testing.assert_allclose(run.forces.drive_force.values, 2.0, atol=1e-14)
 
 
+@pytest.mark.slow
 def test_andrews_along_the_way():
     times = np.linspace(0, andrews.END, 16)
     run = kt.dynamics.simulate(
@@ -76,6 +80,7 @@ def test_andrews_along_the_way():
             np.testing.assert_allclose(now.acceleration.sel(node=name).values, second[name], atol=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [1, 2, 5, 40])
 def test_row_of_four_bars_by_default_settings(loops):
     run = kt.dynamics.simulate(mechanisms.n_four_bar(loops=loops), 10.0, samples=101)
@@ -86,6 +91,7 @@ def test_row_of_four_bars_by_default_settings(loops):
     assert len(run.passages) == int(theta[-1] / np.pi + 0.5)
 
 
+@pytest.mark.slow
 def test_row_of_four_bars_let_go_where_it_lies_flat():
     """It starts in a singular position; the velocities say which way it goes."""
     times = np.linspace(0, 2, 9)
@@ -95,6 +101,7 @@ def test_row_of_four_bars_let_go_where_it_lies_flat():
     np.testing.assert_allclose(x, np.stack([np.sin(theta), np.cos(theta)], 1), atol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [1, 2])
 @pytest.mark.parametrize(
     "method", [kt.EnergyMomentum(0.001), kt.Rattle(0.001), kt.GeneralizedAlpha(0.001)], ids=lambda m: m.kind
@@ -118,6 +125,7 @@ def _row_from(theta: float, rate: float, times: np.ndarray) -> tuple[np.ndarray,
     return found.y
 
 
+@pytest.mark.slow
 @settings(max_examples=6)
 @given(angle=st.floats(-3, 3), rate=st.floats(-8, 8))
 def test_spatial_slider_crank(angle, rate):

@@ -29,6 +29,7 @@ def slewed():
     return model, *solved(model, trajectory, [0.0, 0.3, 0.55])
 
 
+@pytest.mark.slow
 def test_a_hanging_rod_by_hand():
     """A vertical rod under its weight and an end load: T = P + m g (L - s)/L, nothing across."""
     model = kt.Model(
@@ -66,6 +67,7 @@ def test_a_swinging_rod_by_hand():
     assert body.inertia.moment == pytest.approx([0], abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("time", [0.0, 0.3, 0.55])
 @pytest.mark.parametrize("rest", [False, True])
 def test_every_free_body_of_a_bay_closes(slewed, time, rest):
@@ -79,6 +81,7 @@ def test_every_free_body_of_a_bay_closes(slewed, time, rest):
         assert found.residual < 1e-12 * found.largest
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(st.floats(0.0, 1.0), st.floats(-0.2, 0.2), st.floats(-0.2, 0.2))
 def test_free_bodies_close_wherever_the_truss_goes(time, beta, gamma):
@@ -89,6 +92,7 @@ def test_free_bodies_close_wherever_the_truss_goes(time, beta, gamma):
         assert found.residual < 1e-12 * found.largest
 
 
+@pytest.mark.slow
 def test_free_body_repeats_what_the_results_say(slewed):
     model, motion, forces = slewed
     base, tube = kt.dynamics.free_body(model, motion, forces, member="M7", time=0.3).bodies
@@ -126,6 +130,7 @@ def test_driven_bars_motors_and_pushed_nodes_close():
     assert symbols == ["-F_B", "R", "D"]
 
 
+@pytest.mark.slow
 def test_faults_are_clear(slewed):
     model, motion, forces = slewed
     with pytest.raises(kt.InputError, match=r"No member called 'M66'\. Did you mean 'M6'"):

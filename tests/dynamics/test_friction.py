@@ -45,6 +45,7 @@ def speed(run, node, radius):
     return np.hypot(v[:, 0], v[:, 1]) / radius
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", METHODS, ids=lambda one: one.kind)
 def test_a_bar_on_the_ground_slows_down_exponentially(method):
     """w' = -c w/(m l^2)."""
@@ -64,6 +65,7 @@ def test_two_bars_on_a_free_pin_share_their_bearings():
     assert speed(run, "B", 0.8) == pytest.approx(mean - I / (I + J) * apart, abs=2e-5)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.floats(0.01, 3.0), st.floats(0.5, 50.0))
 def test_momentum_is_kept_and_energy_goes_into_friction(c, heavy):
@@ -85,6 +87,7 @@ def test_a_small_swing_is_a_damped_oscillator():
     assert np.sort_complex(found) == pytest.approx(np.sort_complex(wanted), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_a_drive_pays_for_the_friction():
     """Power of the drive, with friction less without, is what friction takes; nothing changes at rest."""
     with_, without = rubbing_four_bar(), mechanisms.four_bar()
@@ -119,6 +122,7 @@ def test_every_bar_and_node_is_in_balance_with_its_couples():
         assert found.difference < 1e-9 * found.largest
 
 
+@pytest.mark.slow
 def test_the_bar_is_bent_by_the_couple_at_its_pin():
     """A bar without mass that swings a mass: the moment falls from c w at the pin to nothing at the mass."""
     model = pendulum(0.3, velocities={"P": (1.0, 0.0)})

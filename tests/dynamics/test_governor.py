@@ -8,6 +8,7 @@ from kinetruss.results import Status
 from reference.governor import AXIAL, governor, reference, seen
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axial", [None, 1e-7, 1e-9])
 def test_an_undamped_governor_with_thin_rods(axial):
     run = kt.dynamics.simulate(governor(0.0, axial), 1.0, samples=51)
@@ -17,6 +18,7 @@ def test_an_undamped_governor_with_thin_rods(axial):
     np.testing.assert_allclose(seen(run), expected, atol=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("method", "error"),
     [

@@ -60,6 +60,7 @@ def test_order_is_8():
     assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(8.0, abs=0.3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [2, 40])
 def test_rows_of_four_bars_through_flat_positions(loops):
     """Ten seconds, ten positions in which all loops are singular at once."""
@@ -78,6 +79,7 @@ def test_rows_of_four_bars_through_flat_positions(loops):
     assert np.all(passed[:, 1] < 1e-3) and np.all(passed[:, 2] == 1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-12])
 def test_flat_positions_at_other_tolerances(rtol):
     run = march(mechanisms.n_four_bar(loops=2), [0, 10.0], DOP853(rtol=rtol, atol=rtol / 10))
@@ -86,6 +88,7 @@ def test_flat_positions_at_other_tolerances(rtol):
     assert abs(run.node("B0")[-1, 0] - np.sin(theta[0])) < 300 * rtol + 1e-10
 
 
+@pytest.mark.slow
 def test_samples_do_not_change_the_run_and_chunks_are_the_run():
     """Bit for bit: many samples or few, one call or many, a new workspace in between."""
     times = np.linspace(0, 4, 81)
@@ -193,6 +196,7 @@ def test_a_stiff_damper_is_noticed():
     assert run.count("steps") < 300
 
 
+@pytest.mark.slow
 def test_energy_that_grows_without_cause_stops_the_run():
     @numba.cfunc(USER_FORCE)
     def push(t, x, v, f):
@@ -203,6 +207,7 @@ def test_energy_that_grows_without_cause_stops_the_run():
     assert 0 < run.done < 20
 
 
+@pytest.mark.slow
 def test_not_a_number_stops_the_run():
     @numba.cfunc(USER_FORCE)
     def fails(t, x, v, f):

@@ -23,6 +23,7 @@ G = 9.81
 ALL = [EnergyMomentum, GeneralizedAlpha, Rattle]
 
 
+@pytest.mark.slow
 def test_pendulum_against_elliptic_functions():
     times = np.linspace(0, 5, 51)
     k, w = math.sin(1.0), math.sqrt(G)
@@ -42,6 +43,7 @@ def elastic(kind="elastic", strain="engineering", damping=0.0):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ALL)
 @pytest.mark.parametrize(
     "model", [mechanisms.double_pendulum(), elastic(damping=1.0), elastic(strain="green")], ids=["rigid", "damped", "green"]
@@ -55,6 +57,7 @@ def test_order_is_2(method, model):
         np.testing.assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 2.0, atol=0.1)
 
 
+@pytest.mark.slow
 def test_forces_converge_too():
     model = mechanisms.double_pendulum()
     exact = march(model, [0, 1.0], DOP853(rtol=1e-13, atol=1e-14)).N[-1]
@@ -63,12 +66,14 @@ def test_forces_converge_too():
         assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.15)
 
 
+@pytest.mark.slow
 def test_energy_of_a_chaotic_double_pendulum():
     run = march(mechanisms.double_pendulum(), np.linspace(0, 200, 401), EnergyMomentum(2e-3))
     assert run.count("steps") == 100000
     assert np.abs(run.energy - run.energy[0]).max() < 1e-10 * run.kinetic.max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind, strain", [("elastic", "engineering"), ("elastic", "green"), ("cable", "engineering")])
 def test_energy_with_springs(kind, strain):
     run = march(elastic(kind, strain), np.linspace(0, 20, 201), EnergyMomentum(5e-3))
@@ -76,6 +81,7 @@ def test_energy_with_springs(kind, strain):
     assert np.abs(run.energy - run.energy[0]).max() < 1e-9 * run.kinetic.max()
 
 
+@pytest.mark.slow
 def test_momenta_of_a_free_triangle():
     """No support, no gravity: linear and angular momentum to round-off."""
     model = kt.Model(
@@ -97,6 +103,7 @@ def test_momenta_of_a_free_triangle():
     assert np.ptp(run.energy) < 1e-10 * run.kinetic.max()
 
 
+@pytest.mark.slow
 def test_secant_does_exactly_the_work_that_is_stored():
     rng = np.random.default_rng(1)
 
@@ -116,6 +123,7 @@ def test_secant_does_exactly_the_work_that_is_stored():
             assert damped >= undamped - 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [EnergyMomentum, Rattle])
 def test_symmetric_methods_turn_back(method):
     """Forward and, with velocities turned round, back to the start: to round-off, whatever the error of the steps."""
@@ -133,6 +141,7 @@ def test_symmetric_methods_turn_back(method):
         assert error < 1e-3
 
 
+@pytest.mark.slow
 def test_rattle_keeps_energy_near_for_long():
     run = march(mechanisms.pendulum(angle=2.0), np.linspace(0, 200, 2001), Rattle(5e-3), isolated=False)
     assert np.abs(run.energy - run.energy[0]).max() < 1e-3 * run.kinetic.max()
@@ -182,6 +191,7 @@ def test_flat_positions():
         np.testing.assert_allclose(run.node("B0")[:, 0], np.sin(theta), atol=tolerance)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ALL)
 def test_chunks_are_the_run(method):
     times = np.linspace(0, 1, 37)
@@ -196,6 +206,7 @@ def test_a_step_that_does_not_settle_is_said():
     assert run.code in (m.NOT_CONVERGED, m.NOT_FINITE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [*ALL, DOP853])
 @pytest.mark.parametrize("sprung", [False, True])
 def test_what_rests_without_energy_goes_on_resting(method, sprung):
@@ -213,6 +224,7 @@ def test_what_rests_without_energy_goes_on_resting(method, sprung):
     assert np.ptp(run.motion.position.values, axis=0).max() < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [1e-3, 5e-3])
 @pytest.mark.parametrize("method", [kt.EnergyMomentum, kt.GeneralizedAlpha, kt.Rattle])
 @pytest.mark.parametrize("loops", [1, 3])

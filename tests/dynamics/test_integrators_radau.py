@@ -80,6 +80,7 @@ def test_it_forgets_what_is_infinitely_fast():
 # order, accuracy
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("model", "span"),
     [(line(40.0, 0.5, at=1.3), 1.0), (mechanisms.double_pendulum(), 0.5), (swinging(200.0, 1.0), 1.0)],
@@ -93,6 +94,7 @@ def test_order_is_5(model, span):
         np.testing.assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 5.0, atol=0.35)
 
 
+@pytest.mark.slow
 def test_pendulum_against_elliptic_functions():
     times = np.linspace(0, 5, 251)
     k, w = math.sin(1.0), math.sqrt(G)
@@ -102,6 +104,7 @@ def test_pendulum_against_elliptic_functions():
     assert run.count("steps") < 1000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", [mechanisms.double_pendulum(), swinging(1e4, 50.0)], ids=["rigid", "stiff"])
 def test_errors_follow_the_tolerance(model):
     """h ~ rtol^(1/6), so the error is as rtol^(5/6) where the order is 5, as rtol^(2/3) where stiff parts reduce it to 4."""
@@ -114,6 +117,7 @@ def test_errors_follow_the_tolerance(model):
     assert 0.65 < slope < 0.95
 
 
+@pytest.mark.slow
 def test_andrews_as_by_series():
     tasks = {"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)}
     one, two = (
@@ -128,6 +132,7 @@ def test_andrews_as_by_series():
 # stiff
 
 
+@pytest.mark.slow
 def test_a_damped_oscillator_against_its_closed_form():
     """x = e^(-d t) (cos w t + d/w sin w t), d = c/2m, w^2 = k/m - d^2; its energy falls with it."""
     k, c, t = 400.0, 2.0, np.linspace(0, 3, 61)
@@ -140,6 +145,7 @@ def test_a_damped_oscillator_against_its_closed_form():
     np.testing.assert_allclose(run.energy.values, 0.5 * v**2 + 0.5 * k * x**2, atol=1e-7)
 
 
+@pytest.mark.slow
 def test_a_damper_that_forgets_at_once_costs_nothing():
     """m x'' + c x' + k x = 0 with c >> sqrt(k m): the slow root is all that is seen after the first moment."""
     k, c, t = 1e4, 1e6, np.linspace(0, 100, 51)
@@ -152,6 +158,7 @@ def test_a_damper_that_forgets_at_once_costs_nothing():
     assert run.count("steps") < 150
 
 
+@pytest.mark.slow
 def test_prothero_and_robinson():
     """m x'' + c x' + k (x - 1) = F with F such that x = 1 + sin(t)/10: the solution is smooth however stiff the bar is."""
     t, steps = np.linspace(0, 10, 101), []
@@ -241,6 +248,7 @@ def test_chunks_are_the_run(model):
         np.testing.assert_array_equal(getattr(whole, name), getattr(parts, name))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [1, 3])
 def test_singular_positions_are_passed_and_listed(loops):
     model = mechanisms.n_four_bar(loops=loops)
@@ -277,6 +285,7 @@ def tethered():
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", ["dense", "sparse"])
 def test_drives_redundant_bars_and_greens_strain(solver):
     one, two = (
@@ -287,6 +296,7 @@ def test_drives_redundant_bars_and_greens_strain(solver):
     np.testing.assert_allclose(two.motion.velocity.values, one.motion.velocity.values, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_membranes_of_small_elements():
     """A square membrane under its weight, held at its corners: the fastest vibration asks for most of the explicit steps."""
     n = 3
@@ -308,6 +318,7 @@ def test_membranes_of_small_elements():
     assert int(two.data.steps[-1]) < int(one.data.steps[-1])
 
 
+@pytest.mark.slow
 def test_a_cable_that_tightens():
     one, two = (
         kt.dynamics.simulate(tethered(), 1.0, samples=31, method=method)
@@ -316,6 +327,7 @@ def test_a_cable_that_tightens():
     np.testing.assert_allclose(two.motion.position.values, one.motion.position.values, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_files_hold_it(tmp_path):
     run = kt.Run(analysis="dynamics.simulate", t_end=1, method=Radau(rtol=1e-6, atol=1e-5, max_steps=1000))
     model = mechanisms.pendulum().with_(runs={"fall": run})

@@ -76,6 +76,7 @@ def test_jack_lifts_its_tube_and_the_load() -> None:
     np.testing.assert_allclose(forces.difference()["member_force"].values[:, 0], -12.0 * second, atol=1e-11)
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(st.integers(0, 10_000))
 def test_power_and_momentum_close_for_random_trusses(seed: int) -> None:
@@ -143,6 +144,7 @@ def test_redundant_bars_without_stiffness_share_by_least_norm() -> None:
     np.testing.assert_allclose(forces.member_force.values[0], np.linalg.pinv(u.T) @ [0, 1000.0], rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_moving_redundant_truss_balances_at_every_sample() -> None:
     """A braced square on a crank: redundant, in motion; nodes in balance and power closed."""
     s = 0.5

@@ -13,6 +13,7 @@ def lift(**sizes) -> kt.Model:
     return kt.library.mechanisms.stewart(platform_mass=12.0, **sizes)
 
 
+@pytest.mark.slow
 def test_legs_push_what_newton_and_euler_ask_for():
     """A platform that does not turn: the legs' pushes sum to m (a - g), and so do their moments."""
     model = lift()
@@ -32,6 +33,7 @@ def test_legs_push_what_newton_and_euler_ask_for():
     np.testing.assert_allclose(turning, 0.0, rtol=0, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_it_is_the_two_calls():
     model, path = lift(leg_mass=1.0), kt.Quintic(moves=MOVES | {"yaw": (0.0, 0.2)}, duration=0.4)
     one = kt.dynamics.inverse_along(model, path, platform=HEADS, samples=5)
@@ -43,6 +45,7 @@ def test_it_is_the_two_calls():
     np.testing.assert_array_equal(one.motion.drive_position.values, motion.drive_position.values)
 
 
+@pytest.mark.slow
 def test_targets_may_change_between_calls_of_one_model():
     """What is kept between calls belongs to its targets."""
     model = lift()
@@ -54,6 +57,7 @@ def test_targets_may_change_between_calls_of_one_model():
         assert kept.static is None
 
 
+@pytest.mark.slow
 def test_out_of_reach_is_told():
     with pytest.raises(kt.AnalysisError, match="good up to") as caught:
         kt.dynamics.inverse_along(

@@ -59,6 +59,7 @@ def condition_with_rows(eq, ws, x, v):
     return np.linalg.cond(D * scale[:, None] * scale)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @example(8636, 3, True, False)
 @given(st.integers(0, 10**6), st.sampled_from([2, 3]), st.booleans(), st.booleans())
@@ -85,6 +86,7 @@ def test_solvers_agree_on_random_trusses(seed, dim, massless, driven):
         assert np.abs(found[solver][1] - N).max(initial=0.0) < slack * size
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("dim", [2, 3])
 def test_second_derivative_of_rows_is_that_of_the_motion(solver, dim):
@@ -100,6 +102,7 @@ def test_second_derivative_of_rows_is_that_of_the_motion(solver, dim):
     assert off[0] > 6 * off[1] or off[0] < 1e-13
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", ["dense", "sparse"])
 @pytest.mark.parametrize("sized", [False, True])
 @pytest.mark.parametrize("seed", range(4))
@@ -120,6 +123,7 @@ def test_redundant_bars_share_as_in_inverse_dynamics(solver, sized, seed):
     assert np.abs(got - expected)[rigid].max() < 1e-8 * np.abs(expected).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_andrews_starts_as_published(solver):
     model = mechanisms.andrews()
@@ -134,6 +138,7 @@ def test_andrews_starts_as_published(solver):
     assert (d[0] * e[1] - d[1] * e[0]) / (d @ d) == pytest.approx(14222.44391995, rel=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_projection_closes_positions_and_velocities(solver):
     model, tasks, trajectory = truss(8, 3, massless=False, driven=True)
@@ -169,6 +174,7 @@ def _step(eq, ws, record, x, v, N, beta, gamma, f, g, a, P):
     tangent_solve(eq, record, f, g, a, P)
 
 
+@pytest.mark.slow
 def test_matrix_of_an_implicit_step_is_the_tangent():
     """M + beta K + gamma C against differences of the forces."""
     bars = {"ab": ("A", "B"), "bc": ("B", "C"), "s": {"ends": ("A", "C"), "kind": "elastic", "stiffness": 300.0, "damping": 4.0,
@@ -224,6 +230,7 @@ def _damper_part(eq, x, v):
     return out
 
 
+@pytest.mark.slow
 def test_large_structures_find_their_redundant_rows():
     """A long braced row of squares: sparse, with redundant bars found by pivots; against the dense solver."""
     model, tasks, trajectory = truss(1, 2, massless=False, driven=False, braced=True, length=105)
@@ -233,6 +240,7 @@ def test_large_structures_find_their_redundant_rows():
     assert residuals(eq, ws, 0.0, x, v, a, N) < 1e-11
 
 
+@pytest.mark.slow
 def test_chain_of_bays_in_all_solvers():
     model = vgt.double_octahedral(bays=2)
     tasks = {name: kt.Free() for name in model.all_drives}
@@ -246,6 +254,7 @@ def test_chain_of_bays_in_all_solvers():
         assert np.abs(N - found[0][1]).max() < 1e-11 * np.abs(N).max()
 
 
+@pytest.mark.slow
 def test_mass_times_is_symmetric_and_positive():
     model = vgt.double_octahedral(bays=1)
     system = compile(model)

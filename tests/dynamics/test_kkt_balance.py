@@ -40,6 +40,7 @@ def energy(eq, ws):
     return lambda x, v: kinetic(eq, ws, x, v) + potential(eq, x)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_two_rod_members_keep_energy_while_they_slide(seed):
     """Free actuators: masses that change with the lengths, their velocity terms and weights."""
@@ -101,6 +102,7 @@ def test_given_forces_push_as_they_say():
     assert rate(energy(eq, ws), x, v, a, 1e-6) == pytest.approx(0.02 * spin, rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "trajectory",
     [

@@ -30,6 +30,7 @@ def slope(law, L, **more):
     return values(law, L, c=0.0, **more)[1]
 
 
+@pytest.mark.slow
 @given(st.floats(0.1, 2.0), st.floats(-3.0, 3.0))
 def test_closed_forms(L, Ld):
     engineering = K * (L - L0) + C * Ld
@@ -86,6 +87,7 @@ def run(model):
     return motion, kt.dynamics.inverse(model, motion)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", KINDS)
 def test_inverse_dynamics(law):
     motion, forces = run(spring(law))
@@ -99,6 +101,7 @@ def test_inverse_dynamics(law):
     assert np.abs(forces.data["dissipation"].values - (N - still) * Ld).max() < 1e-12 * np.abs(N).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", KINDS)
 def test_energy_balance_and_virtual_work(law):
     """Power of the drive = rate of energy + dissipation, and the energy is the integral of the undamped tension."""
@@ -131,6 +134,7 @@ def test_damped_free_bar():
     assert float(abs(forces.data["energy_balance"]).max()) < 1e-12 * float(abs(forces.data["power"]).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", KINDS)
 def test_newton_and_euler_know_the_law(law):
     model = spring(law, mass=0.7)
@@ -143,6 +147,7 @@ def test_newton_and_euler_know_the_law(law):
     assert still.difference < 1e-11 * still.largest
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("law", "given_", "pretension"),
     [
@@ -167,6 +172,7 @@ def test_pretension_is_the_force_at_the_start(law, given_, pretension):
         assert system.spring[0] * system.natural[0] == pytest.approx(250.0, rel=1e-15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", KINDS)
 def test_stiffness_method_has_the_slope_of_the_law(law):
     """A small load moves a stretched spring by load over slope, on top of what the prestress does."""
@@ -214,6 +220,7 @@ def test_a_structure_that_only_a_slack_cable_holds_is_a_mechanism():
         kt.statics.linear(model.with_(bars={name: bar for name, bar in model.bars.items() if name != "left"}))
 
 
+@pytest.mark.slow
 def test_deflection_under_the_forces_of_a_motion():
     model = spring("green", natural_length=0.9, damping=0.0)
     _, forces = run(model)

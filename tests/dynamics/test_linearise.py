@@ -61,6 +61,7 @@ def test_frequencies_of_ten_bars(lumped):
     np.testing.assert_allclose(modal, np.diag(found.modal_mass.values), atol=1e-9 * modal.max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dofs", [None, "B1.y", "spring", "left.angle"])
 def test_rhombus_by_any_freedom(dofs):
     model = kt.library.mechanisms.rhombus_with_spring()
@@ -80,6 +81,7 @@ def test_small_swings_standing_and_hanging():
     np.testing.assert_allclose(sorted(up.poles.real), [-np.sqrt(square), np.sqrt(square)], rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_body_and_an_active_member_as_pendulums():
     """w^2 = m g c/J about the hinge, with the centre of mass below it at rest."""
     m, e, f, inertia = 2.0, 0.4, -0.3, 0.15
@@ -149,6 +151,7 @@ def value_of(system, one, x):
     return np.linalg.norm(d) if one.kind == "length" else np.arctan2(d[1], d[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dofs", [("B.x", "C.y"), ("one.angle", "spring"), ("one.angle", "two.angle")])
 def test_moving_state_against_differences_of_the_nonlinear_equations(dofs):
     model = swinging()
@@ -168,6 +171,7 @@ def test_moving_state_against_differences_of_the_nonlinear_equations(dofs):
         np.testing.assert_allclose(found.A.values[2:, k], slope, rtol=2e-7, atol=2e-6)
 
 
+@pytest.mark.slow
 def test_about_a_sample_of_a_motion():
     model = swinging()
     run = kt.dynamics.simulate(model, 0.6, samples=4)
@@ -259,6 +263,7 @@ def test_static_compliance_is_that_of_the_stiffness_method():
     np.testing.assert_allclose(found.frequency_response(0.0)[0, :, 0].values.real, wanted, rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_a_drive_let_go_pushes_with_what_holds_it():
     model = kt.library.vgt.double_octahedral(payload_mass=2.0, tip_force=(5.0, -3.0, 10.0))
     held = kt.statics.at_poses(model, [{}])
@@ -272,6 +277,7 @@ def test_a_drive_let_go_pushes_with_what_holds_it():
     np.testing.assert_allclose(lengths.frequency_squared, found.frequency_squared, rtol=1e-8)
 
 
+@pytest.mark.slow
 def test_equilibrium_under_given_forces_as_state():
     model = kt.library.vgt.double_octahedral(payload_mass=2.0, gravity=(0, 0, 9.81))
     pushes = dict(zip(("M7", "M9", "M11"), kt.statics.at_poses(model, [{}]).drive_force.values[0], strict=True))
@@ -316,6 +322,7 @@ def test_sums_as_inputs_and_outputs():
     assert found.input.values.tolist() == ["1.x", "1.y"] and found.output.values.tolist() == ["2.x'", "2.y'"]
 
 
+@pytest.mark.slow
 def test_refusals():
     model = swinging()
     at, moved = [node.at for node in model.nodes.values()], [[0, 0], [1, 1], [0, 0], [0, 0]]

@@ -37,6 +37,7 @@ def stiffness(length: float) -> float:
 SOFT = kt.Compliance(screw=SCREW, nut=NUT, base=BASE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("length", [0.8, 0.6])
 def test_a_mass_on_an_actuator(length):
     """w^2 = k/m with k of screw, nut, tube and base in series at the length of the state; it pulls with the weight."""
@@ -77,6 +78,7 @@ def test_two_actuators_under_a_mass():
     assert list(one.data.input.values) == ["left", "left'", "left''", "right"]
 
 
+@pytest.mark.slow
 def test_it_is_the_flexible_structure():
     """`flexible.frequencies` of the same structure with only its actuators elastic."""
     model = kt.library.vgt.double_octahedral(gravity=(0, 0, -9.81), payload_mass=5.0)

@@ -37,6 +37,7 @@ def expected(run, light):
     return np.stack([left, right, rod], axis=1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sag", "light"), [(1e-4, 1.0), (1e-3, 1e-3), (1e-4, 1e-3), (1e-2, 1e-6), (1e-3, 1e-6), (1e-3, 1e-8)])
 @pytest.mark.parametrize("method", [DOP853(), Taylor()])
 def test_forces_are_right_beside_a_singular_position(sag, light, method):
@@ -49,6 +50,7 @@ def test_forces_are_right_beside_a_singular_position(sag, light, method):
     assert "digits" not in run.message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sag", "light"), [(1e-3, 1e-3), (1e-4, 1.0), (2e-5, 1e3), (1e-5, 1e-4), (1e-3, 1e-8)])
 @pytest.mark.parametrize("solver", ["dense", "sparse"])
 @pytest.mark.parametrize("kind", [DOP853, Taylor])

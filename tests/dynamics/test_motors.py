@@ -90,6 +90,7 @@ ALONE = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALONE)
 def test_one_motor_pushes_as_its_drive_train_alone(name):
     train, history, push, duration = ALONE[name]
@@ -108,6 +109,7 @@ def test_one_motor_pushes_as_its_drive_train_alone(name):
     assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * np.abs(run.data.electrical_energy).max() + 1e-9
 
 
+@pytest.mark.slow
 def test_a_current_goes_on_by_its_winding_behind_both_limits():
     """Limited, then held at the largest speed, then released: L i' = U - R i - K w, with the slope of the samples."""
     train, U = LIMITED, SineInput(voltage=24.0, period=0.5)
@@ -122,6 +124,7 @@ def test_a_current_goes_on_by_its_winding_behind_both_limits():
     assert_allclose(np.gradient(current, t)[falling], slope[falling], atol=2e-3 * np.abs(slope).max())
 
 
+@pytest.mark.slow
 def test_run_up_of_a_frictionless_drive_in_closed_form():
     train = LACY.with_(screw=drives.SCREW_LACY_SPATIAL.with_(friction=0.0), motor=LACY.motor.with_(max_speed=None))
     motor, per_metre, U, push = train.motor, train.gear.ratio / train.screw.lead, 10.0, 60.0
@@ -133,6 +136,7 @@ def test_run_up_of_a_frictionless_drive_in_closed_form():
     assert_allclose(run.motion.length.sel(member="M"), 1 + speed * (t - tau * (1 - np.exp(-t / tau))), rtol=0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_torque_of_the_motor_is_an_input():
     current = 0.012 / LACY.motor.torque_constant
     for task, same in (
@@ -145,6 +149,7 @@ def test_torque_of_the_motor_is_an_input():
         assert first.motion.length.values[-1, 0] > 1.0001
 
 
+@pytest.mark.slow
 def test_a_self_locking_screw_holds_its_load_without_voltage():
     run = dynamics.simulate(line(LACY, 400.0), 1.0, samples=5, tasks={"M": StepInput(voltage=0.0)})
     assert_allclose(run.motion.length, 1.0, rtol=0, atol=1e-15)
@@ -152,6 +157,7 @@ def test_a_self_locking_screw_holds_its_load_without_voltage():
     assert not run.data.motor_direction.values.any()
 
 
+@pytest.mark.slow
 def test_a_start_that_moves():
     run = dynamics.simulate(
         line(LACY, 50.0), 0.5, samples=6, velocities={"B": (0.01, 0.0)}, tasks={"M": StepInput(voltage=2.0)}, method=EXACT
@@ -171,6 +177,7 @@ def moved():
     return targets, dynamics.simulate(bay(), 1.0, samples=101, tasks=tasks)
 
 
+@pytest.mark.slow
 def test_loops_bring_a_bay_to_a_pose(moved):
     targets, run = moved
     start = run.motion.length.sel(member=list(targets)).values[0]
@@ -181,6 +188,7 @@ def test_loops_bring_a_bay_to_a_pose(moved):
     assert run.status is Status.COMPLETED
 
 
+@pytest.mark.slow
 def test_inverse_dynamics_and_the_demand_give_the_inputs_back(moved):
     targets, run = moved
     names = list(targets)
@@ -193,6 +201,7 @@ def test_inverse_dynamics_and_the_demand_give_the_inputs_back(moved):
         assert_allclose(demand[name].values[moving], given[moving], rtol=0, atol=1e-8 * np.abs(given).max())
 
 
+@pytest.mark.slow
 def test_energy_of_motors_and_of_the_structure(moved):
     _, run = moved
     assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * run.data.electrical_energy.max()
@@ -204,6 +213,7 @@ def test_energy_of_motors_and_of_the_structure(moved):
     assert_allclose(energy - energy[0], work, rtol=0, atol=1e-8 * np.ptp(energy))
 
 
+@pytest.mark.slow
 def test_a_motor_beside_held_and_moving_drives():
     move = Quintic(moves={"M9": (1.1684, 1.17)}, duration=0.3)
     tasks = {"M7": StepInput(voltage=8.0), "M9": move, "M11": Hold()}
@@ -217,6 +227,7 @@ def test_a_motor_beside_held_and_moving_drives():
     assert_allclose(demand["voltage"].sel(active="M7").values[moving], given[moving], atol=1e-8 * np.abs(given).max())
 
 
+@pytest.mark.slow
 def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
     tasks = {"M7": PositionLoop(target=1.16, settling_time=0.3), "M9": SineInput(voltage=12.0, period=0.1)}
     times = np.linspace(0.0, 0.15, 41)
@@ -236,6 +247,7 @@ def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
         assert np.array_equal(joined, getattr(whole, name)), name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("again", [False, True])
 @pytest.mark.parametrize("rest", [1, 3])
 def test_the_last_step_may_begin_before_the_last_block(rest, again):
@@ -257,6 +269,7 @@ def test_the_last_step_may_begin_before_the_last_block(rest, again):
         assert np.array_equal(joined, getattr(whole, name)), name
 
 
+@pytest.mark.slow
 def test_a_prepared_run_starts_anew_each_time():
     ready = dynamics.prepare(line(LACY, 50.0), 0.3, tasks={"M": StepInput(voltage=8.0, end=0.1)})
     first, second, short = ready.run(0.3, samples=4), ready.run(0.3, samples=4), ready.run(0.2, samples=3)
@@ -264,6 +277,7 @@ def test_a_prepared_run_starts_anew_each_time():
     assert_allclose(short.position[-1], first.position[2], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_screw_too_heavy_for_its_rotor_stops_at_once():
     shaft = drive_model_of(LACY, "voltage").shaft
     heavy = 2 * shaft.inertia * shaft.speed / shaft.down
@@ -276,6 +290,7 @@ def test_a_screw_too_heavy_for_its_rotor_stops_at_once():
     assert_allclose(run.data.actuator_work.values[:, 0], run.data.kinetic_energy, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_events_record_and_stop():
     events = {"far": Event(length="M", value=1.005), "near": Event(coordinate="B.x", value=1.002, stop=False)}
     run = dynamics.simulate(line(LACY, 50.0), 1.0, samples=11, tasks={"M": StepInput(voltage=12.0)}, events=events)
@@ -285,12 +300,14 @@ def test_events_record_and_stop():
     assert_allclose(run.motion.time.values[-1], run.events[-1].time)
 
 
+@pytest.mark.slow
 def test_beyond_the_largest_speed_is_told():
     weak = STEEP.with_(motor=STEEP.motor.with_(max_speed=20.0, max_current=0.5))
     run = dynamics.simulate(line(weak, 600.0), 0.1, samples=11, tasks={"M": StepInput(voltage=0.0)})
     assert "beyond its largest speed (20 rad/s)" in run.message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", ["dense", "sweep", "sparse"])
 def test_three_bays_with_nine_motors_by_every_solver(solver):
     chain = vgt.double_octahedral(bays=3, screw=drives.SCREW_LACY_SPATIAL, gear=drives.GEAR_LACY, motor=drives.MOTOR_LACY)
@@ -304,6 +321,7 @@ def test_three_bays_with_nine_motors_by_every_solver(solver):
     assert off.max() < 1e-8 * 8.0
 
 
+@pytest.mark.slow
 def test_redundant_members_elsewhere_change_nothing():
     twin = bay().with_(bars=dict(bay().bars) | {"twin": bay().bars["M2"].with_(mass=0.0)})
     first, second = (
@@ -313,6 +331,7 @@ def test_redundant_members_elsewhere_change_nothing():
     assert_allclose(first.motion.length.sel(member="M7"), second.motion.length.sel(member="M7"), atol=1e-10)
 
 
+@pytest.mark.slow
 def test_slipping_screws_agree_with_the_drive_alone_and_with_their_own_equations():
     model = drive_model_of(LOSSY, "voltage")
     shaft, rng = model.shaft, np.random.default_rng(7)
@@ -333,6 +352,7 @@ def test_slipping_screws_agree_with_the_drive_alone_and_with_their_own_equations
         assert one[0] == one[2] == 0
 
 
+@pytest.mark.slow
 def test_what_cannot_be_simulated_is_refused():
     step = {"M": StepInput(voltage=1.0)}
     with pytest.raises(InputError, match="DOP853"):

@@ -51,6 +51,7 @@ def test_triangle_has_eleven_equations(triangle, time):
     assert (value["follower A x"], value["follower A y"]) == pytest.approx(tuple(reaction))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("time", [0.0, 0.25, 0.6])
 def test_bay_has_117_equations(slewed, time):
     model, motion, forces = slewed
@@ -65,6 +66,7 @@ def test_bay_has_117_equations(slewed, time):
     agrees(kt.dynamics.newton_euler(model, motion, forces.static, time=time))
 
 
+@pytest.mark.slow
 def test_against_the_oracle(slewed):
     """The tests' own 117 equations, which write the moments of active members in another way."""
     model, motion, forces = slewed
@@ -85,6 +87,7 @@ def test_motor_torque_and_rods_apart_in_the_plane():
     assert "motor torque" in system.unknowns
 
 
+@pytest.mark.slow
 def test_chain_and_tripod():
     chain = kt.library.vgt.double_octahedral(2, payload_mass=2.0)
     system = kt.dynamics.newton_euler(
@@ -117,6 +120,7 @@ def test_pushed_node_and_elastic_bar():
     agrees(system)
 
 
+@pytest.mark.slow
 def test_redundant_structure_is_not_determined_but_closes():
     model = kt.Model(
         nodes={"A": (0, 0), "B": (1, 0), "C": (1, 1), "D": (0, 1)}, fixed={"A": "xy", "B": "y"},
@@ -132,6 +136,7 @@ def test_redundant_structure_is_not_determined_but_closes():
     assert system.matrix @ system.solution == pytest.approx(system.right, abs=1e-10)
 
 
+@pytest.mark.slow
 def test_a_system_too_large_to_read_is_refused():
     chain = kt.library.vgt.double_octahedral(24)
     motion, forces = solved(chain, kt.library.vgt.slew(24, beta=(0, 0.01)), [0.0])

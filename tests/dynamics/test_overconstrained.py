@@ -91,6 +91,7 @@ LOOPS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LOOPS)
 def test_loops_keep_their_energy_for_seconds(name):
     model = LOOPS[name]()
@@ -104,6 +105,7 @@ def test_loops_keep_their_energy_for_seconds(name):
         assert length == pytest.approx(length[0], rel=1e-11)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("twist", "other", "angle", "rate"),
     [(0.7, 1.3, 1.0, 12.0), (0.3, 1.5, 2.0, -20.0), (0.5, 2.5, 0.3, 15.0), (1.2, 0.6, -2.0, 0.0)],
@@ -120,6 +122,7 @@ def test_bennett_obeys_the_equation_of_its_freedom(twist, other, angle, rate):
     assert np.ptp(turns) > (12 if rate else 0.5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "method", [kt.EnergyMomentum(step=1e-3), kt.GeneralizedAlpha(step=1e-3), kt.Radau()], ids=["midpoint", "alpha", "radau"]
 )
@@ -153,6 +156,7 @@ def test_what_is_off_the_loop_does_not_spoil_accelerations():
         assert np.abs(a - found[0]).max() < 100 * e * np.abs(found[0]).max()
 
 
+@pytest.mark.slow
 def test_angles_obey_their_closed_form():
     """Orthogonal loop of six: angles alternate and cos t + cos u + cos t cos u = 0; its energy over ten seconds."""
     model = mechanisms.bricard()
@@ -174,6 +178,7 @@ def test_self_stress_is_shared_whichever_rows_are_kept():
         assert math.fabs(float(force.sel(member=once).max())) > 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["bennett", "plane", "line", "six cranks"])
 def test_loops_asked_for_with_the_sparse_solver_get_the_one_that_chooses_rows_anew(name):
     run = kt.dynamics.simulate(LOOPS[name](), 2.0, samples=21, method=kt.DOP853(solver="sparse"))

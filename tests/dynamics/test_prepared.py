@@ -45,6 +45,7 @@ def same_forces(carried, forces, dim):
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [None, "pushed"])
 def test_many_turns_of_a_four_bar(case):
     model = four_bar()
@@ -76,6 +77,7 @@ def test_a_pose_out_of_reach_ends_both_alike():
     same_places(kt.prepare(model).follow(tilt), motion, 3)
 
 
+@pytest.mark.slow
 def test_a_platform_along_a_path():
     lift = kt.library.mechanisms.stewart(platform_mass=12.0)
     ready = kt.prepare(lift)
@@ -86,6 +88,7 @@ def test_a_platform_along_a_path():
         same_forces(ready.forces(places), kt.dynamics.inverse(lift, motion), 3)
 
 
+@pytest.mark.slow
 def test_drives_given_as_arrays():
     model = four_bar()
     ready = kt.prepare(model)

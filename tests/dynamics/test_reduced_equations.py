@@ -16,6 +16,7 @@ def test_andrews_starts_with_its_published_acceleration():
     assert abs(found.force.item() - 0.033) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dofs", [["B.x", "C.y"], ["one.angle", "two.angle"], ["B.y", "two.angle"]])
 def test_any_mix_of_coordinates_gives_the_same_accelerations(dofs):
     arms = kt.Model(
@@ -36,6 +37,7 @@ def test_any_mix_of_coordinates_gives_the_same_accelerations(dofs):
     assert abs(kinetic - float(let_go.data["kinetic_energy"][0])) < 1e-12
 
 
+@pytest.mark.slow
 def test_a_delta_has_its_closed_form_accelerations():
     model = mechanisms.delta()
     tasks = dict.fromkeys(model.all_drives, kt.Free())

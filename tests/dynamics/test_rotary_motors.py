@@ -93,6 +93,7 @@ def driven(model, duration, task, *, samples=26, method=EXACT, **more):
     return dynamics.simulate(model, duration, samples=samples, tasks={"turn": task}, method=method, **more)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MODELS)
 def test_run_up_of_a_disc_in_closed_form(name):
     run = driven(MODELS[name](gear=IDEAL, motor=MOTOR), 0.6, StepInput(voltage=12.0))
@@ -115,6 +116,7 @@ def test_run_up_of_a_disc_in_closed_form(name):
     assert_allclose(np.linalg.norm(run.motion.position.sel(node="A"), axis=1), ARM, atol=1e-13)
 
 
+@pytest.mark.slow
 def test_several_turns_are_counted_whatever_is_told():
     fast = driven(planar(gear=Gear(ratio=1.0), motor=MOTOR), 20.0, StepInput(voltage=12.0), samples=3, method=None)
     K = MOTOR.torque_constant
@@ -149,6 +151,7 @@ ALONE = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALONE)
 def test_one_motor_turns_as_its_drive_train_alone(name):
     gear, motor, amplifier, history, duration = ALONE[name]
@@ -201,6 +204,7 @@ def test_a_load_over_the_angle_and_limits_of_a_train_alone():
         DriveLoad(torque=1.0, torques=(1.0, 2.0), times=(0.0, 1.0))
 
 
+@pytest.mark.slow
 def test_a_geared_pendulum_against_its_own_equation():
     """(J + J_r n^2) q'' = n K i - m g l cos q, R i = U - K n q', integrated by other means."""
     n, K, R, U = IDEAL.ratio, MOTOR.torque_constant, MOTOR.resistance, 16.0
@@ -217,6 +221,7 @@ def test_a_geared_pendulum_against_its_own_equation():
     assert_allclose(run.data.motor_current.values[:, 0], (U - K * n * exact[1]) / R, rtol=0, atol=1e-7)
 
 
+@pytest.mark.slow
 def test_electrical_power_goes_to_copper_friction_gear_and_the_mass():
     run = driven(hanging(motor=RUBBING.with_(inductance=1e-3)), 2.0, SineInput(voltage=14.0, period=0.9), samples=401)
     data = run.data.sel(motor="turn")
@@ -234,6 +239,7 @@ def test_electrical_power_goes_to_copper_friction_gear_and_the_mass():
     assert_allclose(np.trapezoid(copper, run.data.time), float(data.copper_energy[-1]), rtol=2e-3)
 
 
+@pytest.mark.slow
 def test_a_loop_brings_a_hinge_to_an_angle_by_the_poles_asked_for():
     """Without friction the loop is w^2/(s^2 + 2 zeta w s + w^2) of the angle."""
     target, loop = 1.2, PositionLoop(target=1.2, settling_time=0.4)
@@ -244,6 +250,7 @@ def test_a_loop_brings_a_hinge_to_an_angle_by_the_poles_asked_for():
     assert_allclose(run.motion.drive_position.values[:, 0], exact, rtol=0, atol=1e-8)
 
 
+@pytest.mark.slow
 def test_a_worm_holds_its_load_and_another_gear_runs_back():
     held = driven(hanging(WORM), 0.5, StepInput(voltage=0.0), samples=6)
     assert_allclose(held.motion.drive_position, 0.0, atol=1e-15)
@@ -258,6 +265,7 @@ def test_a_worm_holds_its_load_and_another_gear_runs_back():
     assert not lossy.data.motor_direction.values.any()
 
 
+@pytest.mark.slow
 def test_a_worm_too_weak_for_what_drives_it_jams():
     heavy = 2 * (RUBBING.inertia + WORM.inertia) * WORM.ratio**2 / 0.1
     model = planar(gear=WORM, motor=RUBBING)
@@ -295,6 +303,7 @@ def moved():
     return model, start, wanted, dynamics.simulate(model, 0.8, samples=41, tasks=tasks)
 
 
+@pytest.mark.slow
 def test_loops_bring_a_robot_to_its_angles(moved):
     _, start, wanted, run = moved
     for name, value in wanted.items():
@@ -305,6 +314,7 @@ def test_loops_bring_a_robot_to_its_angles(moved):
     assert list(run.data.motor.values) == list(wanted)
 
 
+@pytest.mark.slow
 def test_the_demand_of_the_motion_is_what_the_motors_were_fed_with(moved):
     model, _, wanted, run = moved
     names = list(wanted)
@@ -319,6 +329,7 @@ def test_the_demand_of_the_motion_is_what_the_motors_were_fed_with(moved):
         assert_allclose(demand[name].values[moving], given[moving], rtol=0, atol=1e-7 * np.abs(given).max())
 
 
+@pytest.mark.slow
 def test_energy_of_the_robot_is_what_its_motors_work(moved):
     _, _, _, run = moved
     work = run.data.actuator_work.sum("motor").values
@@ -327,6 +338,7 @@ def test_energy_of_the_robot_is_what_its_motors_work(moved):
     assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * run.data.electrical_energy.max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", ["dense", "sparse"])
 def test_solvers_agree_on_two_geared_links(solver):
     model = Model(
@@ -347,6 +359,7 @@ def test_solvers_agree_on_two_geared_links(solver):
     assert moving.sum() > 40
 
 
+@pytest.mark.slow
 def test_an_angle_of_a_line_whose_length_changes():
     """The line of the driven angle is a spring: its row lacks 2 w l'/l, which inverse dynamics has from elsewhere."""
     spring = Bar(ends=("O", "A"), kind="elastic", stiffness=300.0, mass=0)
@@ -360,6 +373,7 @@ def test_an_angle_of_a_line_whose_length_changes():
     assert_allclose(energy - energy[0], work, rtol=0, atol=1e-8 * np.ptp(energy))
 
 
+@pytest.mark.slow
 def test_a_motor_turns_an_overconstrained_loop():
     """Bennett's four-bar: three rows depend on others where the loop is closed, and no bar holds the driven hinge."""
     model = mechanisms.bennett().with_(
@@ -375,6 +389,7 @@ def test_a_motor_turns_an_overconstrained_loop():
     assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * run.data.electrical_energy.max()
 
 
+@pytest.mark.slow
 def test_a_joint_takes_a_motor_at_its_hinge():
     corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
     box = Model(nodes=corners, bodies={"box": kt.Body(nodes=tuple(corners), mass=2.0)}, gravity=(0, 0, -G))
@@ -391,6 +406,7 @@ def test_a_joint_takes_a_motor_at_its_hinge():
         kt.library.joints.drive(slide, "slide", "push", motor=RUBBING)
 
 
+@pytest.mark.slow
 def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
     task = {"turn": PositionLoop(times=(0.0, 0.2), targets=(0.0, 9.0), settling_time=0.1)}
     times = np.linspace(0.0, 0.4, 41)
@@ -418,6 +434,7 @@ def test_a_torque_on_the_angle_is_behind_the_gear():
     assert_allclose(first.motion.drive_position.values[-1, 0], 0.5 * torque / J * 0.09, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_model_file_and_a_run_keep_motors_of_angles(tmp_path):
     tasks = {"turn": {"kind": "position_loop", "target": "400 deg", "settling_time": "0.2 s"}}
     model = hanging().with_(runs={"go": Run(analysis="dynamics.simulate", t_end=0.3, samples=7, tasks=tasks)})

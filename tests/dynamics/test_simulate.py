@@ -71,6 +71,7 @@ def test_instants_choose_what_is_told_not_how_it_is_stepped():
     np.testing.assert_array_equal(odd.motion.position[1], many.motion.position[500])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -170,6 +171,7 @@ def test_forces_are_watched_of_rigid_and_of_elastic_bars():
         simulate(damped, 1.0, events={"zero": kt.Event(force="spring", value=0.0)})
 
 
+@pytest.mark.slow
 def test_a_user_force_may_be_a_function_of_python_or_a_compiled_one():
     def drag(t, x, v):
         return {"A": -0.5 * v[1]}
@@ -194,6 +196,7 @@ def test_a_user_force_may_be_a_function_of_python_or_a_compiled_one():
         np.testing.assert_allclose(run.forces.energy_balance, 0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_user_force_that_raises_or_gives_no_number_ends_the_run_with_what_is_good():
     def trips(t, x, v):
         if t > 0.5:
@@ -242,6 +245,7 @@ def test_too_many_steps_end_the_run_with_a_mend():
     assert 0 < run.time[-1] < 100
 
 
+@pytest.mark.slow
 def test_a_stiff_bar_with_explicit_steps_names_the_method_to_use():
     stiff = pendulum(bars={"rod": kt.Bar(ends=("O", "A"), kind="elastic", stiffness=1e13)})
     run = simulate(stiff, 10.0, method=kt.DOP853(), raise_on_failure=False)
@@ -266,6 +270,7 @@ def test_energy_that_grows_without_a_cause_stops_the_run(method):
     assert simulate(pushed, 1.0, samples=11).status.ok
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "method",
     [kt.EnergyMomentum(1e-3), kt.GeneralizedAlpha(1e-3), kt.Radau(), kt.Rattle(1e-3), kt.DOP853(step=1e-2)],
@@ -279,6 +284,7 @@ def test_every_method_gives_the_same_records(method):
     assert two.data.attrs["method"] == method.kind
 
 
+@pytest.mark.slow
 def test_tasks_of_drives():
     model = thrown().with_(bars={"leg": kt.Bar(ends=("O", "A"), kind="driven")}, fixed={"O": "xy", "A": "y"})
     held = simulate(model, 1.0, samples=3)
@@ -376,6 +382,7 @@ FOUR = kt.Model(
 )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_force_that_raises_from_some_time_on_leaves_the_run_up_to_there():
     with pytest.raises(kt.AnalysisError, match="ZeroDivisionError") as caught:
         kt.dynamics.simulate(FOUR, 1.0, user_force=lambda t, x, v: 1 / 0 if t > 0.3 else {})
@@ -417,6 +424,7 @@ def test_a_node_without_mass_between_springs_is_told():
         kt.dynamics.simulate(model, 1.0)
 
 
+@pytest.mark.slow
 def test_velocities_of_some_nodes_take_the_others_along():
     model = kt.library.mechanisms.four_bar()
     turning = kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 5.0}, duration=0.1), samples=2).velocity

@@ -36,6 +36,7 @@ def off(run: kt.results.Simulation, loops: int, beside: float, rate: float) -> f
     return float(np.abs(at - np.stack([np.sin(angle), np.cos(angle)], axis=1)).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [1, 3, 10])
 @pytest.mark.parametrize("beside", [0.0, 1e-8, 1e-6, -1e-6, 1e-5, 1e-4, -1e-4, 3e-4, 1e-3])
 @pytest.mark.parametrize("rate", [0.0, 1e-3, 0.1, -0.1, 2.0])
@@ -46,6 +47,7 @@ def test_rows_of_four_bars_start_flat_or_nearly_flat(loops, beside, rate):
     assert off(run, loops, beside, rate) < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [1e-3, 0.1, -0.1, 1.0])
 def test_accelerations_and_forces_are_right_from_the_first_sample_on(rate):
     run = simulate(row(1, 0.0, rate), 0.1, times=[0.0, 0.03, 0.05, 0.1])
@@ -62,6 +64,7 @@ def test_accelerations_and_forces_are_right_from_the_first_sample_on(rate):
     np.testing.assert_allclose(run.forces.member_force[0], expected, atol=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [1e-3, 0.1, -0.1, 1.0])
 def test_where_forces_depend_on_time_the_start_is_left_by_what_lies_behind_it(rate):
     run = simulate(row(3, 0.0, rate), 2.0, samples=41, user_force=lambda t, x, v: {})
@@ -69,6 +72,7 @@ def test_where_forces_depend_on_time_the_start_is_left_by_what_lies_behind_it(ra
     assert off(run, 3, 0.0, rate) < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [kt.EnergyMomentum(step=2e-4), kt.GeneralizedAlpha(step=2e-4), kt.Rattle(step=2e-4)])
 def test_steps_of_fixed_size_leave_a_flat_start_that_moves(method):
     run = simulate(row(3, 0.0, 1.0), 0.5, samples=6, method=method)
@@ -83,6 +87,7 @@ def test_a_run_that_ends_within_the_first_stretch():
     assert off(run, 3, 0.0, 0.1) < 1e-9
 
 
+@pytest.mark.slow
 def test_at_rest_it_is_said_which_freedoms_meet_and_how_to_choose():
     run = simulate(row(2, 0.0, 0.0), 1.0, samples=11)
     assert run.status is Status.COMPLETED
@@ -126,6 +131,7 @@ def flat(fixed: tuple[str, ...], **fields: object) -> kt.Model:
     return kt.Model(nodes=at, bars=bars, fixed=fixed, **fields)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [None, kt.EnergyMomentum(step=1e-3), kt.Radau(), kt.Rattle(step=1e-3)])
 def test_a_flat_arrangement_let_go_is_told_as_stiff_to_second_order_only(method):
     run = simulate(flat(("A",), gravity=(0.3, 0, -9.81)), 1.0, method=method, raise_on_failure=False)
@@ -134,6 +140,7 @@ def test_a_flat_arrangement_let_go_is_told_as_stiff_to_second_order_only(method)
     assert "Connect a node outside the plane by bars, or add a support." in run.message
 
 
+@pytest.mark.slow
 def test_nothing_of_the_kind_is_said_of_loops_that_move_against_their_count():
     for model in (mechanisms.bennett(), mechanisms.bricard(), row(3, 0.3, 0.0)):
         assert "second order" not in simulate(model, 0.05, samples=3).message

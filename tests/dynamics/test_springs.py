@@ -19,6 +19,7 @@ METHODS = [(kt.DOP853(), 1e-8), (kt.Radau(), 1e-6)]
 METHODS += [(method(step=1e-3), 3e-5) for method in (kt.GeneralizedAlpha, kt.EnergyMomentum, kt.Rattle)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("method", "off"), METHODS, ids=lambda one: getattr(one, "kind", None))
 def test_torsional_pendulum_swings_at_its_frequency(method, off):
     run = kt.dynamics.simulate(pendulum(), 3.0, method=method, samples=61)
@@ -26,6 +27,7 @@ def test_torsional_pendulum_swings_at_its_frequency(method, off):
     assert angle(run.motion) == pytest.approx(wanted, abs=off)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [0.02, 0.01])
 def test_second_order_of_the_implicit_methods(step):
     """Half the step: a quarter of the error."""
@@ -36,6 +38,7 @@ def test_second_order_of_the_implicit_methods(step):
     assert error[step] / error[step / 2] == pytest.approx(4.0, rel=0.03)
 
 
+@pytest.mark.slow
 def test_large_swing_by_quadrature():
     """t = int d theta/sqrt(2 (V(theta_0) - V(theta))/I), V of spring and weight."""
     start, g = 2.5, 9.81
@@ -51,6 +54,7 @@ def test_large_swing_by_quadrature():
         assert quad(pace, 0, np.sqrt(start - theta), args=(theta,), epsabs=1e-13, epsrel=1e-13)[0] == pytest.approx(t, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_damped_oscillation():
     """theta = e^(-d t) (cos(w t) + d/w sin(w t)), d = c/(2 I)."""
     c = 4.0
@@ -107,6 +111,7 @@ def test_energy_of_a_table_is_the_integral_of_its_force():
     assert (np.diff(found.force[:, 0]) <= 1e-12).all()
 
 
+@pytest.mark.slow
 def test_forces_of_inverse_and_forward_dynamics_agree():
     model = two_links()
     run = kt.dynamics.simulate(model, 2.0, samples=41)
@@ -139,6 +144,7 @@ def test_the_law_of_every_spring():
     assert run.forces.spring_value.sel(spring="root").values == pytest.approx(theta[0], abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "method", [kt.Radau(), kt.EnergyMomentum(step=1e-3), kt.GeneralizedAlpha(step=1e-3)], ids=lambda m: m.kind
 )
@@ -156,6 +162,7 @@ LAWS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_a_spring_about_a_moving_axis_keeps_energy_and_momenta(law):
     """Energy-momentum steps keep the momenta to round-off and, on this angle, the energy to the order of the step."""
@@ -171,6 +178,7 @@ def test_a_spring_about_a_moving_axis_keeps_energy_and_momenta(law):
     assert np.abs(run.motion.position.values - exact.motion.position.values).max() < 0.02
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_springs_in_the_plane_keep_the_energy_in_long_steps(law):
     """Two links whose hinges have springs: energy to round-off with 20 steps a swing."""
@@ -180,6 +188,7 @@ def test_springs_in_the_plane_keep_the_energy_in_long_steps(law):
     assert np.ptp(run.energy.values) < 1e-10 * np.abs(run.kinetic_energy.values).max()
 
 
+@pytest.mark.slow
 def test_a_stiff_chain_of_links_in_long_steps():
     """Bending waves a hundred times faster than the step: the slow swing stays, the energy too."""
     h = 1.0 / 30
@@ -196,6 +205,7 @@ def test_a_stiff_chain_of_links_in_long_steps():
     assert np.abs(run.motion.position.sel(node="N30", axis="y").values - exact).max() < 0.05
 
 
+@pytest.mark.slow
 def test_a_spring_beside_a_drive_in_space_takes_its_moment():
     """Torques of the elbow with and without the spring differ by its law; the rest of the drives' do not."""
     arm = Arm()
@@ -217,6 +227,7 @@ def test_a_spring_beside_a_drive_in_space_takes_its_moment():
         assert found.matrix @ found.product == pytest.approx(found.right, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_bars_and_nodes_are_in_balance():
     model = two_links()
     run = kt.dynamics.simulate(model, 1.0, samples=11)
@@ -327,6 +338,7 @@ def test_a_wide_swing_told_by_few_samples_is_none_beyond_half_a_turn():
     assert run.status.ok
 
 
+@pytest.mark.slow
 def test_prepared_models_and_runs_have_the_springs():
     model = pendulum(0.5, damping=0.3, friction=0.2).with_(drives={"d": kt.HingeDrive(axis="O", start="G", end="P")})
     moves = kt.Quintic(moves={"d": (0.5, 1.0)}, duration=1.0)
@@ -338,6 +350,7 @@ def test_prepared_models_and_runs_have_the_springs():
     assert np.arctan2(swung[1], swung[0]) == pytest.approx(np.cos(2.0 * np.sqrt(STIFFNESS / INERTIA)), abs=1e-8)
 
 
+@pytest.mark.slow
 def test_a_run_keeps_the_springs(tmp_path):
     model = pendulum(0.5).with_(
         drives={"d": kt.HingeDrive(axis="O", start="G", end="P")},

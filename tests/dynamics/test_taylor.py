@@ -70,6 +70,7 @@ def test_a_throw_is_a_polynomial_and_takes_one_step():
     assert int(run.steps[-1]) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8, 1e-10, 1e-12])
 def test_a_pendulum_against_elliptic_functions(rtol):
     k, w = math.sin(2.5 / 2), math.sqrt(9.81)
@@ -81,6 +82,7 @@ def test_a_pendulum_against_elliptic_functions(rtol):
     assert np.abs(run.forces.member_force[:, 0] - rate**2 - 9.81 * np.cos(theta)).max() < 6000 * rtol
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("order", "fewest"), [(4, 32), (6, 16), (8, 12), (10, 8)])
 def test_the_error_falls_with_the_order_of_the_series(order, fewest):
     model, steps = mechanisms.pendulum(angle=2.0), fewest * np.array([1.0, 1.5, 2.0])
@@ -95,6 +97,7 @@ def test_the_error_falls_with_the_order_of_the_series(order, fewest):
     assert -np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(order, abs=0.4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "bar",
     [{"stiffness": 400.0}, {"stiffness": 400.0, "damping": 6.0}, {"stiffness": 400.0, "strain": "green"},
@@ -108,6 +111,7 @@ def test_elastic_and_damped_bars(bar):
         assert float(np.abs(energy - energy[0]).max()) < 1e-11 * float(run.kinetic_energy.max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "trajectory",
     [
@@ -134,6 +138,7 @@ def test_supports_that_move():
     assert place < 1e-10 and force < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changes", "tasks"),
     [
@@ -149,11 +154,13 @@ def test_forces_in_time(changes, tasks):
     assert place < 1e-10 and force < 1e-9
 
 
+@pytest.mark.slow
 def test_the_mechanism_of_andrews():
     place, force, _ = off(mechanisms.andrews(), 0.03, tasks={"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)})
     assert place < 1e-10 and force < 1e-7
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loops", [1, 2, 10])
 @pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-12])
 def test_a_series_goes_through_singular_positions(loops, rtol):
@@ -169,6 +176,7 @@ def test_a_series_goes_through_singular_positions(loops, rtol):
     np.testing.assert_allclose([one.time for one in run.passages], when, atol=1e-4 + 1000 * rtol)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(
     st.lists(st.tuples(st.floats(0.3, 1.5), st.floats(0.2, 3.0), st.floats(-3, 3), st.floats(0.5, 3)), min_size=2, max_size=5),

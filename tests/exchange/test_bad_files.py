@@ -71,6 +71,7 @@ CASES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "text", "message"), CASES, ids=range(len(CASES)))
 def test_faults_of_robots(tmp_path, name, text, message):
     path = tmp_path / name
@@ -118,6 +119,7 @@ def test_faults_of_graphs(tmp_path, text, message):
         kt.exchange.read(tmp_path / "g.json")
 
 
+@pytest.mark.slow
 def test_import_writes_a_whole_model_or_nothing(tmp_path):
     out = tmp_path / "model.yaml"
     run = CliRunner()
@@ -191,6 +193,7 @@ def damaged(data: bytes, chance: random.Random) -> bytes:
     return data[:spot] + chance.choice(words) + data[spot + 1 :]
 
 
+@pytest.mark.slow
 def test_damaged_files_give_models_or_errors_of_kinetruss(tmp_path):
     chance = random.Random(1)
     files = originals(tmp_path)

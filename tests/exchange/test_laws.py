@@ -52,6 +52,7 @@ def agree(found, wanted, tolerance=1e-10):
     np.testing.assert_allclose(found, wanted, rtol=0, atol=tolerance * np.abs(wanted).max())
 
 
+@pytest.mark.slow
 def test_couplings_springs_and_tendons_against_mujoco(tmp_path):
     path = geared(tmp_path)
     found = kt.exchange.read(path)
@@ -88,6 +89,7 @@ def gripper(folder: Path) -> Path:
 MIMICS = [("left", "drive", 6.0, 0.2), ("right", "left", -1.0, 0.0)]
 
 
+@pytest.mark.slow
 def test_joints_that_follow_others_against_pinocchio(tmp_path):
     """Axes that are negative or no unit vectors, and inertias with products about turned axes, count too."""
     path = gripper(tmp_path)
@@ -116,6 +118,7 @@ def test_faults_of_followers(tmp_path, old, new, message):
         kt.exchange.read(path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
@@ -178,6 +181,7 @@ def piston(dim: int) -> kt.Model:
     return model.with_(drives={"motor": kt.AngleDrive("crank") if dim == 2 else kt.CoordinateDrive(node="Q", axis="x")})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("make", "step", "lost"),
     [(four_bar, 0.3, set()), (lambda: piston(2), 0.5, set()), (lambda: piston(3), 0.07, {"mass"})],
@@ -210,6 +214,7 @@ def test_what_follows_in_urdf(tmp_path):
     agree(again, force)
 
 
+@pytest.mark.slow
 def test_tendons_of_a_hexapod_come_back(tmp_path):
     model = kt.library.mechanisms.stewart(platform_mass=12.0)
     legs = [f"leg{k}" for k in range(1, 7)]

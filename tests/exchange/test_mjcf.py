@@ -120,6 +120,7 @@ def written(folder: Path, before: str, world: str, after: str, drives: tuple[str
     return path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MOVING)
 def test_motion_against_mujoco(tmp_path, name):
     """Inertia, bias, springs and dampers: torques along random motions with speed and acceleration."""
@@ -145,6 +146,7 @@ TWO = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bodies", ['body1="a" body2="b"', 'body1="b"'])
 @pytest.mark.parametrize(
     "condition",
@@ -251,6 +253,7 @@ LISTED = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_what_is_not_at_its_default_is_listed_with_its_place(tmp_path):
     arm = '<body name="a">\n<joint name="j" axis="0 1 0" {}/>\n<geom size=".1" contype="0"/>{}</body>'
     other = '<body name="b"><joint name="k" axis="0 1 0"/><geom size=".1" contype="0" conaffinity="0"/></body>'
@@ -265,6 +268,7 @@ def test_what_is_not_at_its_default_is_listed_with_its_place(tmp_path):
         assert place[0].startswith(f"{path}:"), what
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("before", "joint", "mass", "after", "place"),
     [
@@ -324,6 +328,7 @@ def test_a_model_at_its_defaults_lists_nothing(tmp_path):
     assert {one.what for one in found.left_out} == {"geom"}
 
 
+@pytest.mark.slow
 def test_motors_that_are_switched_off_drive_nothing(tmp_path):
     actuators = '<actuator><motor joint="j" group="2"/><motor joint="k"/></actuator>'
     path = written(tmp_path, '<option actuatorgroupdisable="2"/>', ARM.format(j="", k="", x=""), actuators)
@@ -335,6 +340,7 @@ def test_motors_that_are_switched_off_drive_nothing(tmp_path):
     assert [one.what for one in robot.left_out if "off" in one.why] == ["motor", "motor"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flag", ["equality", "constraint"])
 def test_conditions_that_flags_switch_off(tmp_path, flag):
     after = '<equality><joint joint1="j" joint2="k"/><connect body1="b" anchor="0 0 0"/></equality>'
@@ -346,6 +352,7 @@ def test_conditions_that_flags_switch_off(tmp_path, flag):
     assert {one.what for one in robot.left_out if "flag" in one.why} == {"joint equality", "connect"}
 
 
+@pytest.mark.slow
 def test_files_of_meshes_that_are_not_there(tmp_path):
     """Named if a mass needs them; otherwise said, and read without."""
     mesh = '<asset><mesh name="m" file="gone.stl"/></asset><compiler meshdir="parts"/>'
@@ -361,6 +368,7 @@ def test_files_of_meshes_that_are_not_there(tmp_path):
     assert any("gone.stl" in note for note in found.notes)
 
 
+@pytest.mark.slow
 def test_the_process_has_limits(tmp_path, monkeypatch):
     copies = '<replicate count="4000"><replicate count="4000"><body><joint/><geom size=".1"/></body></replicate></replicate>'
     path = written(tmp_path, "", copies, "")

@@ -38,6 +38,7 @@ def agree(found, wanted, tolerance=1e-10):
     np.testing.assert_allclose(found, wanted, rtol=0, atol=tolerance * np.abs(wanted).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("make", "moves"),
     [
@@ -68,6 +69,7 @@ def test_inverse_dynamics_of_what_is_written(tmp_path, make, moves):
         agree(again, found)
 
 
+@pytest.mark.slow
 def test_masses_and_places_in_mujoco(tmp_path):
     model = kt.exchange.read(DATA / "parallel.xml").model
     written = kt.exchange.write(model, tmp_path / "arms.xml")
@@ -120,6 +122,7 @@ def test_dxf_and_back(tmp_path):
         assert (back.bars[name].kind == "driven") == (name in model.driven_members)
 
 
+@pytest.mark.slow
 def test_vtu_and_pvd_of_a_run(tmp_path):
     model = tripod(5)
     run = runs.run(model, out=tmp_path / "run")

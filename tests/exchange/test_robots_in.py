@@ -35,6 +35,7 @@ def test_five_bar_against_pinocchio():
     against(tree, found.model, {"motor_left": (0.0, -0.5), "motor_right": (0.0, 0.6)})
 
 
+@pytest.mark.slow
 def test_three_arms_against_mujoco():
     found = kt.exchange.read(DATA / "parallel.xml")
     tree = MujocoTree(DATA / "parallel.xml", ["motor1", "motor2", "motor3"])
@@ -55,6 +56,7 @@ WRIST = """<mujoco model="wrist"><compiler angle="radian" eulerseq="xyz"/><world
 </worldbody><actuator><motor joint="j0"/><motor joint="a"/><motor joint="b"/><motor joint="c"/></actuator></mujoco>"""
 
 
+@pytest.mark.slow
 def test_crossing_axes_and_shapes(tmp_path):
     """A wrist of three axes through one point, with bodies without mass between; a value that is not 0 where it is drawn."""
     path = tmp_path / "wrist.xml"
@@ -89,6 +91,7 @@ def hexapod(path: Path) -> None:
     )
 
 
+@pytest.mark.slow
 def test_sliders_against_mujoco(tmp_path):
     path = tmp_path / "hexapod.xml"
     hexapod(path)
@@ -111,6 +114,7 @@ ROD = """<mujoco><worldbody>
 <actuator><motor joint="m"/></actuator></mujoco>"""
 
 
+@pytest.mark.slow
 def test_a_rod_between_two_balls_does_not_spin(tmp_path):
     """Its turning about its line is left out and named; kinetic energy of the rest as of a rod."""
     path = tmp_path / "rod.xml"
@@ -166,6 +170,7 @@ def test_loops_that_are_open_where_they_are_drawn():
     assert np.linalg.norm(tip - end) > 0.05
 
 
+@pytest.mark.slow
 def test_a_pose_of_mjcf_leaves_the_anchors_where_the_file_has_them():
     """`connect` defines its second anchor in the pose of the file, not in the one that is asked for."""
     found = kt.exchange.read(DATA / "parallel.xml", at={"motor1": 0.3})

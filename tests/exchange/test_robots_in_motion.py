@@ -95,6 +95,7 @@ def along(path: Path, moves: dict[str, tuple[float, float]], leads: dict[str, di
     np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-9 * np.abs(wanted).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ROBOTS)
 @pytest.mark.parametrize("seed", [1, 2])
 def test_torques_of_trees(tmp_path, name, seed):

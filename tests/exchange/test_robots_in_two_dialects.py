@@ -28,6 +28,7 @@ def moved(found, steps):
     return kt.dynamics.inverse(found.model, motion).drive_force.sel(drive=names).values, given
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ROBOTS)
 @pytest.mark.parametrize("dialect", ["mjcf", "urdf"])
 def test_inverse_dynamics_against_minimal_coordinates(tmp_path, name, dialect):
@@ -50,6 +51,7 @@ def test_inverse_dynamics_against_minimal_coordinates(tmp_path, name, dialect):
     np.testing.assert_allclose(force, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["delta", "three_rrr", "leg"])
 def test_robots_return_from_mjcf(tmp_path, name):
     """With the friction of joints, and rotors as wheels that are coupled to them."""
@@ -77,6 +79,7 @@ GEARED = """<mujoco><compiler angle="radian"/><worldbody><body name="a">
 <actuator><motor name="m" joint="j" gear="{gear}" ctrlrange="-1 1"/></actuator></mujoco>"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("gear", "ratio"), [("20 0 0", 20.0), ("-20", None), ("20 1", 20.0), ("0", None)])
 def test_gears_of_hinges(tmp_path, gear, ratio):
     path = tmp_path / "geared.xml"
@@ -94,6 +97,7 @@ def test_gears_of_hinges(tmp_path, gear, ratio):
     assert kt.exchange.read(urdf.files[0], closures=urdf.files[1]).model.springs["j.spring"].friction == 2.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word", ["frictionloss", "armature", "damping"])
 def test_laws_below_zero_are_faults(tmp_path, word):
     path = tmp_path / "geared.xml"

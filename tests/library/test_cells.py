@@ -88,6 +88,7 @@ def test_a_cell_and_its_mirror_image_are_symmetric_about_the_face_between():
     assert high == pytest.approx(low * [1, 1, -1] + [0, 0, 1.4], abs=1e-14)
 
 
+@pytest.mark.slow
 def test_a_bay_on_its_head_keeps_its_pose():
     """Its own top has no battens: links take their place. The bay is its own mirror image, so the top is where it was."""
     battens = {f"batten{k}": (f"B2.N{k}", f"B2.N{k % 3 + 1}") for k in (1, 2, 3)}
@@ -225,6 +226,7 @@ def test_members_on_a_face_belong_to_the_lower_cell_and_masses_add():
     assert kt.kinematics.mobility(model).undriven == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "model",
     [

@@ -129,6 +129,7 @@ def test_virtual_work_of_the_wind(tower):
         assert added.sel(drive=drive).item() == pytest.approx(-wind @ column, rel=1e-9), drive
 
 
+@pytest.mark.slow
 def test_the_page_says_what_the_tower_does(tower):
     model, forces, found = tower
     bent = kt.statics.deflection(model, forces).displacement.isel(time=0).sel(node=["B8.N4", "B8.N5", "B8.N6"], axis="y")

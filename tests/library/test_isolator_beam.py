@@ -91,6 +91,7 @@ def test_beam_and_isolator_by_modes_of_the_clamped_beam(model):
         assert min(abs(one * 2 * np.pi / f - 1) for one in even) < 2e-3
 
 
+@pytest.mark.slow
 def test_feedback_of_the_plate_damps_the_beam(model):
     """Each leg acts against the rate of the corner over against it: no pole gets unstable, and the first mode is damped."""
     rest = kt.statics.equilibrium(model)

@@ -59,6 +59,7 @@ def test_lengths_of_the_end_dock(docked, held):
     assert np.linalg.norm(level[:2]) < 1e-6 * abs(level[2])
 
 
+@pytest.mark.slow
 def test_docking_keeps_strokes_and_takes_the_least_change(docked):
     """All drives stay 10 mm from the ends of their strokes; with a drive held, or another objective, lengths change by more."""
     model, task, motion = docked
@@ -73,6 +74,7 @@ def test_docking_keeps_strokes_and_takes_the_least_change(docked):
         assert np.linalg.norm(again.values[-1] - lengths.values[0]) > np.linalg.norm(change)
 
 
+@pytest.mark.slow
 def test_a_push_on_the_docked_tool_is_held_by_the_base(docked):
     model, _, motion = docked
     rest = kt.statics.at_poses(model, motion.position.values[-1:], load_case="latching")

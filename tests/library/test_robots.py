@@ -33,6 +33,7 @@ def test_counts_of_the_paper():
     assert counts(mechanisms.robot()) == (53, 63, 7, 51, 5)
 
 
+@pytest.mark.slow
 @given(at=PLACE)
 @settings(max_examples=20)
 def test_delta_keeps_its_bars_wherever_the_platform_stands(at):

@@ -102,6 +102,7 @@ def test_supports_bear_the_weight_and_the_loads(followed):
         np.testing.assert_allclose(sum(crossed(at, value) for at, value in got), -turn, atol=1e-8 * scale, rtol=0)
 
 
+@pytest.mark.slow
 def test_drives_do_the_work_of_lifting(followed):
     """Virtual work in the large: work of the drives = - work of weight and loads, between rest and rest."""
     name, model, motion, forces, case = followed

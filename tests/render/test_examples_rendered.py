@@ -6,6 +6,8 @@ from PIL import Image
 from kinetruss import runs, viewer
 from shipped import RUNS, stored
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize(("name", "run"), RUNS, ids=lambda one: one)
 def test_render(name, run, tmp_path):

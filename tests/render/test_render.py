@@ -26,6 +26,8 @@ from kinetruss.viewer.films.solids import box
 from kinetruss.viewer.films.stage import _drawing
 from samples import fourbar
 
+pytestmark = pytest.mark.slow
+
 SIZE = (480, 360)
 FFMPEG = re.compile(
     r"Duration: 00:00:(?P<seconds>[\d.]+).*?Video: (?P<codec>\w+).*?, (?P<pixels>\w+)\(.*?"

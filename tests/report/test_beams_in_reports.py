@@ -21,6 +21,7 @@ from reference.plane_frame import solve
 from samples import fourbar
 
 
+@pytest.mark.slow
 def test_a_clamp_has_the_force_and_moment_of_the_stiffness_method():
     found = {one["support"]: one for one in report.document_page(kt.run(portal(), "load")).record["reactions"]}
     A, I = SIDE**2, SIDE**4 / 12
@@ -43,6 +44,7 @@ def test_a_clamp_in_space_has_three_moments():
     assert [one["moment"][axis] for axis in "xyz"] == pytest.approx([0.0, -200.0, -60.0], abs=1e-6)
 
 
+@pytest.mark.slow
 def test_frames_of_beams_are_no_parts_of_the_structure():
     page = report.document_page(kt.run(portal(), "load"))
     text = re.sub(r"<(script|pre)\b.*?</\1>", "", page.html, flags=re.DOTALL)
@@ -67,6 +69,7 @@ def leaf(force: float) -> kt.runs.RunResult:
     return kt.run(model, "bend")
 
 
+@pytest.mark.slow
 def test_the_figure_draws_beams_along_their_bent_axes():
     run = leaf(6.0)
     figure = loaded(run, report.document_page(run).record)
@@ -81,6 +84,7 @@ def test_the_figure_draws_beams_along_their_bent_axes():
     assert bow == pytest.approx(kappa * 0.1**2 / 8, rel=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("force", "over"), [(3.0, False), (12.0, True)])
 def test_the_governing_member_is_red_only_over_its_capacity(force, over):
     run = leaf(force)
@@ -94,6 +98,7 @@ def test_the_governing_member_is_red_only_over_its_capacity(force, over):
     assert ("in red" in figure.caption or "red, over" in figure.caption) is over
 
 
+@pytest.mark.slow
 def test_a_driven_member_that_governs_stays_green():
     run = kt.run(fourbar(), "turn")
     figure = loaded(run, report.document_page(run).record)
@@ -103,6 +108,7 @@ def test_a_driven_member_that_governs_stays_green():
     assert {to_hex(pen) for pen in colours} == {DRIVEN, HALO}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("analysis", ["statics.linear", "statics.equilibrium"])
 def test_a_mesh_has_its_highest_stress(analysis):
     plate = kt.library.meshes.rectangle(width=2.0, height=0.5, columns=8, rows=2, six_nodes=True)

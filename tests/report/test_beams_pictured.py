@@ -30,6 +30,7 @@ def model() -> kt.Model:
     )
 
 
+@pytest.mark.slow
 def test_drawings_and_figures_have_beams_and_no_frames(tmp_path):
     run = kt.run(model(), "here")
     for what in (model(), run):

@@ -48,6 +48,7 @@ def turned():
     return list(runs.run_variants(model, {LIFT: ["1 s", "2"]}).values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TURNING)
 def test_torque_and_rate_of_a_geared_angle_with_what_holds_it(turned, slow_and_fast, name):
     (panel,) = specification(turned, name).panels
@@ -60,6 +61,7 @@ def test_torque_and_rate_of_a_geared_angle_with_what_holds_it(turned, slow_and_f
         curves(slow_and_fast[0], name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*(name for name in QUANTITIES if name not in (*TURNING, *ELASTIC)), *ALIASES, *BUNDLES])
 def test_every_name_shows_something_with_a_unit(slow_and_fast, let_go, name):
     told = {*SIMULATION, *(bundle for bundle, names in BUNDLES.items() if {*names} & {*SIMULATION})}
@@ -151,6 +153,7 @@ def test_runs_are_told_apart_by_what_was_set(slow_and_fast):
     assert figure.title == "Largest von Mises stress over the section: LA.tube"
 
 
+@pytest.mark.slow
 def test_runs_are_told_apart_by_their_models_or_else_by_their_folders(tmp_path):
     made = [runs.run(tripod(5, gravity=(0, 0, g)), out=tmp_path / f"g{k}") for k, g in enumerate((-9.81, -1.62))]
     assert run_labels(made) == ["2 -9.81", "2 -1.62"] or run_labels(made) == ["gravity.2 -9.81", "gravity.2 -1.62"]
@@ -217,6 +220,7 @@ def test_names_told_once_in_the_legend(slow_and_fast):
     assert legends[1] is legends[2] is None
 
 
+@pytest.mark.slow
 def test_long_names_are_not_cut():
     from kinetruss.report.pictures.draw import draw
 

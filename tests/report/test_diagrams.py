@@ -70,6 +70,7 @@ def test_a_peak_between_stations_is_found():
     assert peak["largest_at"] == pytest.approx(x - 0.37, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_governing_members_have_their_own_instants():
     run = kt.run(tripod(), "lift")
     record = report.document_page(run).record
@@ -87,6 +88,7 @@ def test_governing_members_have_their_own_instants():
     assert {row["part"] for row in record["diagrams"]} == {one.along.part for one in members}
 
 
+@pytest.mark.slow
 def test_round_off_is_zero_and_left_out(frame):
     truss = kt.Model(
         nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0.3)}, fixed=["A", "B"], bars={"s": kt.Bar(ends=("A", "C"), mass=0.0),
@@ -100,6 +102,7 @@ def test_round_off_is_zero_and_left_out(frame):
     assert len(drawn(members).axes) == len(members)
 
 
+@pytest.mark.slow
 def test_the_command_draws_diagrams_and_tells_their_values(frame, tmp_path):
     kt.run(portal(), "load", out=tmp_path / "run")
     asked = ["--along", "--member", "top1", "-o", str(tmp_path / "d.svg"), "--json"]

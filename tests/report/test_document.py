@@ -104,6 +104,7 @@ KINDS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_each_kind_of_run_has_its_parts(kind):
     make, there, absent = KINDS[kind]
@@ -123,6 +124,7 @@ def test_each_kind_of_run_has_its_parts(kind):
     assert embedded(text) == report.document_page(done).record
 
 
+@pytest.mark.slow
 def test_what_happened_in_a_simulation_is_told():
     done = run(kt.Model(**PENDULUM))
     record = report.document_page(done).record
@@ -132,6 +134,7 @@ def test_what_happened_in_a_simulation_is_told():
     assert any("relative tolerance 1·10⁻¹⁰" in cell for cell in cells)
 
 
+@pytest.mark.slow
 def test_embedded_numbers_are_those_of_the_results(lift, lift_text):
     record = embedded(lift_text)
     for case, forces in lift.forces.items():
@@ -178,6 +181,7 @@ def tables(text: str) -> list[tuple[str, list[str], list[list[str]]]]:
     return found
 
 
+@pytest.mark.slow
 def test_tables_show_what_is_embedded_in_one_unit(lift_text):
     record = embedded(lift_text)
     shown = tables(lift_text)
@@ -198,6 +202,7 @@ def test_tables_show_what_is_embedded_in_one_unit(lift_text):
     assert "voltage too high" in words
 
 
+@pytest.mark.slow
 def test_a_reviewer_computes_the_same_again(lift, lift_text, tmp_path):
     """From nothing but the page: the saved model gives the same forces to the last bit, and its hash is the one told."""
     kept = re.search(r'href="data:application/json;base64,([^"]+)" download="model.json"', lift_text)[1]
@@ -215,6 +220,7 @@ def test_a_reviewer_computes_the_same_again(lift, lift_text, tmp_path):
     assert kt.read(tmp_path / "model.yaml") == lift.model
 
 
+@pytest.mark.slow
 def test_a_model_changed_behind_the_run_is_found(tmp_path):
     run(fourbar(), out=tmp_path / "run")
     found = report.document_page(load(tmp_path / "run")).html
@@ -228,6 +234,7 @@ def test_a_model_changed_behind_the_run_is_found(tmp_path):
 EVIL = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</title></style>\\"
 
 
+@pytest.mark.slow
 def test_names_and_titles_stay_text():
     model = fourbar(title=EVIL)
     bars = {f"<b>{name}&'\"": bar for name, bar in model.bars.items()}
@@ -252,6 +259,7 @@ def stopped(tmp_path) -> RunResult:
     return load(tmp_path / "half")
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_says_so_on_top(tmp_path):
     page = Page(text := report.document_page(stopped(tmp_path)).html)
     top = page.words[: page.words.index("Result")]
@@ -265,6 +273,7 @@ def test_an_interrupted_run_says_so_on_top(tmp_path):
     assert str(tmp_path) not in text  # reports are mailed
 
 
+@pytest.mark.slow
 def test_a_run_that_ended_early_says_so_on_top():
     moves = kt.Quintic(moves={"LA": (1.0295630, 2.6)}, duration=1.0)
     done = run(tripod(runs={"lift": kt.Run(trajectory=moves, samples=41)}))
@@ -308,10 +317,12 @@ def test_mobility_is_decided_while_it_is_cheap():
     assert mobility_record(kt.Model(nodes=many, fixed=tuple(many))) is None
 
 
+@pytest.mark.slow
 def test_the_same_run_gives_the_same_text(lift, lift_text):
     assert report.document_page(lift).html == lift_text
 
 
+@pytest.mark.slow
 def test_the_view_is_a_frame_of_its_own_and_paper_has_a_picture(lift):
     view = '<!doctype html><title>x</title><p>"quoted"</p>'
     text = report.document_page(lift, view=view).html
@@ -383,6 +394,7 @@ def test_tables_hold_numbers_to_the_right():
     assert '<p class="note">note</p>' in text
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(st.integers(0, 2**32 - 1))
 def test_long_curves_keep_every_peak(seed):

@@ -61,6 +61,7 @@ def stored_method(name: str, run: str) -> str:
     return "" if simulation is None else simulation.data.attrs["method"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(_print.chromium() is None, reason="no chromium on this machine (apt-get install chromium)")
 def test_report_on_paper(tmp_path):
     name, run = next((name, run) for name, run in RUNS if stored_method(name, run))
@@ -102,6 +103,7 @@ def test_plots(name, run, tmp_path):
     assert "nan" not in re.findall(r">([^<]*)<", (tmp_path / "curves.svg").read_text("utf-8"))
 
 
+@pytest.mark.slow
 @everything
 def test_every_export(name, run, tmp_path):
     folder = stored(name, run)

@@ -82,6 +82,7 @@ def test_free_body_as_data_and_table(legs, tmp_path):
     assert sum(float(row["force_z [N]"]) for row in rows[:4]) == pytest.approx(float(rows[4]["force_z [N]"]))
 
 
+@pytest.mark.slow
 def test_small_system_is_a_matrix_large_one_is_written():
     truss = kt.library.vgt.triangular()
     forces = forces_at_rest(truss)
@@ -100,6 +101,7 @@ def test_small_system_is_a_matrix_large_one_is_written():
     assert sum(line.startswith("117  ") for line in text.splitlines()) == 1
 
 
+@pytest.mark.slow
 def test_system_as_data_and_table_can_be_solved_again(tmp_path):
     model = kt.library.vgt.double_octahedral()
     forces = forces_at_rest(model)

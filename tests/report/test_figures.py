@@ -28,6 +28,7 @@ def fourbar_run() -> RunResult:
     return run(fourbar())
 
 
+@pytest.mark.slow
 def test_all_pictures_are_drawn(tripod_run, tmp_path):
     written = report.figures(tripod_run, tmp_path / "new" / "pictures")
     names = {path.name for path in written}
@@ -40,6 +41,7 @@ def test_all_pictures_are_drawn(tripod_run, tmp_path):
             assert ET.parse(path).getroot().tag.endswith("svg")
 
 
+@pytest.mark.slow
 def test_the_same_run_gives_the_same_bytes(fourbar_run, tmp_path):
     one, two = (report.figures(fourbar_run, tmp_path / name, formats=["svg"]) for name in "ab")
     assert [path.read_bytes() for path in one] == [path.read_bytes() for path in two]

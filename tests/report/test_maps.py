@@ -27,12 +27,14 @@ def lengths(found):
     return x, y, np.hypot(x, y), np.hypot(x - 1, y)
 
 
+@pytest.mark.slow
 def test_the_stroke_is_the_share_of_the_way_between_the_limits(found):
     _, _, a, _ = lengths(found)
     assert found.stroke.sel(drive="a").values == pytest.approx((a - 0.5) / 0.7, rel=1e-9)
     assert np.isnan(found.stroke.sel(drive="b").values).all()
 
 
+@pytest.mark.slow
 def test_the_limit_names_the_drive_and_the_side(found):
     _, _, a, _ = lengths(found)
     wanted = np.where(a < 0.5, "a short", np.where(a > 1.2, "a long", ""))
@@ -48,6 +50,7 @@ def test_the_conditioning_of_two_bars_is_that_of_the_angle_between_them(found):
     assert found.conditioning.values == pytest.approx(np.sqrt((1 - cosine) / (1 + cosine)), rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["reach", "stroke", "serial", "parallel", "conditioning"])
 def test_every_map_is_drawn(found, quantity, tmp_path):
     first, again = (report.map_picture(found, tmp_path / f"{name}.svg", quantity) for name in ("one", "two"))

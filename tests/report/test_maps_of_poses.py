@@ -49,6 +49,7 @@ def wanted(found):
     return lengths(beta, gamma, height)
 
 
+@pytest.mark.slow
 def test_a_bay_reaches_what_its_closed_form_does(found, wanted):
     assert found.reachable.dims == ("bay.height", "bay.gamma", "bay.beta")
     assert np.array_equal(found.reachable.values, ~np.isnan(wanted[..., 0]))
@@ -57,6 +58,7 @@ def test_a_bay_reaches_what_its_closed_form_does(found, wanted):
     np.testing.assert_allclose(found.stroke.values, (wanted - LOW) / (HIGH - LOW), rtol=0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_the_stroke_boundary_of_a_bay_is_that_of_its_closed_form(found, wanted):
     off = np.maximum(LOW - wanted, wanted - HIGH)
     good = ~np.isnan(wanted[..., 0])
@@ -98,6 +100,7 @@ def test_a_turn_by_120_degrees_exchanges_the_drives(bay):
         assert (parallel, conditioning) == pytest.approx(each[0][1:], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_drives_of_a_chain_are_chosen_so_that_they_keep_their_limits():
     """Two bays, six drives, two coordinates of the centre of the top: every pose is met, and limits are kept where told."""
     chain = kt.library.vgt.double_octahedral(bays=2)
@@ -121,6 +124,7 @@ def test_drives_of_a_chain_are_chosen_so_that_they_keep_their_limits():
         assert place[[0, 2]] == pytest.approx([x[j], z[i]], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_maps_of_angles_are_drawn_in_degrees_and_slices_only(found, tmp_path):
     text = report.map_picture(found.isel({"bay.height": 0}), tmp_path / "m.svg", "stroke").read_text("utf-8")
     assert "bay.beta, deg" in text and "bay.gamma, deg" in text

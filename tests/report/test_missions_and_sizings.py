@@ -27,6 +27,7 @@ def embedded(page: str) -> dict:
     return json.loads(re.search(r'id="kinetruss-report">(.*?)</script>', page, re.DOTALL)[1])
 
 
+@pytest.mark.slow
 def test_a_mission_from_disk(tmp_path):
     model = tripod(
         samples=9,
@@ -66,6 +67,7 @@ def sizing(tmp_path_factory):
     return file
 
 
+@pytest.mark.slow
 def test_a_sizing_from_disk(sizing, tmp_path):
     lines = call("report", sizing, "-o", tmp_path, "--no-open", "--no-pdf", "--no-view", "--author", "A. Uthor").splitlines()
     page = (tmp_path / "report.html").read_text("utf-8")

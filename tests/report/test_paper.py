@@ -17,6 +17,8 @@ from kinetruss.runs import load, run
 from samples import tripod
 from shipped import stored
 
+pytestmark = pytest.mark.slow
+
 SIZES = {"a4": (595.0, 842.0), "letter": (612.0, 792.0)}
 TOP, BOTTOM = 16 / 25.4 * 72, 18 / 25.4 * 72
 FULL = 0.2
@@ -85,6 +87,7 @@ def test_contents_name_the_right_pages(sheets):
         assert title in sheets.texts[number]
 
 
+@pytest.mark.slow
 def test_fonts_are_embedded(sheets):
     fonts = [font.get_object() for page in sheets.pdf.pages for font in page["/Resources"].get("/Font", {}).values()]
     assert fonts

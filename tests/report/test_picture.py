@@ -49,6 +49,7 @@ def pixels(path: Path) -> tuple[np.ndarray, float]:
         return np.asarray(found.convert("RGB")).astype(int), found.info["dpi"][0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("width", "millimetres"), [("column", 90), ("page", 190), (60.0, 60)])
 def test_it_is_as_wide_as_asked_for(turn, tmp_path, width, millimetres):
     shown, dots = pixels(report.picture(turn, tmp_path / "x.png", width=width))
@@ -59,6 +60,7 @@ def test_it_is_as_wide_as_asked_for(turn, tmp_path, width, millimetres):
     assert len(np.unique(shown.reshape(-1, 3), axis=0)) > 10
 
 
+@pytest.mark.slow
 def test_letters_are_letters(lift, tmp_path):
     chosen = {"at": [0, 1.0], "colour": "force", "title": "Lift", "width": "page"}
     wanted = {"A", "B", "C", "T", "t = 0 s", "t = 1 s", "Lift", "Axial force (N)", "compression", "tension"}
@@ -71,6 +73,7 @@ def test_letters_are_letters(lift, tmp_path):
     assert all(one.get_object()["/Subtype"] != "/Image" for one in page["/Resources"]["/XObject"].values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frame", [0, 17, 40])
 def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
     force = next(iter(turn.forces.values())).member_force.values
@@ -91,11 +94,13 @@ def test_kinds_loads_ghost_and_ways_have_their_lines(lift, tmp_path):
     assert way.read_text().count("<path") > (tmp_path / "a.svg").read_text().count("<path")
 
 
+@pytest.mark.slow
 def test_the_same_drawing_has_the_same_bytes(turn, tmp_path):
     one, two = (report.picture(turn, tmp_path / name, at=0.1, colour="utilisation").read_bytes() for name in ("a.svg", "b.svg"))
     assert one == two
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("view", ["iso", "front", "side", "top"])
 def test_views_show_what_lies_across_them(tmp_path, view):
     from kinetruss.report.pictures.view import projected
@@ -116,6 +121,7 @@ def test_bodies_of_the_plane_are_faces(tmp_path):
     assert "#dde3ea" in report.picture(model, tmp_path / "x.svg").read_text()
 
 
+@pytest.mark.slow
 def test_bodies_in_space_membranes_and_hinges_are_drawn(tmp_path):
     corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
     model = kt.Model(nodes=corners, bodies={"b": kt.Body(nodes=tuple(corners), mass=2.0)})
@@ -133,6 +139,7 @@ def test_bodies_in_space_membranes_and_hinges_are_drawn(tmp_path):
     assert ring not in report.picture(robot.with_(drives={}, runs={}), tmp_path / "w.svg").read_text()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", ["column", 190])
 def test_curves_for_print(lift, tmp_path, width):
     path = report.plot([lift], ["member_force", "drive_position"], tmp_path / "x.svg", width=width)
@@ -143,6 +150,7 @@ def test_curves_for_print(lift, tmp_path, width):
     assert millimetres == pytest.approx(90 if width == "column" else 190, abs=0.2)
 
 
+@pytest.mark.slow
 def test_nothing_overlaps_in_curves_for_print(lift):
     figure = specification([lift], ["member_force", "drive_position"])
     canvas = draw(Histories(name="x", title="", time=figure.time, panels=figure.panels, width=90.0))
@@ -185,6 +193,7 @@ def test_what_cannot_be_drawn_is_said(lift, tmp_path):
         report.picture(lift, tmp_path / "file" / "x.png")
 
 
+@pytest.mark.slow
 def test_the_command(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     io.write(fourbar(), "model.yaml")
@@ -216,6 +225,7 @@ def test_the_page_and_the_drawing_say_the_same_of_strength(lift):
         assert np.array_equal(_coloured(pictured(lift), colour, "pushed")[1], scene.arrays[array], equal_nan=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", ["page", "column", 120.0])
 def test_a_tall_figure_stays_on_the_sheet(tmp_path, width):
     nodes = {"A": (0, 0), "B": (0.2, 0)} | {f"T{k}": (0.1, 0.5 * k) for k in range(1, 9)}
@@ -227,6 +237,7 @@ def test_a_tall_figure_stays_on_the_sheet(tmp_path, width):
     assert high <= 1.4 * 190 + 0.5 < 297 - 2 * 10
 
 
+@pytest.mark.slow
 def test_results_are_drawn_with_their_model(lift, tmp_path):
     forces, model = lift.forces["pushed"], lift.model
     drawn = report.picture(lift, tmp_path / "run.svg", colour="force", case="pushed", at=0.5).read_text()
@@ -242,6 +253,7 @@ def test_results_are_drawn_with_their_model(lift, tmp_path):
         report.picture(held, tmp_path / "e.svg", model=model, colour="utilisation")
 
 
+@pytest.mark.slow
 def test_forces_that_are_not_unique_are_marked(tmp_path):
     """A braced square: the six bars share what five could carry."""
     corners = {"A": (0, 0), "B": (1, 0), "C": (1, 1), "D": (0, 1)}

@@ -26,6 +26,7 @@ def truss() -> kt.runs.RunResult:
     return kt.run(model, "load")
 
 
+@pytest.mark.slow
 def test_load_cases_stand_beside_each_other_in_one_unit(truss):
     page = report.document_page(truss).html
     table = re.search(r"Member forces, load cases wind, full(.*?)</table>", page, re.DOTALL)[1]
@@ -35,12 +36,14 @@ def test_load_cases_stand_beside_each_other_in_one_unit(truss):
     assert report.lines(truss)[0].endswith("(load case full).")
 
 
+@pytest.mark.slow
 def test_a_load_and_a_load_case_of_one_name_are_both_listed(truss):
     cells = re.findall(r"<td[^>]*>([^<]*)</td>", report.document_page(truss).html)
     assert cells[cells.index("wind") + 1] == "node D, force [3000, 0] N"
     assert cells[cells.index("load case wind") + 1].startswith("loads wind: 1")
 
 
+@pytest.mark.slow
 def test_elastic_bars_are_counted_as_bars_too(truss):
     found = report.document_page(truss).record["mobility"]
     assert (found["undriven"], found["elastic"]) == (7, True)  # 10 coordinates, 3 held, no rigid bar
@@ -48,6 +51,7 @@ def test_elastic_bars_are_counted_as_bars_too(truss):
     assert "mechanism 1" not in report.document_page(truss).html
 
 
+@pytest.mark.slow
 def test_an_arrow_along_a_member_is_drawn_on_its_other_side(truss):
     figure = loaded(truss, report.document_page(truss).record)
     ends = {words: (start, end) for start, end, words in _arrows(figure)}

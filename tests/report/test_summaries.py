@@ -37,6 +37,7 @@ def lift() -> kt.runs.RunResult:
     return kt.run(tripod(), "lift")
 
 
+@pytest.mark.slow
 def test_a_summary_has_result_figure_calculation_and_assumptions(lift):
     page = report.document_page(lift, summary=True, view="<p>three dimensions</p>")
     names = re.findall(r'<h2><span class="count">\d+ </span>(.*?)</h2>', page.html)
@@ -51,6 +52,7 @@ def test_a_summary_has_result_figure_calculation_and_assumptions(lift):
     assert page.html.count("<figure") >= 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("paper", ["a4", "letter"])
 @pytest.mark.skipif(chromium() is None, reason="needs Chromium")
 def test_a_summary_takes_at_most_two_sheets(lift, tmp_path, paper):
@@ -59,6 +61,7 @@ def test_a_summary_takes_at_most_two_sheets(lift, tmp_path, paper):
     assert 1 <= read_paper(written.paper.read_bytes()).pages <= 2
 
 
+@pytest.mark.slow
 def test_summary_and_report_lie_beside_each_other(lift, tmp_path):
     kt.run(tripod(), "lift", out=tmp_path / "run")
     logo = tmp_path / "logo.svg"
@@ -72,6 +75,7 @@ def test_summary_and_report_lie_beside_each_other(lift, tmp_path):
     assert str(tmp_path) not in text
 
 
+@pytest.mark.slow
 def test_a_png_is_embedded(lift, tmp_path):
     file = tmp_path / "logo.png"
     file.write_bytes(png())

@@ -47,6 +47,7 @@ def test_the_largest_force_is_the_largest(tripod_run):
     assert abs(first["force"]) == np.abs(everywhere).max()
 
 
+@pytest.mark.slow
 def test_of_many_motors_those_nearest_to_a_limit_are_shown():
     """Twelve of the 120 rows of sixty motors in two load cases; the record has all."""
     model = kt.read(kt.library.example_files()["mast"][0])
@@ -61,6 +62,7 @@ def test_of_many_motors_those_nearest_to_a_limit_are_shown():
     assert motors.splitlines()[2].split()[0] == shown[0]  # all use the same stroke: the most loaded comes first
 
 
+@pytest.mark.slow
 def test_a_run_that_is_not_whole_says_so_at_the_top(tmp_path):
     def stop(done: int, total: int) -> None:
         raise KeyboardInterrupt
@@ -111,6 +113,7 @@ def door_run() -> RunResult:
     ))  # fmt: skip
 
 
+@pytest.mark.slow
 def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_run):
     (row,) = report.summary(door_run).record["drive_loads"]
     assert (row["drive"], row["kind"], row["unit"]) == ("turn", "hinge", "N m")
@@ -200,6 +203,7 @@ def test_a_stroke_never_hides_behind_many_other_limits(tripod_run, monkeypatch):
     assert "more: torque" in text
 
 
+@pytest.mark.slow
 def test_bars_that_stand_for_a_body_are_no_largest_forces():
     """A plate on a hinge, and a rod that hangs from its edge."""
     nodes = {"A": (0, 0, 0), "B": (1, 0, 0), "C": (0.5, 1, 0), "E": (0.5, 1, -1)}

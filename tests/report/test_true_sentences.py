@@ -35,6 +35,7 @@ def euler(model):
     return math.pi**2 * 210e9 * I / length**2
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(st.floats(1e3, 1e6), st.floats(1.0, 6.0), st.floats(1.0, 4.0))
 def test_a_load_that_exceeds_is_larger(force, length, factor):
@@ -61,6 +62,7 @@ def pressed():
     return kt.run(strut(135.7e3), "stand")
 
 
+@pytest.mark.slow
 def test_the_number_that_is_news_is_shown(pressed):
     first, over, checked = kt.report.lines(pressed)
     assert first.startswith("Governing: buckling of strut, 129 % of what is allowed: 135.7 kN of 105.5 kN")
@@ -106,6 +108,7 @@ def test_a_full_turn_is_drawn_in_three_poses():
     assert min(np.abs(a - b).max() for k, a in enumerate(places) for b in places[:k]) > 0.05 * size
 
 
+@pytest.mark.slow
 def test_drives_have_their_curves_of_force_torque_and_power():
     turn = kt.Run(trajectory=kt.ConstantRate(rates={"motor": 2 * math.pi}, duration=1.0), samples=61)
     model = kt.read(kt.library.example_files()["four_bar"][0]).with_(runs={"turn": turn})
@@ -134,6 +137,7 @@ def test_a_picture_of_the_first_parts_says_so(count, caption):
     assert len(drawn.labels) == min(count, 14)
 
 
+@pytest.mark.slow
 def test_poses_are_told_by_their_names(tmp_path):
     poses = kt.Run(analysis="statics.at_poses", poses={"up": {"motor": "90 deg"}, "low": {"motor": "200 deg"}})
     model = kt.read(kt.library.example_files()["four_bar"][0]).with_(runs={"stand": poses})

@@ -90,6 +90,7 @@ MODELS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", MODELS)
 def test_every_entry_can_be_worked_and_agrees(kind):
     done = run(MODELS[kind]())
@@ -108,6 +109,7 @@ def test_every_entry_can_be_worked_and_agrees(kind):
     assert ("σ_t" in symbols) == (kind == "torsion")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["screws", "screws at rest", "angle behind a gear", "rectangle in the plane"])
 def test_printed_numbers_give_the_printed_result(kind):
     """Five digits are printed; differences of nearly equal numbers lose some of them."""
@@ -149,6 +151,7 @@ def test_an_integral_lists_its_samples():
     assert math.sqrt(total / time[-1]) == pytest.approx(row.value, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_a_column_by_hand():
     """A strut under its load: Euler's load, Johnson's below the transition, and the interaction without bending."""
     for length, johnson in ((1.5, False), (0.2, True)):
@@ -178,6 +181,7 @@ def test_a_result_that_differs_is_not_shown_as_good(lift):
     assert "The two differ: clarify this before use." in "".join(shown([sheet]))
 
 
+@pytest.mark.slow
 def test_the_governing_entries_are_worked(lift):
     record = report.document_page(lift).record
     assert [one["title"] for one in record["worked"]] == [sheet.title for sheet in worked(lift)]

@@ -28,6 +28,7 @@ def browser(folder: Path, script: str) -> str:
     return str(path)
 
 
+@pytest.mark.slow
 def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
     (tmp_path / "sample.pdf").write_bytes(PDF)
     program = browser(tmp_path, f'cp {tmp_path}/sample.pdf "$paper"; printf "%s " "$@" > {tmp_path}/words')
@@ -40,6 +41,7 @@ def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
     assert "--host-resolver-rules" in (tmp_path / "words").read_text()  # no network while printing
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("script", "words"),
     [
@@ -64,6 +66,7 @@ def test_paper_that_is_not_whole_is_not_kept(turn, tmp_path, monkeypatch, script
     assert [path.name for path in place.iterdir()] == ["report.html"]
 
 
+@pytest.mark.slow
 def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr(_print, "PLACES", ())
@@ -74,12 +77,14 @@ def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monke
     assert done.page.is_file()
 
 
+@pytest.mark.slow
 def test_a_program_that_cannot_be_started_is_told(turn, tmp_path, monkeypatch):
     (tmp_path / "browser").write_text("no program")
     monkeypatch.setattr(_print, "chromium", lambda: str(tmp_path / "browser"))
     assert "cannot be started" in report.write_document(turn, tmp_path).note
 
 
+@pytest.mark.slow
 def test_an_old_report_stays_when_the_new_one_fails(turn, tmp_path, monkeypatch):
     report.write_document(turn, tmp_path, pdf=False)
     before = (tmp_path / "report.html").read_bytes()
@@ -95,12 +100,14 @@ def test_an_old_report_stays_when_the_new_one_fails(turn, tmp_path, monkeypatch)
     assert [path.name for path in tmp_path.iterdir()] == ["report.html"]
 
 
+@pytest.mark.slow
 def test_a_place_that_is_a_file_is_refused(turn, tmp_path):
     (tmp_path / "taken").write_text("")
     with pytest.raises(StoreError, match="taken"):
         report.write_document(turn, tmp_path / "taken", pdf=False)
 
 
+@pytest.mark.slow
 def test_a_run_done_again_has_no_old_report(tmp_path):
     for _ in range(2):
         run(fourbar(), out=tmp_path / "run", overwrite=True)

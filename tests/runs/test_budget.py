@@ -23,6 +23,7 @@ def two_bars(height=1.0, half=0.75, **changes):
     return kt.Model(**fields | changes)
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(st.floats(0.3, 2.0), st.floats(0.3, 2.0))
 def test_two_bars_in_closed_form(height, half):
@@ -42,6 +43,7 @@ def test_two_bars_in_closed_form(height, half):
     assert found.root_sum_square.values[0] == pytest.approx(math.sqrt(2) * 1e-4 * x)
 
 
+@pytest.mark.slow
 def test_linear_budget_and_monte_carlo_agree_within_its_noise():
     of = ["bay.beta", "bay.gamma", "bay.height", "N8.x", "M6.force", "M7.drive_force"]
     found = kt.runs.budget(BAY, of, EACH, at={"bay.beta": 0.1, "bay.gamma": -0.05}, samples=4000, seed=2)
@@ -80,6 +82,7 @@ def test_temperature_of_a_free_bar_and_of_a_similar_figure():
     assert abs(found.share.values[2, 0]) < 1e-6  # forces of a similar figure are the same
 
 
+@pytest.mark.slow
 def test_forces_are_linear_in_masses():
     found = kt.runs.budget(two_bars(), "left.force", {"nodes.C.mass": "2 %"}, samples=200, seed=1)
     assert found.share.item() == pytest.approx(0.02 * found.nominal.item(), rel=1e-9)
@@ -92,6 +95,7 @@ def test_play_moves_every_member_of_its_node():
     assert found.worst_case.item() == pytest.approx(2 * 0.05e-3 * 1.25 / 2, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_strain_and_friction_and_text():
     model = two_bars(gauges={"G": {"member": "left"}}, sections={"rod": kt.Rod(diameter=0.02)}, section="rod")
     found = kt.runs.budget(model, ["G.strain", "left.force"], {"sections.*.diameter": "1 %"}, samples=100)
@@ -133,6 +137,7 @@ def test_a_length_that_others_hold_too_is_refused():
         kt.runs.budget(model, "C.x", {"twice.length": 1e-4})
 
 
+@pytest.mark.slow
 def test_out_of_reach_within_the_tolerances_is_said():
     with pytest.raises((kt.InputError, kt.AnalysisError)):
         kt.runs.budget(two_bars(height=0.01), "C.y", {"*.length": 0.5})
@@ -191,6 +196,7 @@ def test_moving_supports_are_refused():
         kt.runs.budget(model, ["a.force"], {"a.length": 1e-4}, samples=4)
 
 
+@pytest.mark.slow
 def test_names_with_dots_stand_for_members_nodes_and_records_of_chains():
     mast = kt.library.vgt.double_octahedral(bays=2)
     of = ["B2.N8.x", "B1.M6.force"]

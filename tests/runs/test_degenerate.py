@@ -11,6 +11,7 @@ SHOWN = ("statics.at_poses", "mission")
 CHOSEN = ("no drives 2", "all fixed 2", "no bars 2", "no bars, fixed 3", "one bar 3", "one active 2", "only beams 2", "body 3")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CHOSEN)
 def test_a_model_that_lacks_nearly_everything(name, tmp_path):
     assert degenerate.walked(name, MODELS[name], tmp_path, SHOWN) == []

@@ -41,6 +41,7 @@ def told(*arguments):
     return result.output
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "names"),
     [
@@ -82,6 +83,7 @@ def test_a_run_from_a_file_is_the_call_itself(model, file, tmp_path, name, names
     assert f"flexible.{name}" in (tmp_path / "page" / "report.html").read_text()
 
 
+@pytest.mark.slow
 def test_a_run_of_blocks_is_whole(model):
     """Modes are followed from sample to sample: the block does not matter."""
     cut, whole = (kt.run(model, "frequencies", block=block) for block in (7, None))

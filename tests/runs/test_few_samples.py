@@ -118,6 +118,7 @@ def tried(function, *args):
             return None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", WALK)
 def test_histories_of_no_one_and_two_samples(name, whole):
     for count in (0, 1, 2):
@@ -170,6 +171,7 @@ def test_times_that_are_none_are_refused(function):
         assert tried(OF_TIMES[function], times) is None, name
 
 
+@pytest.mark.slow
 def test_one_instant_of_a_task_is_enough():
     """Also where the second rate of the drive is zero, at any pace."""
     model = kt.read(kt.library.example_files()["four_bar"][0])

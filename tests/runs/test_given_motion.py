@@ -37,6 +37,7 @@ def test_a_table_gives_the_forces_of_the_motion_it_came_from(whole, tmp_path):
     assert found.motion.data.attrs["trajectory_space"] == "given"
 
 
+@pytest.mark.slow
 def test_a_model_file_names_its_table_and_a_broken_run_finds_it_again(whole, tmp_path, monkeypatch):
     table(whole, tmp_path / "motion.csv")
     monkeypatch.chdir(tmp_path)

@@ -24,6 +24,7 @@ run(fourbar({SAMPLES}), out=sys.argv[1], block={BLOCK}, progress=lambda done, to
 """
 
 
+@pytest.mark.slow
 def test_a_kill_at_any_instant_leaves_good_samples_and_a_run_to_resume(tmp_path):
     path = tmp_path / "run"
     with subprocess.Popen([sys.executable, "-c", CHILD, str(path)], stdout=subprocess.PIPE, text=True) as child:
@@ -46,6 +47,7 @@ def test_a_kill_at_any_instant_leaves_good_samples_and_a_run_to_resume(tmp_path)
     np.testing.assert_allclose(done.verdict.utilisation.values, whole.verdict.utilisation.values, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_run_can_be_read_at_any_time_while_it_is_written(tmp_path):
     path, reads = tmp_path / "run", 0
     longer = CHILD.replace(

@@ -108,6 +108,7 @@ def test_a_folder_that_is_removed_time_and_again_is_refused(tmp_path, monkeypatc
         pass
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["plain", "overwrite", "resume", "variants", "one variant", "packed"])
 def test_whoever_writes_is_named_to_the_second_and_loses_nothing(folder, way):
     unfinished(folder)
@@ -136,6 +137,7 @@ def test_whoever_writes_is_named_to_the_second_and_loses_nothing(folder, way):
     assert not (folder / LOCK).exists()
 
 
+@pytest.mark.slow
 def test_variants_spare_a_run_among_them_that_is_being_written(tmp_path):
     out = tmp_path / "out"
     found = runs.run_variants(fourbar(5), VARIANTS, out=out)
@@ -162,6 +164,7 @@ def test_a_refused_run_leaves_no_folder(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_what_a_killed_process_left_before_its_first_block_is_no_hindrance(tmp_path):
     out = tmp_path / "run"
     out.mkdir()
@@ -323,6 +326,7 @@ except StoreError as error:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("below", ["", "new"])
 def test_a_folder_that_may_not_be_written_is_said_to_be_so(tmp_path, below):
     folder = tmp_path / "run"
@@ -363,6 +367,7 @@ def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, num
 # -- reading while somebody writes -------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_chunk_that_is_not_there_is_an_error_and_no_number(folder):
     (folder / "results.zarr/forces/all/total/member_force/1.0").unlink()
     found = runs.load(folder)
@@ -373,6 +378,7 @@ def test_a_chunk_that_is_not_there_is_an_error_and_no_number(folder):
     assert not (folder.parent / "run.csv").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ["empty", "cut", "noise", "one bit"])
 @pytest.mark.parametrize("packed", [False, True])
 def test_a_chunk_that_is_not_as_it_was_written_is_an_error_and_no_number(folder, tmp_path, how, packed):
@@ -399,6 +405,7 @@ def test_a_chunk_that_is_not_as_it_was_written_is_an_error_and_no_number(folder,
         place.write_bytes(data)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"nodes": 3}'])
 def test_a_damaged_model_is_an_error_of_the_store(folder, text):
     (folder / "model.json").write_text(text)
@@ -406,6 +413,7 @@ def test_a_damaged_model_is_an_error_of_the_store(folder, text):
         runs.load(folder)
 
 
+@pytest.mark.slow
 def test_a_run_that_is_replaced_while_it_is_read_is_not_mixed_with_the_new_one(folder):
     found = runs.load(folder)
     runs.run(fourbar(9), out=folder, block=4, overwrite=True)
@@ -414,6 +422,7 @@ def test_a_run_that_is_replaced_while_it_is_read_is_not_mixed_with_the_new_one(f
     assert runs.load(folder).motion.position.values.shape[0] == 9
 
 
+@pytest.mark.slow
 def test_what_is_known_only_at_the_end_is_not_shown_before(folder):
     """A kill between the last block and the last word: the table of margins may be half written."""
     shutil.rmtree(folder / "results.zarr/verdict/utilisation")
@@ -456,6 +465,7 @@ def overwritten(path: Path, packed: bool, last: int) -> bool:
     os._exit(1)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the test needs os.fork, which this system lacks")
 @pytest.mark.parametrize("packed", [False, True])
 def test_a_kill_at_any_step_of_an_overwrite_leaves_the_old_run_or_says_that_there_is_none(stored, tmp_path, packed):

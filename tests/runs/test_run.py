@@ -44,10 +44,12 @@ def test_a_run_answers_every_question(whole):
     assert whole.demand["standing"].data["electrical_energy"].sizes == {"active": 3}
 
 
+@pytest.mark.slow
 def test_blocks_give_what_the_whole_gives(whole):
     assert_same(whole, run(tripod(), block=7))
 
 
+@pytest.mark.slow
 def test_a_stored_run_gives_what_memory_gives(whole, tmp_path):
     seen = []
     stored = run(tripod(), out=tmp_path / "run", block=10, progress=lambda done, total: seen.append((done, total)))
@@ -57,6 +59,7 @@ def test_a_stored_run_gives_what_memory_gives(whole, tmp_path):
     assert load(tmp_path / "run").model == tripod()
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_goes_on_to_the_same_end(whole, tmp_path):
     path = tmp_path / "run"
 
@@ -75,6 +78,7 @@ def test_an_interrupted_run_goes_on_to_the_same_end(whole, tmp_path):
         resume(path)
 
 
+@pytest.mark.slow
 def test_a_crank_may_turn_more_than_once_across_blocks():
     turns = kt.ConstantRate(rates={"motor": 10.0}, duration=2.0)
     model = fourbar(runs={"turn": kt.Run(trajectory=turns, samples=101)})
@@ -102,6 +106,7 @@ def overreaching(**run_fields: object) -> kt.Model:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("block", [200, 9])
 def test_a_path_that_ends_early_is_data(tmp_path, block):
     found = run(overreaching(), out=tmp_path / "run", block=block)
@@ -125,6 +130,7 @@ def test_a_model_with_several_runs_wants_a_name():
         run(fourbar(runs={}))
 
 
+@pytest.mark.slow
 def test_nothing_is_touched_where_the_run_is_refused(tmp_path):
     good = run(fourbar(), out=tmp_path / "run")
     loose = fourbar(drives={}, runs={"turn": kt.Run(trajectory=kt.Quintic(moves={"p": (1, 2)}, duration=1.0))},

@@ -33,6 +33,7 @@ def whole() -> RunResult:
     return run(model())
 
 
+@pytest.mark.slow
 def test_a_run_is_what_simulate_gives(whole):
     events = {"under": kt.Event(coordinate="B.x", value=0, stop=False)}
     direct = kt.dynamics.simulate(model(), 2.0, samples=101, events=events)
@@ -47,6 +48,7 @@ def test_a_run_is_what_simulate_gives(whole):
     assert whole.forces["all"].static is None
 
 
+@pytest.mark.slow
 def test_blocks_and_the_store_change_no_bit(whole, tmp_path):
     blocks = run(model(), block=7)
     stored = run(model(), out=tmp_path / "run", block=10)
@@ -61,6 +63,7 @@ def test_blocks_and_the_store_change_no_bit(whole, tmp_path):
     assert not (tmp_path / "run" / "state").exists()  # nothing is left to go on from
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_is_readable_and_goes_on_bit_for_bit(tmp_path):
     def stop(done: int, total: int) -> None:
         if done == 80:
@@ -78,6 +81,7 @@ def test_an_interrupted_run_is_readable_and_goes_on_bit_for_bit(tmp_path):
     assert acceptance.differences(tmp_path / "whole", tmp_path / "half") == []
 
 
+@pytest.mark.slow
 def test_a_state_without_units_of_events_is_read_and_resumed(tmp_path):
     """The states of earlier versions have none: they come from the events of the run."""
 
@@ -104,6 +108,7 @@ def test_a_state_without_units_of_events_is_read_and_resumed(tmp_path):
     assert done.simulation.events[: len(old.events)] == old.events
 
 
+@pytest.mark.slow
 def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch):
     from kinetruss.dynamics.forward.kernel_stepper import KernelStepper
 
@@ -126,6 +131,7 @@ def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch
     assert acceptance.differences(tmp_path / "whole", tmp_path / "half") == []
 
 
+@pytest.mark.slow
 def test_a_kill_between_state_and_ledger_is_no_harm(tmp_path, monkeypatch):
     """The state behind the block is written, the ledger does not count it yet."""
     from kinetruss.results.store import store as _store
@@ -148,6 +154,7 @@ def test_a_kill_between_state_and_ledger_is_no_harm(tmp_path, monkeypatch):
     assert acceptance.differences(tmp_path / "whole", tmp_path / "half") == []
 
 
+@pytest.mark.slow
 def test_a_process_killed_at_random_moments_goes_on_bit_for_bit(tmp_path):
     kt.write(acceptance.model(60.0, 3001), tmp_path / "model.yaml")
     assert acceptance.start(tmp_path / "whole", str(tmp_path / "model.yaml"), 50).wait() == 0
@@ -156,6 +163,7 @@ def test_a_process_killed_at_random_moments_goes_on_bit_for_bit(tmp_path):
     assert acceptance.differences(tmp_path / "whole", tmp_path / "broken") == []
 
 
+@pytest.mark.slow
 def test_a_lost_or_damaged_state_is_said(tmp_path):
     def stop(done: int, total: int) -> None:
         raise KeyboardInterrupt
@@ -175,6 +183,7 @@ def test_a_lost_or_damaged_state_is_said(tmp_path):
     assert resume(path).whole
 
 
+@pytest.mark.slow
 def test_an_event_ends_a_stored_run_as_whole(tmp_path):
     watched = {"low": kt.Event(coordinate="B.y", value=-0.3, direction="falling")}
     ends = model(runs={"fall": kt.Run(analysis="dynamics.simulate", t_end=5.0, samples=501, events=watched)})
@@ -189,6 +198,7 @@ def test_an_event_ends_a_stored_run_as_whole(tmp_path):
         resume(tmp_path / "run")
 
 
+@pytest.mark.slow
 def test_a_run_that_ends_early_keeps_what_is_good(tmp_path):
     few = kt.DOP853(max_steps=60)
     short = model(runs={"fall": kt.Run(analysis="dynamics.simulate", t_end=5.0, samples=501, method=few)})
@@ -206,6 +216,7 @@ def test_a_run_refused_touches_nothing(tmp_path):
     assert not (tmp_path / "run").exists()
 
 
+@pytest.mark.slow
 def test_a_simulation_under_one_load_case(tmp_path):
     pushed = model(
         loads={"push": kt.NodalForce(node="B", force=(1.0, 0))},
@@ -223,6 +234,7 @@ def test_forces_at_an_instant_of_a_simulation(whole):
     np.testing.assert_array_equal(at.member_force[0], whole.forces["all"].member_force.sel(time=0.5))
 
 
+@pytest.mark.slow
 def test_variants_of_a_simulation(tmp_path):
     found = kt.runs.run_variants(model(0.5, 11), {"runs.fall.t_end": ["0.25 s", "0.5 s"]}, out=tmp_path / "runs")
     assert list(found.whole.values()) == [True, True]

@@ -18,6 +18,7 @@ def slider(**bar):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_force_of_a_mass_is_mass_times_the_error_of_its_acceleration():
     y = 1 + 0.1 * np.sin(T) + NOISE * np.random.default_rng(1).standard_normal(81)
     record = kt.Measured(times=T, values={"M7": y})
@@ -34,6 +35,7 @@ def test_given_accelerations_count_as_exact():
     assert float(kt.runs.standard_errors(slider(), record).drive_force_error.max()) == 0
 
 
+@pytest.mark.slow
 def test_repeated_noise_scatters_as_the_standard_errors_say():
     """A bay: forces of 40 records of one motion, each with its own noise, lie within 1.96 standard errors in 95 %."""
     model = kt.library.vgt.double_octahedral()
@@ -56,6 +58,7 @@ def test_a_record_of_what_the_model_does_not_have_is_refused():
         kt.runs.standard_errors(slider(), kt.Measured(times=T, values={"M8": np.ones(81) + 1e-6 * np.sin(9 * T)}))
 
 
+@pytest.mark.slow
 def test_currents_carry_the_errors_of_the_forces():
     """Without friction the current is linear in the motor's torque: J a N-fold and the thrust; it has a standard error."""
     model = kt.read(kt.library.example_files()["measured_slew"][0])

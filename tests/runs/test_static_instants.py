@@ -14,6 +14,7 @@ RUNS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RUNS)
 def test_forces_at_an_instant_are_those_of_the_run(name):
     model = kt.library.vgt.double_octahedral(tip_force=(0, 0, -50)).with_(runs={name: RUNS[name]})

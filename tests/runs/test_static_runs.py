@@ -44,6 +44,7 @@ def bay():
     )
 
 
+@pytest.mark.slow
 def test_a_linear_run_has_the_displacements_forces_and_utilisation_of_the_analysis(frame, tmp_path):
     run = kt.run(frame, "small", tmp_path / "run")
     for one in (run, kt.runs.load(tmp_path / "run")):
@@ -68,6 +69,7 @@ def test_joint_forces_of_the_stiffness_method_balance_the_weight_of_every_member
     assert total == pytest.approx(np.stack([0 * weight, weight], axis=1), rel=1e-12, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_an_equilibrium_run_has_the_place_and_forces_of_the_analysis(tmp_path):
     hanging = kt.Model(
         nodes={"A": (0, 0), "B": {"at": (1, 0), "mass": 2.0}, "C": {"at": (2, 0), "mass": 1.0}},
@@ -83,6 +85,7 @@ def test_an_equilibrium_run_has_the_place_and_forces_of_the_analysis(tmp_path):
     assert "stable" in report.summary(kt.runs.load(tmp_path / "run")).text
 
 
+@pytest.mark.slow
 def test_listed_poses_are_those_of_at_poses_and_keep_their_names(bay, tmp_path):
     run = kt.run(bay, "listed", tmp_path / "run")
     alone = kt.statics.at_poses(bay, {"rest": {}, "tilt": {"bay.beta": "5 deg"}})
@@ -99,6 +102,7 @@ def test_poses_along_a_trajectory_are_the_forces_at_rest_of_its_motion(bay):
     assert not run.motion.velocity.values.any() and not run.motion.drive_velocity.values.any()
 
 
+@pytest.mark.slow
 def test_a_deflection_run_has_the_motion_its_forces_and_the_displacements(bay, tmp_path):
     run = kt.run(bay, "bent", tmp_path / "run", block=4)
     forces = kt.dynamics.inverse(bay, kt.kinematics.follow(bay, TILT, samples=11))
@@ -137,6 +141,7 @@ def test_an_unreachable_pose_ends_the_run_with_the_poses_before_it(bay):
     assert "'far' cannot be reached" in run.message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["small", "large", "listed", "along", "bent"])
 def test_every_command_shows_a_static_run(frame, bay, name, tmp_path):
     model, out = frame if name in frame.runs else bay, str(tmp_path / "out")

@@ -39,6 +39,7 @@ def half(whole, tmp_path) -> Path:
     return stopped(tmp_path / "half", 8)
 
 
+@pytest.mark.slow
 def test_no_part_of_it_looks_completed(half):
     found = load(half)
     assert (found.status, found.state, found.whole, found.verdict) == (Status.INTERRUPTED, "incomplete", False, None)
@@ -51,6 +52,7 @@ def test_no_part_of_it_looks_completed(half):
     held.release()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("verb", "place", "words"),
     [
@@ -72,12 +74,14 @@ def test_every_verb_that_shows_it_says_so(half, verb, place, words):
         assert "This run is not complete." in (half / "report" / "report.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_its_page_says_so(half):
     header = kt.viewer.scene(load(half)).header
     assert header["status"] == Status.INTERRUPTED.value
     assert header["message"] == f"8 of {SAMPLES} samples are good."
 
 
+@pytest.mark.slow
 def test_an_exported_file_says_so_by_itself(half):
     netcdf = pytest.importorskip("netCDF4")
     kt.io.export(half, half / "run.nc")
@@ -86,6 +90,7 @@ def test_an_exported_file_says_so_by_itself(half):
         assert (told.state, told.samples_good, told.samples_asked) == ("unfinished", 8, SAMPLES)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("status", ["", "INTERRUPTED"])
 @pytest.mark.parametrize("committed", [4, 12, SAMPLES])
 def test_it_is_gone_on_with_to_the_end_of_a_run_that_was_never_stopped(whole, tmp_path, committed, status):

@@ -68,6 +68,7 @@ def test_a_library_model_of_another_size(tmp_path):
     assert [len(one.nodes) for one in found.values()] == [9, 15]
 
 
+@pytest.mark.slow
 @given(
     st.lists(
         st.text(alphabet="aB ./\\:*?\"<>|-_~%\n[]{}'$&;é", min_size=1, max_size=60), min_size=2, max_size=4, unique=True
@@ -141,6 +142,7 @@ def same(one: runs.RunResult, other: runs.RunResult) -> None:
             np.testing.assert_array_equal(a[name].values, b[name].values, err_msg=str(name))
 
 
+@pytest.mark.slow
 def test_a_variant_is_the_run_of_its_model(tmp_path):
     """Stored and read again, or kept; what is not stored is computed again to the last bit."""
     values = {LIFT: [1, 2], "nodes.T.mass": [20, 30]}
@@ -177,6 +179,7 @@ def test_a_damaged_archive_is_said_to_be_so(tmp_path):
         runs.load(path).motion.position.values.sum()
 
 
+@pytest.mark.slow
 def test_long_runs_are_stored_block_by_block(tmp_path):
     found = runs.run_variants(fourbar(2500), {"runs.turn.trajectory.duration": [0.6, 0.7]}, out=tmp_path)
     assert all((path / "results.zarr").is_dir() for path in found.paths.values())
@@ -208,6 +211,7 @@ def test_nothing_is_lost(tmp_path):
     assert names(tmp_path / "other") == ["notes.txt"]
 
 
+@pytest.mark.slow
 def test_a_run_gives_way_to_variants_only_when_told(tmp_path):
     runs.run(tripod(), out=tmp_path / "run")
     with pytest.raises(InputError, match="holds a run already"):
@@ -219,6 +223,7 @@ def test_a_run_gives_way_to_variants_only_when_told(tmp_path):
     assert names(tmp_path / "run") == ["duration=1", "duration=2"]
 
 
+@pytest.mark.slow
 def test_one_that_ends_early_does_not_stop_the_others(tmp_path):
     found = runs.run_variants(tripod(), {"runs.lift.trajectory.moves.LA.1": [1.15, 9.0, 1.2]}, out=tmp_path)
     assert [found.whole[name] for name in found] == [True, False, True]
@@ -226,6 +231,7 @@ def test_one_that_ends_early_does_not_stop_the_others(tmp_path):
     assert 0 < found["LA.1=9.0"].good < 41
 
 
+@pytest.mark.slow
 def test_progress_counts_variants(tmp_path):
     seen = []
     runs.run_variants(tripod(5), {LIFT: [1, 2, 3, 4, 5, 6]}, out=tmp_path, progress=lambda *step: seen.append(step))
@@ -268,6 +274,7 @@ dict(beside(work, range(6), workers=2))
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(
     not sys.platform.startswith("linux"),
     reason="variants are computed in one process except on Linux, so there is no child to outlive it",

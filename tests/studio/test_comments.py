@@ -52,6 +52,7 @@ def desk() -> Desk:
     return found
 
 
+@pytest.mark.slow
 def test_every_kind_of_edit_changes_its_own_lines_only(desk):
     for command, old, new in (
         ({"do": "move", "places": {"A": ["50 mm", 0]}}, "  A: [0, 0]  # pin", "  A: [50 mm, 0]  # pin"),
@@ -81,6 +82,7 @@ def test_typing_is_one_step_until_the_text_is_left(desk):
     assert "B: [4, 0] # roller" in done(desk, do="undo")["text"]
 
 
+@pytest.mark.slow
 def test_an_edit_of_every_example_keeps_its_comments():
     for name, (path, *_) in example_files().items():
         if path.name.endswith(".mission.yaml"):
@@ -115,6 +117,7 @@ VALUES = st.recursive(
 TABLES = st.dictionaries(st.sampled_from("abcdef"), st.dictionaries(st.sampled_from("uvwxyz"), VALUES, max_size=4), max_size=4)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(TABLES, TABLES, st.randoms())
 def test_a_patched_text_means_the_new_data_or_is_refused(before, after, random):

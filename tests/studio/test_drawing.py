@@ -55,6 +55,7 @@ def test_a_triangle_is_drawn_and_has_the_forces_of_statics_by_hand():
     assert found["mobility"]["undriven"] == found["mobility"]["self_stress"] == 0
 
 
+@pytest.mark.slow
 def test_what_is_missing_is_said_at_every_step_and_drawing_goes_on():
     desk = Desk()
     assert "Choose Bar and drag" in desk.first()["missing"][0]
@@ -71,6 +72,7 @@ def test_what_is_missing_is_said_at_every_step_and_drawing_goes_on():
     assert found["drives"][0]["name"] == "turn"
 
 
+@pytest.mark.slow
 def test_a_drive_that_acts_against_the_bars_and_redundancy_are_named():
     desk = Desk()
     triangle(desk)
@@ -86,6 +88,7 @@ def test_a_drive_that_acts_against_the_bars_and_redundancy_are_named():
     assert found["unsure"]
 
 
+@pytest.mark.slow
 def test_undo_and_redo_go_through_all_states_and_a_drag_is_one_step():
     desk = Desk()
     texts = [desk.first()["text"], triangle(desk)["text"]]
@@ -183,6 +186,7 @@ def test_entries_are_renamed_and_deleted_with_what_refers_to_them():
     assert [found["nodes"], found["members"], found["faults"]] == [["A", "B"], [], []]
 
 
+@pytest.mark.slow
 def test_copies_mirror_images_and_stacks():
     desk = Desk()
     triangle(desk)
@@ -221,6 +225,7 @@ def test_the_coupler_curve_is_the_circle_of_a_crank_and_its_torque_is_that_of_th
 OPENED = ("bricard", "docking", "double_octahedral_slew", "elastic_bay", "isolator_beam", "robot", "triangular_truss")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", OPENED)
 def test_an_example_opens_as_its_model_and_a_drag_checks_all_that_follows_from_places(name):
     path = example_files()[name][0]
@@ -363,4 +368,5 @@ class Edits(RuleBasedStateMachine):
 
 
 TestEdits = Edits.TestCase
+TestEdits.pytestmark = [pytest.mark.slow]
 TestEdits.settings = settings(max_examples=8, stateful_step_count=10, deadline=None, phases=(Phase.generate,))

@@ -53,6 +53,7 @@ def path(tmp_path):
     return kt.write(tripod(), tmp_path / "a.yaml")
 
 
+@pytest.mark.slow
 def test_the_next_studio_offers_all_changes_and_goes_on_with_them(path):
     first = page(path)
     wanted = changed(first)
@@ -72,6 +73,7 @@ def test_the_next_studio_offers_all_changes_and_goes_on_with_them(path):
     assert [key for key, _ in third.shelf.left] == [again.key]
 
 
+@pytest.mark.slow
 def test_a_page_that_lost_its_studio_goes_on_and_other_pages_do_not_get_its_changes(path):
     desk = Desk(kt.read(path), path, path.parent)
     one, two = page(path, desk=desk), page(path, desk=desk)
@@ -85,6 +87,7 @@ def test_a_page_that_lost_its_studio_goes_on_and_other_pages_do_not_get_its_chan
     assert page(path, "../../a").key != "../../a"
 
 
+@pytest.mark.slow
 def test_removed_saved_and_reset_changes_are_not_offered(path):
     changed(page(path))
     second = page(path)
@@ -114,6 +117,7 @@ def test_changes_of_a_file_that_has_changed_keep_their_model_and_never_replace_i
     assert kt.read(path) == newer
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("field", "value"), [("model", {}), ("position", [[0, 0, 0]]), ("values", 3), ("frames", [{}])])
 def test_a_spoilt_record_is_refused_in_a_sentence(path, field, value):
     one = page(path)
@@ -132,6 +136,7 @@ def test_a_folder_that_cannot_be_written_is_reported_and_the_page_goes_on(path):
     assert "cannot be kept beside the file" in state["note"]
 
 
+@pytest.mark.slow
 def test_a_killed_studio_comes_back_at_its_address_with_the_pose(tmp_path):
     served = serve(tripod(), tmp_path)
     options = {"origin": served.origin, "max_size": 2**24, "open_timeout": WAIT, "compression": None, "proxy": None}

@@ -16,6 +16,8 @@ from kinetruss.library import example_files
 from kinetruss.studio import Session
 from samples import fourbar, tripod
 
+pytestmark = pytest.mark.slow
+
 ROLES = ("rigid", "driven", "elastic", "cut", "own", "own")  # "own": put back
 
 

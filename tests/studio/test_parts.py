@@ -37,6 +37,7 @@ def desk() -> Desk:
     return found
 
 
+@pytest.mark.slow
 def test_forms_have_every_table_record_and_field_of_the_schema():
     made = schema()
     found = forms()
@@ -55,6 +56,7 @@ def test_forms_have_every_table_record_and_field_of_the_schema():
         "type": "record", "of": ["Motor"], "named": True, "needed": False}  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_bar_becomes_an_active_member_or_a_beam_and_a_bar_again(desk):
     bars = desk.drawing.state.data["bars"]
     found = done(desk, do="make", what="active", members=["b1"])
@@ -76,6 +78,7 @@ def test_a_bar_becomes_an_active_member_or_a_beam_and_a_bar_again(desk):
     assert done(desk, do="undo")["data"]["bars"] == bars
 
 
+@pytest.mark.slow
 def test_bodies_springs_and_runs_are_made_from_what_is_picked(desk):
     found = done(desk, do="make", what="angle_spring", members=["b1", "b2"])
     assert found["data"]["springs"]["spring1"]["coordinate"] == {"kind": "hinge", "axis": ["C"], "start": "A", "end": "B"}
@@ -130,6 +133,7 @@ def ended(desk: Desk, answer: dict) -> dict:
     return answer
 
 
+@pytest.mark.slow
 def test_a_run_tells_how_far_it_is_and_can_be_stopped(desk):
     done(desk, do="make", what="active", members=["b3"])
     done(desk, do="make", what="run")
@@ -159,6 +163,7 @@ def test_a_run_tells_how_far_it_is_and_can_be_stopped(desk):
     assert ask(desk, do="running")["revision"] < desk.drawing.revision  # the result is of an earlier drawing
 
 
+@pytest.mark.slow
 def test_a_mission_is_made_and_done_from_its_form(desk):
     done(desk, do="make", what="active", members=["b3"])
     done(desk, do="make", what="run")
@@ -177,6 +182,7 @@ def test_a_mission_is_made_and_done_from_its_form(desk):
     assert "laden" in desk.results.pages[answer["number"]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("analysis", ["dynamics.simulate", "flexible.corrected", "kinematics.follow", "statics.at_poses"])
 def test_a_run_gets_what_its_analysis_needs(desk, analysis):
     done(desk, do="make", what="active", members=["b3"])
@@ -197,6 +203,7 @@ def test_a_spring_of_an_angle_in_space_needs_an_axis():
     assert found["data"]["springs"]["spring1"]["coordinate"]["axis"] == ["B", "D"]
 
 
+@pytest.mark.slow
 def test_a_clamp_goes_with_the_last_beam_of_its_node(desk):
     done(desk, do="make", what="beam", members=["b3"])
     done(desk, do="set", path=["clamped"], value=["A", "B"])
@@ -208,6 +215,7 @@ def test_a_clamp_goes_with_the_last_beam_of_its_node(desk):
     assert "clamped" not in done(desk, do="delete", members=["b1"])["data"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("dim", "hinged"), [(2, False), (3, False), (3, True)])
 def test_a_clamp_has_the_moment_of_its_load(dim, hinged):
     pad, tip = [0.0] * (dim - 2), [-10.0 if k == dim - 1 else 0.0 for k in range(dim)]

@@ -141,6 +141,7 @@ def test_saving_goes_into_the_folder_only(studio):
     assert {path.name for path in studio.folder.iterdir()} - {".kinetruss"} == {"model.yaml", "mine.yaml"}
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_it_with_pages_open(tmp_path):
     served = serve(tripod(), tmp_path)
     with live(served) as page:
@@ -153,6 +154,7 @@ def test_ctrl_c_ends_it_with_pages_open(tmp_path):
     assert "Traceback" not in rest
 
 
+@pytest.mark.slow
 def test_a_port_that_is_taken_is_named(studio, tmp_path):
     import subprocess
     import sys
@@ -171,6 +173,7 @@ def drawing(served: Served) -> ClientConnection:
     return live(served, uri=f"{base}draw/live")
 
 
+@pytest.mark.slow
 def test_drawing_pages_share_one_drawing_and_the_live_page_operates_it(tmp_path):
     served = start(tmp_path, "--new", "--space")
     assert served.address.endswith("/draw/")

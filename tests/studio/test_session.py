@@ -131,6 +131,7 @@ def test_a_load_case_is_chosen():
     assert "No load case" in ask(session, do="case", name="nope")["message"]
 
 
+@pytest.mark.slow
 def test_members_are_switched_and_come_back():
     session = Session(tripod())
     ask(session, do="move", values={"LB": 1.1})
@@ -257,6 +258,7 @@ def test_values_that_are_hardly_meant_are_asked_about(command, words):
     assert (words in note and "Is it meant so?" in note) if words else "meant so" not in note
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     ["", "{", "[]", "null", "{}", '{"do": "rm"}', '{"do": "move"}', '{"do": "move", "values": {"LA": NaN}}', b"\xff\xfe",

@@ -214,6 +214,7 @@ def large_run(members: int = 5000, frames: int = 300) -> RunResult:
     return RunResult(model=model, name="swing", motion=motion, forces=forces, verdict=verdict, samples=frames)
 
 
+@pytest.mark.slow
 def test_sizes(tmp_path):
     """21 bars stay below 1 MB; 5,000 bars by 300 frames below 5 MB (how fast it is written: bench/viewer.py)."""
     model = kt.library.vgt.double_octahedral(bays=1)
