@@ -164,6 +164,7 @@ def pendulum(**loads):
     return kt.Model(nodes=nodes, fixed=["A"], bars={"b": kt.Bar(ends=("A", "B"), mass=3.0)}, gravity=(0, -9.81), loads=loads)
 
 
+@pytest.mark.slow
 def test_a_couple_turns_a_pendulum_and_leaves_its_stiffness():
     model = pendulum(m=kt.BodyCouple(body="b", moment=3.0 * 9.81 * 1.0 * 0.5))
     found = kt.statics.equilibrium(model)
@@ -209,6 +210,7 @@ def test_faults(load, message):
     assert message in str(error.value)
 
 
+@pytest.mark.slow
 def test_followers_feed_energy():
     """A free body under a couple spins up: the guard against energy from nowhere knows where it comes from."""
     start = kt.Model(nodes={"G": (9.0, 9.0, 9.0)}, fixed=["G"])

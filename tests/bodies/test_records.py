@@ -43,6 +43,7 @@ def test_shared_nodes_are_joints(shared, bars, freedoms):
     assert (counts.degrees_of_freedom, counts.self_stress) == (freedoms, 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dim", [2, 3])
 def test_more_nodes_are_held_without_redundance(dim):
     rng = np.random.default_rng(5)

@@ -129,7 +129,8 @@ class Worker:
         self.package = place / "src/kinetruss"
         self.environment = os.environ | {"PYTHONPATH": str(place / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
         self.environment["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # those of other packages take seconds to start
-        self.environment.pop("NUMBA_CACHE_DIR", None)
+        for name in ("NUMBA_CACHE_DIR", "PYTEST_ADDOPTS"):
+            self.environment.pop(name, None)
         where = self._python("-c", "import kinetruss; print(kinetruss.__file__)").stdout.strip()
         if Path(where) != self.package / "__init__.py":
             raise RuntimeError(f"the copy {self.package} is not what is imported, but {where}")

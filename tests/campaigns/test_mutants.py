@@ -29,6 +29,7 @@ def fault(function, before, after, tests="tests/test_area.py"):
     return Mutant(f"{function}: {before}", "sign", function, before, after, tests)
 
 
+@pytest.mark.slow
 def test_every_fault_has_one_place_and_tests():
     source = Source(ROOT / "src/kinetruss")
     for one in TABLE:

@@ -22,6 +22,7 @@ def call(file, *words):
     return CliRunner().invoke(main, ["budget", str(file), *words])
 
 
+@pytest.mark.slow
 def test_the_table_has_units_and_shows_round_off_as_zero(file):
     words = ("--of", "bay.beta", "--of", "bay.gamma", "--tolerance", "M*.length=0.1 mm", "--samples", "50")
     done = call(file, *words, "--at", "bay.beta=5 deg")
@@ -31,6 +32,7 @@ def test_the_table_has_units_and_shows_round_off_as_zero(file):
     assert second[:3] == ["bay.gamma", "0", "deg"]
 
 
+@pytest.mark.slow
 def test_the_object_has_the_numbers_of_the_api(file):
     done = call(file, "--of", "N8.x", "--tolerance", "M6.length=0.1 mm", "--samples", "20", "--seed", "3", "--json")
     found = json.loads(done.output)

@@ -31,6 +31,7 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_each_variant_is_a_run_like_any_other(out):
     assert sorted(path.name for path in out.iterdir()) == ["duration=10", "duration=3", "duration=5"]
     assert "61 samples, t = 0 to 10 s" in call("info", out / "duration=10").stdout
@@ -39,6 +40,7 @@ def test_each_variant_is_a_run_like_any_other(out):
     assert call("export", out / "duration=5", out.parent / "five.csv").exit_code == 0
 
 
+@pytest.mark.slow
 def test_variants_overlaid(out, tmp_path):
     paths = sorted(out.iterdir())  # what a shell makes of out/*
     done = call("plot", *paths, "--quantity", "von_mises", "--member", "follower", "-o", tmp_path / "a.png")
@@ -48,6 +50,7 @@ def test_variants_overlaid(out, tmp_path):
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "arguments",
     [
@@ -80,6 +83,7 @@ def test_the_help_names_the_quantities():
         assert name in text
 
 
+@pytest.mark.slow
 def test_wrong_names_are_answered_with_the_nearest(out, tmp_path):
     done = call("plot", out, "--quantity", "von_mise", "-o", tmp_path / "a.png")
     assert (done.exit_code, "Did you mean 'von_mises'?" in done.stderr) == (2, True)
@@ -145,6 +149,7 @@ def test_values_in_brackets_and_json(tmp_path):
     assert all(entry["worst"]["utilisation"] > 0 for entry in record["variants"])
 
 
+@pytest.mark.slow
 def test_a_variant_that_ends_early_is_said_and_the_exit_code_is_1(tmp_path):
     kt.write(tripod(11), tmp_path / "tripod.yaml")
     done = call("run", tmp_path / "tripod.yaml", "--set", "runs.lift.trajectory.moves.LA.1=1.15 m,9 m", "-o", tmp_path / "out")

@@ -41,6 +41,7 @@ def test_default_instant_is_the_largest_force():
     assert "load case all" in call(EXAMPLES["triangular_truss"], "--node", "B").stdout
 
 
+@pytest.mark.slow
 def test_systems(tmp_path):
     triangle = call(EXAMPLES["triangular_truss"], "--system", "--time", "0.6")
     assert "11 equations, 11 unknowns" in triangle.stdout
@@ -54,6 +55,7 @@ def test_systems(tmp_path):
     assert apart["size"] == [132, 132]
 
 
+@pytest.mark.slow
 def test_a_run_folder_and_a_model_without_runs(tmp_path):
     model = kt.read(EXAMPLES["four_bar"])
     kt.run(model, next(iter(model.runs)), tmp_path / "out")

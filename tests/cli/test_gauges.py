@@ -41,6 +41,7 @@ def test_readings():
     assert record["strain"]["G2"]["largest_time"] == pytest.approx(6.431)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("number", "rows", "offset"), [("1", 110, -0.524), ("2", 80, 0.5)])
 def test_experiments_measured_against_simulated(number, rows, offset):
     """Constructed to differ as the thesis reports: 13 % to 5 % below in the first, 0.5e-6 in the second."""
@@ -65,6 +66,7 @@ def test_the_first_experiment_lies_below_the_simulation_all_along():
     assert np.abs(below - (0.13 - 0.08 * share)).mean() < 0.006
 
 
+@pytest.mark.slow
 def test_tables_and_pictures(tmp_path):
     words = [MODEL, "--run", "experiment_2"]
     table = tmp_path / "strain.csv"
@@ -88,6 +90,7 @@ def test_tables_and_pictures(tmp_path):
     assert "cannot be written" in full.stderr
 
 
+@pytest.mark.slow
 def test_a_run_folder(tmp_path):
     model = kt.read(MODEL)
     kt.run(model, "experiment_2", tmp_path / "out")

@@ -13,6 +13,7 @@ def leg(tmp_path, monkeypatch):
     assert CliRunner().invoke(main, ["new", "leg", "--like", "four_bar"]).exit_code == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("typed", "answer"),
     [

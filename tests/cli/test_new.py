@@ -26,6 +26,7 @@ def test_alone_it_says_what_to_try_first():
             assert line.split()[1] in main.commands
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", kt.library.example_files())
 def test_a_new_model_is_the_example_under_its_own_title(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -73,6 +74,7 @@ def test_a_mechanism_of_the_library_becomes_a_model_that_runs(tmp_path, monkeypa
 MECHANISMS = [name for name in kt.library.builders() if name.startswith("mechanisms.")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_round_off_of_a_mechanism_is_written_as_zero(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -34,6 +34,7 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
     done = call("report", turn, "-o", tmp_path / "out", "--no-open", "--no-pdf")
     page = tmp_path / "out" / "report.html"
@@ -50,6 +51,7 @@ def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
     assert opened == []
 
 
+@pytest.mark.slow
 def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
     done = call("report", turn, "--no-pdf", "--no-view", "--json")
     record = json.loads(done.stdout)
@@ -60,6 +62,7 @@ def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
     assert "kinetruss-scene" not in page.read_text()
 
 
+@pytest.mark.slow
 def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(_print, "chromium", lambda: None)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-open")
@@ -68,6 +71,7 @@ def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypa
     assert "No PDF: no Chromium was found" in done.stderr
 
 
+@pytest.mark.slow
 def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(webbrowser, "open", lambda _: False)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-pdf")
@@ -75,6 +79,7 @@ def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
     assert "No browser could be started" in done.stderr
 
 
+@pytest.mark.slow
 def test_a_run_that_is_not_whole_is_said_to_be(tmp_path):
     def stop(done: int, total: int) -> None:
         raise KeyboardInterrupt

@@ -44,12 +44,14 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_check_asks_for_no_drive_of_what_is_let_go(folder):
     for file in (EXAMPLE, folder / "loose.yaml"):
         done = call("check", file)
         assert done.exit_code == 0, done.output
 
 
+@pytest.mark.slow
 def test_the_page_tells_how_it_was_stepped_and_what_happened(folder):
     text = call("info", folder / "fall").stdout
     for words in ("Completed.", "method  taylor", "of the largest kinetic energy", "under at t = 0.4595",
@@ -62,6 +64,7 @@ def test_the_page_tells_how_it_was_stepped_and_what_happened(folder):
     assert record["checks"]["energy_balance"]["relative"] < 1e-8
 
 
+@pytest.mark.slow
 def test_an_event_ends_a_run_with_exit_code_0(folder):
     done = call("run", EXAMPLE, "down", "-o", folder / "down")
     assert done.exit_code == 0
@@ -82,6 +85,7 @@ def test_a_run_that_ends_early_exits_with_1(folder):
     assert "of 11 samples are good" in done.stdout
 
 
+@pytest.mark.slow
 def test_pictures_plots_exports_and_comparisons(folder, tmp_path):
     assert call("plot", folder / "fall").exit_code == 0
     assert (folder / "fall" / "pictures" / "energies.svg").exists()
@@ -115,6 +119,7 @@ def test_variants_of_a_simulation(folder, tmp_path):
     assert len(list((tmp_path / "two").iterdir())) == 2
 
 
+@pytest.mark.slow
 def test_an_interrupt_leaves_a_readable_run_to_go_on_with(tmp_path):
     model = kt.read(EXAMPLE)
     slow = model.runs["fall"].with_(t_end=3000.0, samples=300_001, events={})

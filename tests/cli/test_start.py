@@ -40,6 +40,7 @@ def test_the_command_begins_where_ctrl_c_is_told():
     assert project["project"]["scripts"] == {"kinetruss": "kinetruss.cli._start:start"}
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot send these signals to a process")
 @pytest.mark.parametrize(
     ("module", "words"),
@@ -81,6 +82,7 @@ def compiling(count: int, error: Warning | None = None):
     return work
 
 
+@pytest.mark.slow
 def test_compiling_says_how_far_it_is(monkeypatch):
     monkeypatch.setattr(_compile, "_run_all", compiling(45))
     done = CliRunner().invoke(main, ["compile"])
@@ -175,6 +177,7 @@ def test_the_runs_that_are_compiled_for_are_there():
         assert name in kt.read(kt.library.example_files()[example][0]).runs
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot send these signals to a process")
 def test_in_the_background_tests_hear_ctrl_c_all_the_same():
     code = "import signal, conftest; raise SystemExit(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"

@@ -66,6 +66,7 @@ def test_version():
     assert call("--version").stdout.strip() == f"kinetruss, version {kt.__version__}"
 
 
+@pytest.mark.slow
 def test_help_and_check_load_nothing_heavy(folder):
     heavy = ("numba", "xarray", "matplotlib", "zarr", "pandas")
     code = (
@@ -84,6 +85,7 @@ def test_check_counts_what_is_whole(folder):
     assert json.loads(call("check", folder / "tripod.yaml", "--json").stdout)["ok"] is True
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FAULTY, ids=lambda path: path.name)
 def test_check_refuses_every_faulty_file_with_place_and_mend(path):
     done = call("check", path)
@@ -123,6 +125,7 @@ def test_a_missing_file_is_said_without_a_traceback(tmp_path):
         assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_run_prints_the_page_and_draws(folder):
     done = call("run", folder / "fourbar.json", "-o", folder / "turn", "--pictures")
     assert done.exit_code == 0
@@ -188,6 +191,7 @@ def test_resume_of_an_ended_run_is_refused(folder):
     assert "nothing to resume" in done.stderr
 
 
+@pytest.mark.slow
 def test_resume_goes_on(tmp_path):
     def stop(done: int, total: int) -> None:
         raise KeyboardInterrupt
@@ -207,11 +211,13 @@ def test_info_of_a_model_counts(folder):
     assert "1 degree of freedom" in call("info", folder / "fourbar.json").stdout
 
 
+@pytest.mark.slow
 def test_info_of_a_run_is_its_page(folder):
     assert call("info", folder / "run").stdout.strip() == report.summary(runs.load(folder / "run")).text.strip()
     assert json.loads(call("info", folder / "run", "--json").stdout)["run"] == "lift"
 
 
+@pytest.mark.slow
 def test_joint_forces_by_member_node_axis_and_time(folder):
     text = call("info", folder / "run", "--joints").stdout
     assert "shear_3" in text
@@ -252,12 +258,14 @@ def test_examples_are_listed_copied_and_never_replace(tmp_path):
     assert "There are:" in call("examples", "nothing").stderr
 
 
+@pytest.mark.slow
 def test_every_example_is_without_fault():
     for entry in json.loads(call("examples", "--json").stdout)["examples"]:
         path = Path(kt.library.example_files()[entry["name"]][0])
         assert call("check", path).exit_code == 0
 
 
+@pytest.mark.slow
 def test_exports_hold_what_the_run_holds(folder, tmp_path):
     pandas = pytest.importorskip("pandas")
     run = runs.load(folder / "run")
@@ -274,11 +282,13 @@ def test_exports_hold_what_the_run_holds(folder, tmp_path):
         assert data.member_force.attrs["units"] == "N"
 
 
+@pytest.mark.slow
 def test_export_of_the_table_of_margins(folder, tmp_path):
     assert call("export", folder / "run", tmp_path / "m.csv", "--group", "verdict").exit_code == 0
     assert (tmp_path / "m.csv").read_text().startswith("part,rule,unit,value,limit,utilisation")
 
 
+@pytest.mark.slow
 def test_export_says_what_it_cannot_do(folder, tmp_path, monkeypatch):
     assert "Choose one of these endings" in call("export", folder / "run", tmp_path / "a.xls").stderr
     assert "It has: motion" in call("export", folder / "run", tmp_path / "a.csv", "--group", "wind").stderr
@@ -289,12 +299,14 @@ def test_export_says_what_it_cannot_do(folder, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_an_end_of_a_member_is_not_taken_for_a_node(folder):
     run = runs.load(folder / "run")
     assert [one.of for one in report.curves(run, "end_force", ["LA"])] == ["LA end A", "LA end B"]
     assert "end A (first node)" in run.forces["pushed"].end_force.attrs["long_name"]
 
 
+@pytest.mark.slow
 def test_plot_draws_a_quantity_and_all_pictures(folder, tmp_path):
     done = call("plot", folder / "run", "--quantity", "drive_force", "-o", tmp_path / "f.svg")
     assert (done.exit_code, (tmp_path / "f.svg").exists()) == (0, True)
@@ -310,6 +322,7 @@ def test_progress_goes_to_a_terminal_only(folder, tmp_path):
     assert done.stderr == ""
 
 
+@pytest.mark.slow
 def test_a_full_disk_ends_with_1_and_shows_nothing_as_whole(folder, tmp_path):
     """A limit on the size of a file stands for the full disk; the process meets it while it writes the second block."""
     kt.write(fourbar(4001), tmp_path / "long.yaml")
@@ -351,6 +364,7 @@ def test_a_run_without_one_good_sample_is_said_to_be_so(tmp_path):
         assert "no good sample" in refused.stderr
 
 
+@pytest.mark.slow
 def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
     kt.write(fourbar(200_001), tmp_path / "long.yaml")
     command = [Path(sys.executable).parent / "kinetruss", "run", tmp_path / "long.yaml", "-o", tmp_path / "run"]

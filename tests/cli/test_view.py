@@ -34,6 +34,7 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_a_model_or_a_run_is_written(place, opened):
     for what in (place / "model.yaml", place / "one" / "out"):
         done = call("view", what, "-o", place / "view.html", "--no-open")
@@ -42,6 +43,7 @@ def test_a_model_or_a_run_is_written(place, opened):
     assert opened == []
 
 
+@pytest.mark.slow
 def test_without_a_file_it_is_opened_from_a_temporary_place(place, opened):
     done = call("view", place / "one" / "out", "--json")
     record = json.loads(done.stdout)
@@ -57,6 +59,7 @@ def test_where_no_browser_starts_the_file_is_named(place, monkeypatch):
     assert f"{place / 'kept.html'}\nNo browser" in done.stdout
 
 
+@pytest.mark.slow
 def test_two_runs_beside_each_other_keep_names_that_differ(place):
     done = call("view", place / "one" / "out", "--beside", place / "two" / "out", "-o", place / "both.html", "--no-open")
     assert done.exit_code == 0

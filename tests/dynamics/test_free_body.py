@@ -51,6 +51,7 @@ def test_a_hanging_rod_by_hand():
     assert [e.name for e in body.equations] == ["force x", "force y", "moment 3"]
 
 
+@pytest.mark.slow
 def test_a_swinging_rod_by_hand():
     """A rod turned about one end at a constant rate w: m w^2 L/2 pulls it in, its motor bears the moment of the weight."""
     w, L, m = 3.0, 2.0, 1.5

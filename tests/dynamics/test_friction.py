@@ -54,6 +54,7 @@ def test_a_bar_on_the_ground_slows_down_exponentially(method):
     assert speed(run, "P", 0.5) == pytest.approx(wanted, abs=1e-8 if method.kind == "DOP853" else 2e-6)
 
 
+@pytest.mark.slow
 def test_two_bars_on_a_free_pin_share_their_bearings():
     """Two bearings of c in series are worth c/2: w_1' = -c/2 (w_1 - w_2)/I_1, and w_2 alike."""
     c, I, J = 0.3, 2.0 * 0.5**2, 1.0 * 0.8**2

@@ -148,6 +148,7 @@ def coordinate_event(run_of, node, axis, value, direction=0, stop=False):
     return (m.COORDINATE, 3 * run_of.node_index(node) + axis, 0, value, direction, stop)
 
 
+@pytest.mark.slow
 def test_events_are_found_and_stop():
     from kinetruss.mechanics import compile
 

@@ -157,6 +157,7 @@ def stiff(stiffness):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [EnergyMomentum(2e-3), GeneralizedAlpha(2e-3, rho=0.8)])
 def test_a_stiff_bar_costs_nothing(method):
     """E A/l of a steel bar: 1e8 N/m on 1 kg; its motion is that of a rigid one."""

@@ -174,6 +174,7 @@ def test_prothero_and_robinson():
     assert max(steps) < 400
 
 
+@pytest.mark.slow
 def test_a_stiff_bar_that_turns_costs_nothing():
     """E A/l of a steel bar: 1e8 N/m on 1 kg, damped. Its motion is that of a rigid one but for the 1e-6 m that it gives."""
     times = np.linspace(0, 2, 21)
@@ -338,6 +339,7 @@ def test_files_hold_it(tmp_path):
     assert found.simulation.data.attrs["method"] == "radau"
 
 
+@pytest.mark.slow
 def test_what_is_refused_is_refused_before_any_work():
     with pytest.raises(InputError, match="Take the method DOP853 without a step"):
         kt.dynamics.simulate(

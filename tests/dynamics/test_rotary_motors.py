@@ -456,6 +456,7 @@ def _refused(model, task, words, error=ModelError, **more):
         dynamics.simulate(model, 0.1, tasks={"turn": task}, **more)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_simulated_is_refused():
     whole = planar(gear=GEAR, motor=MOTOR)
     _refused(planar(), StepInput(voltage=1.0), "feeds a motor, but 'turn' has none. Give the drive a motor")

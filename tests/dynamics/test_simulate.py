@@ -324,6 +324,7 @@ def test_prepared_runs_give_the_same_numbers_without_records():
         ready.run(3.0)
 
 
+@pytest.mark.slow
 def test_strength_and_sections_take_the_forces_as_they_are():
     model = kt.read(kt.library.example_files()["double_pendulum"][0])
     run = simulate(model, 1.0, samples=51)

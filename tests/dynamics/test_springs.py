@@ -64,6 +64,7 @@ def test_damped_oscillation():
     assert angle(run.motion) == pytest.approx(np.exp(-d * t) * (np.cos(w * t) + d / w * np.sin(w * t)), abs=1e-10)
 
 
+@pytest.mark.slow
 def test_friction_takes_four_times_its_share_from_the_amplitude_of_a_cycle():
     """Coulomb's friction M: every half cycle loses 2 M/k; with the slip rate towards 0."""
     M, half = 1.5, np.pi / np.sqrt(STIFFNESS / INERTIA)

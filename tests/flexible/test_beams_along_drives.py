@@ -54,6 +54,7 @@ def test_a_beam_moves_and_carries_like_a_rigid_one():
     assert "Not in balance" not in ours.message
 
 
+@pytest.mark.slow
 def test_section_forces_along_a_motion_are_those_of_the_mass_at_the_tip():
     """At the clamp r x (g - a) m, everywhere the resultant (g - a) m; of the beam's own mass those of a rigid rod."""
     model = truss()
@@ -77,6 +78,7 @@ def test_section_forces_along_a_motion_are_those_of_the_mass_at_the_tip():
     np.testing.assert_allclose(along.end_moment.sel(beam="arm", end="A", about="z"), -whole, atol=3e-4 * np.abs(whole).max())
 
 
+@pytest.mark.slow
 def test_frequencies_at_every_pose_are_in_closed_form():
     """On a rigid truss the mass on the beam has sqrt(3 E I/(m l^3)) across and sqrt(E A/(m l)) along it, in every pose."""
     model = truss(gravity=(0.0, 0.0), beams={"arm": kt.Beam(ends=("C", "T"), mass=0.0)})
@@ -142,6 +144,7 @@ def test_an_isolator_with_a_beam_along_its_drives_is_that_of_a_model_drawn_in_ea
     assert np.abs(found[-1] / found[0] - 1).max() > 1e-3
 
 
+@pytest.mark.slow
 def test_vibration_agrees_with_the_simulation():
     model = truss(gravity=(0.0, 0.0), beams={"arm": kt.Beam(ends=("C", "T"), mass=0.5)})
     motion = kt.kinematics.follow(model, SLEW, times=np.linspace(0, 0.05, 26))

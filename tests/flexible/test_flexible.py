@@ -68,6 +68,7 @@ def test_frequencies_are_those_of_the_linearised_elastic_structure():
     np.testing.assert_allclose(found.frequency.values[0], lin.frequency.values, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_modes_are_orthogonal_and_energy_shares_add_up(along):
     model, forces = along
     found = kt.flexible.frequencies(model, forces, 5)
@@ -101,6 +102,7 @@ def test_modes_keep_their_places_where_frequencies_cross():
     np.testing.assert_allclose(found.actuator_share.values[:, :, ::-1], np.tile(np.eye(2), (40, 1, 1)), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_what_is_settled_is_the_deflection(along):
     model, forces = along
     shaken = kt.flexible.vibration(model, forces, tolerance=0.1)

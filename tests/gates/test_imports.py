@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
+
 CODE = """
 import importlib, sys
 import kinetruss
@@ -17,6 +19,7 @@ print(len(packages))
 """
 
 
+@pytest.mark.slow
 def test_every_package_can_be_imported_first():
     done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -33,6 +33,7 @@ json.dump([cell.outputs for cell in book.cells], sys.stdout)
 """
 
 
+@pytest.mark.slow
 def test_a_notebook_shows_a_model_and_a_live_one():
     found = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", EXECUTE, json.dumps(CELLS)], capture_output=True, text=True, timeout=240

@@ -73,6 +73,7 @@ def test_every_kind_of_edit_changes_its_own_lines_only(desk):
         assert done(desk, do="undo")["text"] == TEXT
 
 
+@pytest.mark.slow
 def test_typing_is_one_step_until_the_text_is_left(desk):
     for k in range(3):
         done(desk, do="text", text=TEXT.replace("[2, 0]", f"[{3 + k}, 0]"), drag=-1)
@@ -133,6 +134,7 @@ def test_a_patched_text_means_the_new_data_or_is_refused(before, after, random):
     assert data_of(found, Path())[0] == new
 
 
+@pytest.mark.slow
 def test_the_page_with_sliders_saves_with_comments(tmp_path):
     file = tmp_path / "arm.yaml"
     file.write_text("# mine\n" + kt.library.example_files()["drive_train"][0].read_text(encoding="utf-8"), encoding="utf-8")

@@ -228,6 +228,7 @@ def test_another_file_is_replaced_only_when_that_is_confirmed(tmp_path):
     assert ask(Session(tripod(), tmp_path / "a.yaml", tmp_path), do="save", name="thesis.yaml")["kind"] == "exists"
 
 
+@pytest.mark.slow
 def test_a_file_that_something_else_changed_is_not_replaced_in_silence(tmp_path):
     path = kt.write(tripod(), tmp_path / "a.yaml")
     seen = seen_now(path)  # as the studio does before it reads the file
@@ -243,6 +244,7 @@ def test_a_file_that_something_else_changed_is_not_replaced_in_silence(tmp_path)
     assert ask(session, do="save", name="a.yaml")["kind"] == "exists"  # two pages
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "words"),
     [

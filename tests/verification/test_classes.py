@@ -53,6 +53,7 @@ def test_laws_leave_nothing():
     assert all(case.expected == 0 for case in of_class("identity"))
 
 
+@pytest.mark.slow
 def test_the_formulas_of_the_thesis_stand_beside_the_product():
     """They are a class of their own. His program is in one module, which nothing else reaches; his sum of one bending and the
     axial stress stands with the tables.

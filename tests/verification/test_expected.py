@@ -101,6 +101,7 @@ def test_spatial_slider_crank_by_lagrange():
         near(where.format("v_S"), slope * rate[k], 1e-10)
 
 
+@pytest.mark.slow
 def test_andrews_by_its_crank_alone():
     names = ("beta", "Theta", "gamma", "Phi", "delta", "Omega", "epsilon")
     q, v = (history[-1] for history in andrews.run(np.array([0.0, andrews.END])))
@@ -180,6 +181,7 @@ SIZES = {"velocity": (4e-4, 1.7e-2), "acceleration": (5e-4, 2.6e-2), "force": (8
 """Differences of equations 6.9 and 6.14 as printed, to one or two digits: both angles together, gamma 0.75 s later."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("move", "start", "instants"), [("together", 0.0, TOGETHER), ("delayed", 0.75, DELAYED)])
 def test_the_frames_of_a_chain_as_printed_by_the_recursive_form(move, start, instants):
     found = dict.fromkeys(SIZES, 0.0)

@@ -62,6 +62,7 @@ def slew(request):
     return stored(f"bay.T={duration:g}.t={t:g}."), truss, motion, newton_euler.solve(truss, *motion, external)
 
 
+@pytest.mark.slow
 def test_one_bay_is_117_equations_of_full_rank(slew):
     _, truss, _, solution = slew
     assert newton_euler.size(truss) == (117, 117)

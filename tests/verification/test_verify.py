@@ -14,6 +14,8 @@ from kinetruss.verification._case import Case, Report, relative_difference
 from kinetruss.verification._cases import cases, numbers
 from kinetruss.verification._reference import Reference
 
+pytestmark = pytest.mark.slow
+
 KEYS = {
     "id", "class", "source", "note", "inferred", "expected", "computed", "product", "relative_difference", "tolerance",
     "passed",
