@@ -53,6 +53,7 @@ def test_a_place_that_is_gone_or_one_of_two_is_told(project, function, before, t
         Source(project / "src/kinetruss").mutated(fault(function, before, "b"))
 
 
+@pytest.mark.slow
 def test_what_becomes_of_faults(project, tmp_path):
     faults = {
         "found": fault("area", "a * b", "a + b"),

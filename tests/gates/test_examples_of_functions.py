@@ -8,6 +8,8 @@ import re
 from collections.abc import Iterator, Mapping
 from types import FunctionType, ModuleType
 
+import pytest
+
 import kinetruss as kt
 
 PARSER = doctest.DocTestParser()
@@ -35,6 +37,7 @@ def calls(function: FunctionType) -> list[doctest.Example]:
     return [example for example in PARSER.get_examples(function.__doc__ or "") if own.search(example.source)]
 
 
+@pytest.mark.slow
 def test_every_public_function_has_an_example_that_is_run() -> None:
     found = dict(functions(kt))
     assert len(found) > 200

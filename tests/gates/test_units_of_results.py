@@ -46,6 +46,7 @@ def results_of(run):
             yield kind, one.data
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "run"), RUNS)
 def test_each_number_of_a_run_has_a_unit(name, run):
     run = run or next(iter(kt.read(kt.library.example_files()[name][0]).runs))
