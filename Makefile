@@ -77,7 +77,7 @@ lock:
 
 # The page of kinetruss view, bundled from viewer-src; needs node and npm. Its units and colours come from the package.
 viewer: setup
-	@$(BIN)/python -m kinetruss.display.script viewer-src/src/display.js
+	@$(BIN)/python -m kinetruss.display.palettes viewer-src/src/display.js
 	cd viewer-src && npm ci --ignore-scripts --no-audit --no-fund --silent && npm run --silent build
 
 clean:

@@ -17,8 +17,8 @@ import time
 import numpy as np
 
 import kinetruss as kt
-from kinetruss.kinematics.targets.courses import at_values, parameters_of
-from kinetruss.kinematics.targets.solve import drive_path, problem
+from kinetruss.kinematics.task_courses import at_values, parameters_of
+from kinetruss.kinematics.task_problem import drive_path, problem
 from kinetruss.mechanics import compile
 
 BAYS = 10

@@ -19,7 +19,7 @@ import statistics
 import time
 
 import kinetruss as kt
-from kinetruss.studio.editor import Desk
+from kinetruss.studio.desk import Desk
 
 BAYS = 50
 

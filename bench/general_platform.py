@@ -1,6 +1,6 @@
 """Solves one generic Stewart-Gough platform by all 128 paths and writes what `kinematics.assembly_modes` starts from.
 
-python bench/general_platform.py            # writes src/kinetruss/kinematics/modes/data/general_platform.json
+python bench/general_platform.py            # writes src/kinetruss/kinematics/data/general_platform.json
 python bench/general_platform.py --seed 2   # another generic platform
 """
 
@@ -9,8 +9,8 @@ import json
 
 import numpy as np
 
-from kinetruss.kinematics.modes.homotopy import _Homotopy, _Powers, followed
-from kinetruss.kinematics.modes.known_platform import KNOWN, Platform
+from kinetruss.kinematics.homotopy import _Homotopy, _Powers, followed
+from kinetruss.kinematics.known_platform import KNOWN, Platform
 
 
 def made(seed):

@@ -10,14 +10,18 @@ import ast
 import io
 import json
 import re
+import statistics
 import tokenize
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 BUILDERS = ("library",)  # functions whose arguments are what a user describes
 PRAGMA = re.compile(r"#\s*(noqa|type:|fmt:|pragma|pylint|mypy:|ruff:|isort:|!)")
+LAYOUT = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER}
 
 
 def main() -> None:
@@ -30,107 +34,88 @@ def main() -> None:
         print(json.dumps(found, indent=1))
         return
     for name, value in found.items():
-        print(f"{name:36s} {value}")
+        print(f"{name:42s} {value}")
+
+
+@dataclass(frozen=True)
+class Source:
+    """One file: its module, its room (the folder; a folder's `__init__` is no room's file), its text and its tree."""
+
+    path: Path
+    module: str
+    text: str
+
+    @property
+    def package(self) -> str:
+        return f"{self.module}.kinetruss".split(".")[1]
+
+    @property
+    def room(self) -> str:
+        return self.module if self.path.name == "__init__.py" else self.module.rpartition(".")[0]
+
+    @cached_property
+    def tree(self) -> ast.Module:
+        return ast.parse(self.text)
+
+    @cached_property
+    def lines(self) -> int:
+        return len(self.text.splitlines())
+
+    @cached_property
+    def tokens(self) -> list[tokenize.TokenInfo]:
+        return list(tokenize.generate_tokens(io.StringIO(self.text).readline))
+
+    def comments(self, pragmas: bool) -> int:
+        """Pragmas, which only a tool reads, or all other comments."""
+        return sum(token.type == tokenize.COMMENT and bool(PRAGMA.match(token.string)) == pragmas for token in self.tokens)
+
+    def code(self) -> int:
+        """Tokens without comments, docstrings (a text that is a statement) and layout."""
+        words = [token for token in self.tokens if token.type not in LAYOUT]
+        first = {token.start[0]: token for token in reversed(words)}
+        texts = {node.lineno: node for node in ast.walk(self.tree) if isinstance(node, ast.Expr) and _is_text(node.value)}
+        return len(words) - sum(first[line].type == tokenize.STRING for line in texts)
+
+    def head(self) -> int:
+        """Lines before the first definition; of a file without one, none."""
+        found = [node for node in self.tree.body if isinstance(node, ast.FunctionDef | ast.ClassDef)]
+        return min((one.lineno - 1 for node in found[:1] for one in (node, *node.decorator_list)), default=0)
 
 
 def figures(root: Path) -> dict[str, Any]:
     """Every figure by name; paths and functions where a largest one is counted."""
-    files = sorted(root.rglob("*.py"))
-    texts = {file: file.read_text("utf-8") for file in files}
-    trees = {file: ast.parse(text) for file, text in texts.items()}
-    folders = Counter(file.parent for file in files if file.name != "__init__.py")
-    folder, most = folders.most_common(1)[0]
-    arguments = sorted(_arguments(root, trees), reverse=True)
-    public = _public(root, trees)
-    inner = [one for one in arguments if one[1].rsplit(":")[-1] not in public]
-    circles = _circles(_imports(root, trees))
-    comments = {file: _comments(text) for file, text in texts.items()}
-    inner_files = [file for file in files if "kernels" in file.relative_to(root).parts]
+    paths = (path for path in sorted(root.rglob("*.py")) if "__pycache__" not in path.parts)
+    files = [Source(path, _module(root, path), path.read_text("utf-8")) for path in paths]
+    kernels = [file for file in files if file.package == "kernels"]
+    lines = sum(file.lines for file in files)
+    arguments = sorted(_arguments(files), reverse=True)
+    tokens: Counter[str] = Counter()
+    for file in files:
+        tokens[file.package] += file.code()
     return {
         "files": len(files),
-        "lines": sum(len(text.splitlines()) for text in texts.values()),
-        "files in the largest folder": f"{most} in {folder.relative_to(root)}",
-        "folders with more than 12 files": sum(count > 12 for count in folders.values()),
-        "import circles": len(circles),
-        "files in import circles": sum(map(len, circles)),
+        "lines": lines,
+        "lines of a file, median": statistics.median(file.lines for file in files),
+        "lines of the longest file": max(file.lines for file in files),
+        "lines before the first definition, %": round(100 * sum(file.head() for file in files) / lines, 1),
+        "import circles": len(_circles(_imports(files))),  # of what runs: a rule beside its record names the model it judges
+        "pairs of rooms that import each other": len(_pairs(files)),
+        "private functions": len(_privates(files)),
+        "private functions with one caller": sum(count == 1 for count in _privates(files).values()),
         "most arguments outside builders": "{} in {}".format(*arguments[0]),
-        "most arguments of an inner function": "{} in {}".format(*inner[0]),
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
-        "places numbered by integers": len(_numbered([tree for file, tree in trees.items() if "kernels" in file.parts])),
-        "inner modules imported across packages": _across(root, trees),
-        "private imports across packages": _private(root, trees),
-        "exported names": len(_exported(root, trees)),
-        "comments per 100 lines": _share(comments, texts, files),
-        "comments per 100 lines of kernels": _share(comments, texts, inner_files),
-        "pragmas": sum(pragmas for _, pragmas in comments.values()),
-        "lines of kernels": sum(len(text.splitlines()) for file, text in texts.items() if "kernels" in file.parts),
+        "private imports across packages": sum(_is_private(file, one) for file in files for one in _asked(file)),
+        "exported names": len(_exported(files)),
+        "comments per 100 lines": round(100 * sum(file.comments(pragmas=False) for file in files) / lines, 2),
+        "pragmas": sum(file.comments(pragmas=True) for file in files),
+        "lines of kernels": sum(file.lines for file in kernels),
+        "tokens of code": sum(tokens.values()),
+        "tokens of code by package": dict(tokens.most_common()),
     }
 
 
-def _arguments(root: Path, trees: dict[Path, ast.Module]) -> list[tuple[int, str]]:
-    found = []
-    for file, tree in trees.items():
-        if file.relative_to(root).parts[0] in BUILDERS:
-            continue
-        for node in ast.walk(tree):
-            if isinstance(node, ast.FunctionDef):
-                names = [
-                    a.arg
-                    for a in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
-                    if a.arg not in ("self", "cls")
-                ]
-                found.append((len(names), f"{file.relative_to(root)}:{node.name}"))
-    return found
-
-
-def _public(root: Path, trees: dict[Path, ast.Module]) -> set[str]:
-    """Names that a package declares, and commands: their arguments are what a user may ask for."""
-    found: set[str] = set()
-    for file, tree in trees.items():
-        if file.parent.parent == root and file.name == "__init__.py":
-            found |= _declared(tree)
-        for node in tree.body:
-            if isinstance(node, ast.FunctionDef) and any("command" in ast.unparse(one) for one in node.decorator_list):
-                found.add(node.name)
-    return found
-
-
-def _numbered(trees: list[ast.Module]) -> set[str]:
-    """Names of integers (NAME = 3; A, B, C = range(3) or 0, 1, 2) by which compiled functions index, x[NAME] or x[m.NAME + 1].
-
-    Names are matched as words, whatever module they are of; one that reaches the brackets by another name is not seen. Limits,
-    counts and kinds that are only compared, or that only tell how large something is, are no places and do not count.
-    """
-    return {name for tree in trees for name in _integers(tree)} & {name for tree in trees for name in _indices(tree)}
-
-
-def _integers(tree: ast.Module) -> Iterator[str]:
-    """Names in the module itself that stand for integers."""
-    for node in tree.body:
-        if isinstance(node, ast.Assign) and _whole(node.value):
-            yield from (name.id for target in node.targets for name in ast.walk(target) if isinstance(name, ast.Name))
-
-
-def _whole(value: ast.expr) -> bool:
-    if isinstance(value, ast.Tuple):
-        return all(map(_whole, value.elts))
-    if isinstance(value, ast.Call):
-        return isinstance(value.func, ast.Name) and value.func.id == "range"
-    return isinstance(value, ast.Constant) and isinstance(value.value, int)
-
-
-def _indices(tree: ast.Module) -> Iterator[str]:
-    """Names within brackets in functions whose decorators begin with `kernel`."""
-    for function in ast.walk(tree):
-        if isinstance(function, ast.FunctionDef) and any(map(_compiles, function.decorator_list)):
-            for node in ast.walk(function):
-                for part in ast.walk(node.slice) if isinstance(node, ast.Subscript) else ():
-                    if isinstance(part, ast.Name | ast.Attribute):
-                        yield part.id if isinstance(part, ast.Name) else part.attr
-
-
-def _compiles(decorator: ast.expr) -> bool:
-    return ast.unparse(decorator).startswith("kernel")
+def _is_text(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
 def _module(root: Path, file: Path) -> str:
@@ -138,20 +123,66 @@ def _module(root: Path, file: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-def _imports(root: Path, trees: dict[Path, ast.Module]) -> dict[str, set[str]]:
-    """Modules that each module names in its imports: packages too, those for types only and those within functions."""
-    modules = {_module(root, file): tree for file, tree in trees.items()}
-    found: dict[str, set[str]] = {}
-    for module, tree in modules.items():
-        wanted: set[str] = set()
-        for node in ast.walk(tree):
-            if isinstance(node, ast.ImportFrom) and node.module:
-                # of a package a name may be a module of its own
-                wanted |= {inner if (inner := f"{node.module}.{name.name}") in modules else node.module for name in node.names}
-            elif isinstance(node, ast.Import):
-                wanted |= {name.name for name in node.names}
-        found[module] = (wanted & modules.keys()) - {module}
+def _arguments(files: list[Source]) -> Iterator[tuple[int, str]]:
+    for file in files:
+        for node in ast.walk(file.tree) if file.package not in BUILDERS else ():
+            if isinstance(node, ast.FunctionDef):
+                every = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
+                yield sum(one.arg not in ("self", "cls") for one in every), f"{file.module}:{node.name}"
+
+
+def _privates(files: list[Source]) -> Counter[str]:
+    """Private functions of modules -> how often their names are used in the module, or imported from it."""
+    found: Counter[str] = Counter()
+    for file in files:
+        own = {node.name for node in file.tree.body if isinstance(node, ast.FunctionDef) and node.name.startswith("_")}
+        found.update({f"{file.module}.{name}": 0 for name in own})
+        used = (node.id for node in ast.walk(file.tree) if isinstance(node, ast.Name) and node.id in own)
+        found.update(f"{file.module}.{name}" for name in used)
+    for file in files:
+        for node in ast.walk(file.tree):
+            if isinstance(node, ast.ImportFrom):
+                found.update(place for one in node.names if (place := f"{node.module}.{one.name}") in found)
     return found
+
+
+def _asked(file: Source) -> Iterator[tuple[str, str]]:
+    """Module and name of every import of the house, those within functions too; those for types only left out."""
+    blocks = (node for node in ast.walk(file.tree) if isinstance(node, ast.If) and _for_types(node))
+    skipped = {id(node) for block in blocks for node in ast.walk(block)}
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "kinetruss" and id(node) not in skipped:
+            yield from ((str(node.module), one.name) for one in node.names)
+
+
+def _for_types(node: ast.If) -> bool:
+    return isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
+
+
+def _is_private(file: Source, asked: tuple[str, str]) -> bool:
+    """Does it ask another package for a name, or a module, with an underscore? Kernels are not counted."""
+    package, *names = [*asked[0].split("."), asked[1]][1:]
+    hidden = any(name.startswith("_") and not name.startswith("__") for name in names)
+    return hidden and package not in (file.package, "kernels")
+
+
+def _imports(files: list[Source]) -> dict[str, set[str]]:
+    """Modules that each module names in its imports."""
+    modules = {file.module for file in files}
+    return {
+        file.module: {inner if (inner := f"{module}.{name}") in modules else module for module, name in _asked(file)}
+        & (modules - {file.module})
+        for file in files
+    }
+
+
+def _pairs(files: list[Source]) -> set[frozenset[str]]:
+    """Folders whose files import each other."""
+    rooms = {file.module: file.room for file in files}
+    edges: defaultdict[str, set[str]] = defaultdict(set)
+    for module, wanted in _imports([file for file in files if file.path.name != "__init__.py"]).items():
+        edges[rooms[module]] |= {rooms[one] for one in wanted} - {rooms[module]}
+    return {frozenset((room, other)) for room in edges for other in edges[room] if room in edges.get(other, ())}
 
 
 def _circles(graph: dict[str, set[str]]) -> list[list[str]]:
@@ -183,68 +214,30 @@ def _circles(graph: dict[str, set[str]]) -> list[list[str]]:
     return found
 
 
-def _across(root: Path, trees: dict[Path, ast.Module]) -> int:
-    """Imports from inside another package that its packages do not declare in an `__all__`; kernels not counted."""
-    faces = {_module(root, file): _declared(tree) for file, tree in trees.items() if file.name == "__init__.py"}
-    count = 0
-    for file, tree in trees.items():
-        own = file.relative_to(root).parts[0]
-        for node in ast.walk(tree):
-            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("kinetruss."):
-                parts = node.module.split(".")
-                public = parts[1] == "library" and len(parts) == 3 and not parts[2].startswith("_")
-                declared = {name.name for name in node.names} <= faces.get(node.module, set())
-                count += len(parts) > 2 and parts[1] not in (own, "kernels") and not (public or declared)
-    return count
+def _exported(files: list[Source]) -> set[str]:
+    """``package.name`` of what the faces of the public packages list, and of what the top level has."""
+    faces = {
+        file.module: _listed(file.tree) for file in files if file.path.name == "__init__.py" or file.module.count(".") == 1
+    }
+    top = {name for name in faces["kinetruss"] if f"kinetruss.{name}" in faces}
+    return {f"{package}.{name}" for package in top for name in faces[f"kinetruss.{package}"]} | (faces["kinetruss"] - top)
 
 
-def _private(root: Path, trees: dict[Path, ast.Module]) -> int:
-    """Imports of `_name`, or from a module `_name`, of another package; kernels not counted."""
-    count = 0
-    for file, tree in trees.items():
-        own = file.relative_to(root).parts[0]
-        for node in ast.walk(tree):
-            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("kinetruss."):
-                parts = node.module.split(".")[1:]
-                names = (*parts[1:], *(name.name for name in node.names))
-                hidden = any(name.startswith("_") and not name.startswith("__") for name in names)
-                count += parts[0] not in (own, "kernels") and hidden
-    return count
-
-
-def _exported(root: Path, trees: dict[Path, ast.Module]) -> set[str]:
-    """``package.name`` of what public packages declare, and what the top level alone has; a name that both have counts once."""
-    top = trees[root / "__init__.py"]
-    listed = {ast.unparse(node.targets[0]): node.value for node in top.body if isinstance(node, ast.Assign)}
-    public = ast.literal_eval(listed["_PACKAGES"]).split()
-    homes = ast.literal_eval(listed["_NAMES"])
-    found = {f"{package}.{name}" for package in public for name in _declared_by(root, trees, package)}
-    return found | {f"{home}.{name}" for home, names in homes.items() for name in names.split()} | {"__version__"}
-
-
-def _declared_by(root: Path, trees: dict[Path, ast.Module], package: str) -> set[str]:
-    """Names in the `__all__` of a package, or of a module."""
-    return _declared(trees.get(root / package / "__init__.py") or trees[root / f"{package}.py"])
-
-
-def _comments(text: str) -> tuple[int, int]:
-    """Comments that say something, and pragmas: what only a tool reads."""
-    found = [token.string for token in tokenize.generate_tokens(io.StringIO(text).readline) if token.type == tokenize.COMMENT]
-    pragmas = sum(bool(PRAGMA.match(comment)) for comment in found)
-    return len(found) - pragmas, pragmas
-
-
-def _share(comments: dict[Path, tuple[int, int]], texts: dict[Path, str], files: list[Path]) -> float:
-    """Comments in 100 lines of some files."""
-    return round(100 * sum(comments[file][0] for file in files) / sum(len(texts[file].splitlines()) for file in files), 2)
-
-
-def _declared(package: ast.Module) -> set[str]:
-    """Names in the `__all__` of a package that lists them as they are."""
-    for node in package.body:
+def _listed(tree: ast.Module) -> set[str]:
+    """Names in the `__all__` of a module that lists them as they are, or imported by its face (`a as a`)."""
+    found = {
+        one.asname
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and _for_types(node)
+        for part in node.body
+        if isinstance(part, ast.ImportFrom)
+        for one in part.names
+        if one.asname
+    }
+    for node in tree.body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.List) and ast.unparse(node.targets[0]) == "__all__":
-            return {one.value for one in node.value.elts if isinstance(one, ast.Constant) and isinstance(one.value, str)}
-    return set()
+            found |= {one.value for one in node.value.elts if isinstance(one, ast.Constant) and isinstance(one.value, str)}
+    return found
 
 
 if __name__ == "__main__":

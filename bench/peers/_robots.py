@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 G = np.array([0.0, 0.0, -9.81])
 EZ = np.array([0.0, 0.0, 1.0])
 
-# The robot: lift z, swing g, shoulder b, reach y, wrist a; bodies as in `kinetruss.library.mechanisms.robot`
+# The robot: lift z, swing g, shoulder b, reach y, wrist a; bodies as in `kinetruss.library.mechanisms.robot_of_bars`
 
 MASS = np.array([200.0, 120.0, 40.0])
 CENTRE = np.array([(0.10, 0.20, 0.15), (0.05, 0.30, -0.04), (0.02, 0.25, 0.10)])
@@ -72,7 +72,7 @@ def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
-# The Delta robot of `kinetruss.library.mechanisms.delta`
+# The Delta robot of `kinetruss.library.mechanisms.platforms`
 
 DELTA = {"base": 0.2, "arm": 0.35, "rod": 0.8, "side": 0.09 * math.sqrt(3) / 2, "arm_mass": 0.6, "rod_mass": 0.08, "mass": 0.5}
 

@@ -10,9 +10,8 @@ import yaml
 from api import text_of
 
 import kinetruss as kt
-from kinetruss.model import Record, field_texts
-from kinetruss.model import _record as types
-from kinetruss.model._data import ModelData
+from kinetruss.model import Record, field_texts, record as types
+from kinetruss.model.data import ModelData
 from kinetruss.units import unit_of
 
 SOURCE = yaml.safe_load((Path(__file__).parent / "tables.yaml").read_text("utf-8"))

@@ -10,38 +10,143 @@ from __future__ import annotations
 import importlib
 import sys
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kinetruss.late import late
 from kinetruss.shelves import put_up
 
+if TYPE_CHECKING:
+    from kinetruss import (
+        actuators as actuators,
+        design as design,
+        dynamics as dynamics,
+        errors as errors,
+        exchange as exchange,
+        flexible as flexible,
+        io as io,
+        kinematics as kinematics,
+        library as library,
+        model as model,
+        notebook as notebook,
+        report as report,
+        results as results,
+        runs as runs,
+        statics as statics,
+        strength as strength,
+        studio as studio,
+        units as units,
+        verification as verification,
+        viewer as viewer,
+    )
+    from kinetruss.dynamics.prepared import prepare as prepare
+    from kinetruss.errors import (
+        AnalysisError as AnalysisError,
+        Fault as Fault,
+        FrozenError as FrozenError,
+        InputError as InputError,
+        Interrupted as Interrupted,
+        KinetrussError as KinetrussError,
+        ModelError as ModelError,
+        StoreError as StoreError,
+        UnitError as UnitError,
+    )
+    from kinetruss.io import read as read, write as write
+    from kinetruss.kinematics import check as check, notes as notes
+    from kinetruss.kinematics.conditions import under as under
+    from kinetruss.model import (
+        DOP853 as DOP853,
+        Active as Active,
+        Amplifier as Amplifier,
+        AngleDrive as AngleDrive,
+        Bar as Bar,
+        BaseRotation as BaseRotation,
+        Beam as Beam,
+        Bearing as Bearing,
+        Body as Body,
+        BodyCouple as BodyCouple,
+        BodyForce as BodyForce,
+        Bridge as Bridge,
+        Catalogue as Catalogue,
+        Circle as Circle,
+        Combined as Combined,
+        Compliance as Compliance,
+        Condition as Condition,
+        ConstantRate as ConstantRate,
+        CoordinateDrive as CoordinateDrive,
+        Coordinates as Coordinates,
+        CosineCoordinate as CosineCoordinate,
+        Coupling as Coupling,
+        Cyclic as Cyclic,
+        Docking as Docking,
+        DriveLoad as DriveLoad,
+        DriveTrain as DriveTrain,
+        Elastic as Elastic,
+        EnergyMomentum as EnergyMomentum,
+        Event as Event,
+        ExponentialInput as ExponentialInput,
+        Frame as Frame,
+        Free as Free,
+        Gauge as Gauge,
+        GaugeZero as GaugeZero,
+        Gear as Gear,
+        General as General,
+        GeneralizedAlpha as GeneralizedAlpha,
+        Gimbal as Gimbal,
+        GimbalPose as GimbalPose,
+        GivenForce as GivenForce,
+        Hinge as Hinge,
+        HingeDrive as HingeDrive,
+        History as History,
+        Hold as Hold,
+        Hub as Hub,
+        Joint as Joint,
+        LeadScrew as LeadScrew,
+        LengthDrive as LengthDrive,
+        LoadCase as LoadCase,
+        Material as Material,
+        Measured as Measured,
+        Membrane as Membrane,
+        Mission as Mission,
+        Model as Model,
+        Motor as Motor,
+        NodalForce as NodalForce,
+        Node as Node,
+        OffsetCoordinate as OffsetCoordinate,
+        Orthotropic as Orthotropic,
+        Part as Part,
+        PlanarBody as PlanarBody,
+        Pointing as Pointing,
+        PointMass as PointMass,
+        Positioning as Positioning,
+        PositionLoop as PositionLoop,
+        Pressure as Pressure,
+        Quintic as Quintic,
+        Radau as Radau,
+        Rattle as Rattle,
+        Rectangle as Rectangle,
+        Reflecting as Reflecting,
+        Rod as Rod,
+        Run as Run,
+        Safety as Safety,
+        Sine as Sine,
+        SineInput as SineInput,
+        Solid as Solid,
+        Spline as Spline,
+        Spring as Spring,
+        StepInput as StepInput,
+        StepResponse as StepResponse,
+        TableInput as TableInput,
+        Taylor as Taylor,
+        TitleBlock as TitleBlock,
+        Trapezoid as Trapezoid,
+        Tube as Tube,
+        Way as Way,
+    )
+    from kinetruss.results import Status as Status
+    from kinetruss.runs import run as run
+
 __version__ = "0.1.0"
 
-_PACKAGES = (
-    "actuators design dynamics errors exchange flexible io kinematics library model notebook report results runs "
-    "statics strength studio units verification viewer "
-)
-_NAMES = {
-    "model": (
-        "BaseRotation Bearing Catalogue Compliance Condition Mission DOP853 Elastic EnergyMomentum Event Free GeneralizedAlpha "
-        "GivenForce Hold "
-        "Hinge Hub Joint Membrane Orthotropic PlanarBody Radau Rattle Solid Spring Taylor Coupling HingeDrive "
-        "OffsetCoordinate Active "
-        "Amplifier AngleDrive Bar Beam Body BodyCouple BodyForce ConstantRate CoordinateDrive CosineCoordinate Cyclic "
-        "DriveLoad "
-        "DriveTrain Bridge ExponentialInput Frame Gauge GaugeZero Gear General GimbalPose History LeadScrew "
-        "LengthDrive LoadCase Material Measured Model Motor Node NodalForce Part PointMass PositionLoop Pressure Quintic "
-        "Circle Combined Coordinates Docking Gimbal Pointing Positioning Reflecting Way "
-        "Rectangle Rod Run Safety Sine SineInput Spline StepInput StepResponse TableInput TitleBlock Trapezoid Tube "
-    ),
-    "io": "read write",
-    "kinematics": "check notes",
-    "kinematics.conditions": "under",
-    "dynamics.prescribed": "prepare",
-    "runs": "run",
-    "results": "Status",
-    "errors": ("AnalysisError Fault FrozenError InputError Interrupted KinetrussError ModelError StoreError UnitError "),
-}
 _SHELVES = {
     "sections": ("sections", "SECTIONS"),
     "materials": ("materials", "MATERIALS"),
@@ -60,8 +165,8 @@ def _shelf(module: str, table: str) -> Any:
 for _table, _place in _SHELVES.items():
     put_up(_table, partial(_shelf, *_place))
 
-__all__ = sorted([*(name for names in _NAMES.values() for name in names.split()), *_PACKAGES.split(), "__version__"])
-__getattr__, __dir__ = late(__name__, _NAMES, _PACKAGES)
+__getattr__, __dir__, __all__ = late(__name__)
+__all__ += ["__version__"]
 
 
 def load_ipython_extension(shell: Any) -> None:

@@ -1,59 +1,69 @@
-"""Names of a package that are imported at first use, so that light calls stay fast."""
+"""Names of a package that are imported at first use, so that light calls stay fast.
+
+A package names what it exports once, as imports that type checkers and editors read and that Python never executes::
+
+    if TYPE_CHECKING:
+        from kinetruss.dynamics.simulation import simulate as simulate
+
+    __getattr__, __dir__, __all__ = late(__name__)
+"""
 
 from __future__ import annotations
 
+import ast
 import importlib
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from difflib import get_close_matches
+from pkgutil import get_data
 from typing import Any
-
-__all__ = ["late", "listed"]
 
 MOST = 16
 """Largest number of names that a message lists."""
 
 
-def late(package: str, homes: Mapping[str, str], modules: str = "") -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """The `__getattr__` and the `__dir__` of a package.
-
-    homes : module, relative to the package (dotted) or by its full name -> the names that it exports, in one text. modules :
-        submodules that are exported themselves, in one text. The package lists all names in `__all__`.
-    """
-    home = {name: module for module, names in homes.items() for name in names.split()}
-    own = frozenset(modules.split())
+def late(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """The `__getattr__`, `__dir__` and `__all__` of a package, from the imports under `if TYPE_CHECKING` in its file."""
+    homes = _homes(package)
+    modules = [name for name, home in homes.items() if home == package]
+    exported = sorted(homes)
 
     def find(name: str) -> Any:
-        if name in home:
-            whole = home[name].startswith("kinetruss.")
-            return getattr(importlib.import_module(home[name] if whole else f"{package}.{home[name]}"), name)
-        if name in own:
+        if name not in homes:
+            hint = "" if name.startswith("_") else offered(name)
+            raise AttributeError(f"module {package!r} has no attribute {name!r}{hint}")
+        if homes[name] == package:
             return importlib.import_module(f"{package}.{name}")
-        raise AttributeError(f"module {package!r} has no attribute {name!r}{'' if name.startswith('_') else offered(name)}")
+        found = getattr(importlib.import_module(homes[name]), name)
+        setattr(sys.modules[package], name, found)  # the next use finds it without this function
+        return found
 
     def offered(name: str) -> str:
         """The most similar name; or the submodule that has this one."""
-        near = get_close_matches(name, sys.modules[package].__all__, n=1, cutoff=0.75)
-        places = [f"{package}.{module}.{name}" for module in modules.split() if name in _exported(f"{package}.{module}")]
-        found = places or near
-        if not found and len(public := [one for one in sys.modules[package].__all__ if one not in own]) <= MOST:
+        near = get_close_matches(name, exported, n=1, cutoff=0.75)
+        found = [f"{package}.{module}.{name}" for module in modules if name in _exported(f"{package}.{module}")] or near
+        if not found and len(public := [one for one in exported if one not in modules]) <= MOST:
             return f". It has: {', '.join(public)}"
         return f". Did you mean {found[0]!r}?" if found else ""
 
-    return find, listed(package)
+    return find, lambda: list(exported), exported
 
 
-def listed(package: str) -> Callable[[], list[str]]:
-    """The `__dir__` of a package: what it exports, without its submodules and imports."""
+def listed(module: str) -> Callable[[], list[str]]:
+    """The `__dir__` of a module that users know: what it exports, without what it imports."""
+    return lambda: list(sys.modules[module].__all__)
 
-    def known() -> list[str]:
-        return list(sys.modules[package].__all__)
 
-    return known
+def _homes(package: str) -> dict[str, str]:
+    """Name -> module that defines it; a submodule that is exported itself -> the package."""
+    tree = ast.parse(get_data(package, "__init__.py") or b"")
+    block = next(one for one in tree.body if isinstance(one, ast.If) and ast.unparse(one.test) == "TYPE_CHECKING")
+    imports = [one for one in block.body if isinstance(one, ast.ImportFrom)]
+    return {name.asname: str(one.module) for one in imports for name in one.names if name.asname}
 
 
 def _exported(module: str) -> list[str]:
     try:
         return list(importlib.import_module(module).__all__)
-    except ImportError:  # of a package that is not installed
+    except (ImportError, AttributeError):  # of a package that is not installed; a module that exports nothing by name
         return []

@@ -21,7 +21,7 @@ import numpy as np
 import xarray as xr
 
 import kinetruss as kt
-from kinetruss.results.store.store import open_store
+from kinetruss.results.store import open_store
 from kinetruss.runs import load
 
 T_END, SAMPLES, BLOCK = 600.0, 60_001, 500

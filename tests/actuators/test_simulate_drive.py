@@ -4,16 +4,14 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.integrate import DOP853, Radau
 
 import kinetruss as kt
 from kinetruss.actuators import motor_demand, place_poles, screw_torque, simulate_drive, train_of
-from kinetruss.actuators.forward.events import Interpolant
-from kinetruss.actuators.forward.steps import finite_rates
+from kinetruss.actuators.steps import Interpolant, finite_rates
 from kinetruss.errors import InputError, ModelError
-from kinetruss.kinematics.path.sample import sample_profile
+from kinetruss.kinematics.sampling import sample_profile
 from kinetruss.library.drives import MOTOR_LACY, TRAIN_LACY, TRAIN_LACY_SLEWING
 
 SMOOTH = kt.LeadScrew(lead=2.5e-4, mean_diameter=0.0127)
@@ -153,7 +151,7 @@ def test_saturation_is_found_to_the_instant():
 def test_the_equations_of_a_drive_alone_are_those_of_many(monkeypatch, train, history):
     load = kt.DriveLoad(thrust=100.0, mass=5.0)
     alone = simulate_drive(train, history, load=load, duration=0.5)
-    monkeypatch.setattr("kinetruss.actuators.forward.modes.Coordinate", type("NoBody", (), {}))
+    monkeypatch.setattr("kinetruss.actuators.modes.Coordinate", type("NoBody", (), {}))
     many = simulate_drive(train, history, load=load, duration=0.5)
     for name, column in alone.data.items():
         np.testing.assert_array_equal(column.values, many.data[name].values, err_msg=name)

@@ -2,13 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.followers import unit_loads_of
+from kinetruss.mechanics.loads import unit_loads_of
 
 bodies = kt.library.bodies
 seeds = st.integers(0, 2**32 - 1)

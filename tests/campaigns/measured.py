@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import kinetruss as kt
-from kinetruss.kinematics.path.sample import sample_profile
+from kinetruss.kinematics.sampling import sample_profile
 
 LEAST, MOST = 0.93, 0.05
 NOISES = (1e-4, 1e-3, 1e-2)

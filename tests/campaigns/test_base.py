@@ -54,7 +54,7 @@ def changed(folder, file, more):
 def test_a_changed_source_is_found(answers, tmp_path):
     """The area of tubes grows by 1e-9: masses and stiffnesses."""
     more = "\n_area = Tube.area.fget\nTube.area = property(lambda one: (1 + 1e-9) * _area(one))\n"
-    source = changed(tmp_path, "model/parts/sections.py", more)
+    source = changed(tmp_path, "model/sections.py", more)
     found = Counter(one.quantity for one in against(answers, source).differences)
     assert {"forward mass", "still mass", "inverse left 1 1"} <= found.keys()
     assert "forward rows" not in found

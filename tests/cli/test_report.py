@@ -10,8 +10,8 @@ from click.testing import CliRunner, Result
 
 from kinetruss import runs
 from kinetruss.cli import main
-from kinetruss.report.document import _print
-from kinetruss.results.store import REPORT
+from kinetruss.report.document import writing as _print
+from kinetruss.results.folder import REPORT
 from samples import fourbar, tripod
 
 

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 
 import kinetruss as kt
 from kinetruss import runs
-from kinetruss.cli import _compile, _progress, main
+from kinetruss.cli import common as _progress, compiling as _compile, main
 from kinetruss.kernels.compiled import caches, jit
 from kinetruss.kernels.compiled.progress import Progress
 
@@ -24,7 +24,7 @@ FOURBAR = kt.library.example_files()["four_bar"][0]
 AT_IMPORT = """
 import os, signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)
-from kinetruss.cli._start import start
+from kinetruss.cli.start import start
 class Stop:
     def find_spec(self, name, path=None, target=None):
         if name == wanted:
@@ -37,7 +37,7 @@ start()
 
 def test_the_command_begins_where_ctrl_c_is_told():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
-    assert project["project"]["scripts"] == {"kinetruss": "kinetruss.cli._start:start"}
+    assert project["project"]["scripts"] == {"kinetruss": "kinetruss.cli.start:start"}
 
 
 @pytest.mark.slow
@@ -46,12 +46,12 @@ def test_the_command_begins_where_ctrl_c_is_told():
     ("module", "words"),
     [
         ("click", "Interrupted."),
-        ("kinetruss.cli.runs.run", "Interrupted."),
+        ("kinetruss.cli.running", "Interrupted."),
         ("kinetruss.report", "Interrupted"),
         ("numpy", "Interrupted"),
         ("numpy.exceptions", "Interrupted"),  # within a library, which cannot be loaded twice
         ("numba", "Interrupted before the first samples were written."),
-        ("kinetruss.dynamics.prescribed.inverse", "Interrupted before the first samples were written."),
+        ("kinetruss.dynamics.prescribed", "Interrupted before the first samples were written."),
     ],
 )
 def test_ctrl_c_during_imports_ends_in_one_line(tmp_path, module, words):

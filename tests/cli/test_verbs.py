@@ -327,7 +327,7 @@ def test_a_full_disk_ends_with_1_and_shows_nothing_as_whole(folder, tmp_path):
     """A limit on the size of a file stands for the full disk; the process meets it while it writes the second block."""
     kt.write(fourbar(4001), tmp_path / "long.yaml")
     code = (
-        "import resource, sys; import kinetruss.runs._run as work; from kinetruss.cli import main; first = work.groups_of\n"
+        "import resource, sys; import kinetruss.runs.running as work; from kinetruss.cli import main; first = work.groups_of\n"
         "def full(block):\n"
         "    if float(block.motion.data.time[0]) > 0: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, -1))\n"
         "    return first(block)\n"

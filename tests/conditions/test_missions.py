@@ -9,14 +9,13 @@ import tracemalloc
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss import report
 from kinetruss.cli import main
-from kinetruss.runs.missions.pairs import pairs_of
-from kinetruss.runs.missions.stream import run_mission
+from kinetruss.runs.mission_results import pairs_of
+from kinetruss.runs.missions import run_mission
 
 STEEL = kt.library.materials.STEEL_S235
 share = st.floats(-1, 1, allow_subnormal=False).map(lambda value: round(value, 4))
@@ -244,12 +243,12 @@ def test_memory_does_not_grow_with_the_pairs():
 
 @pytest.mark.slow
 def test_a_long_motion_is_streamed_in_blocks(monkeypatch):
-    from kinetruss.runs.missions import stream
+    from kinetruss.runs import missions as stream
 
     model = crane()
     whole = kt.run(model)
     monkeypatch.setattr(stream, "HELD", 0.0)
-    monkeypatch.setattr("kinetruss.runs.blocks.planned.block_size", lambda _: 7)
+    monkeypatch.setattr("kinetruss.runs.plans.block_size", lambda _: 7)
     parts = kt.run(model)
     assert parts.verdict.data["value"].values == pytest.approx(whole.verdict.data["value"].values, rel=1e-9, nan_ok=True)
     assert parts.drives["value"].values == pytest.approx(whole.drives["value"].values, rel=1e-9)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.design._drives import core_stress
+from kinetruss.design.drive_choice import core_stress
 
 SCREWS = {
     "fast": {"lead": "20 mm/rev", "mean_diameter": "10 mm", "friction": 0.1},

@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.design._apply import with_tubes
-from kinetruss.design._loads import forces_of, loadings
-from kinetruss.design._plan import make_plan
-from kinetruss.design._select import _assessed, scanned
+from kinetruss.design.choices import make_plan, with_tubes
+from kinetruss.design.tube_choice import _assessed, forces_of, loadings, scanned
 from kinetruss.mechanics import compile
 from kinetruss.verification._cases import cases
 from kinetruss.verification.structures import sizing as task

@@ -11,8 +11,7 @@ from click.testing import CliRunner
 import kinetruss as kt
 from kinetruss.cli import main
 from kinetruss.design import catalogue
-from kinetruss.design._catalogue import catalogue_names
-from kinetruss.design._groups import default_drives, default_groups
+from kinetruss.design.choices import catalogue_names, default_drives, default_groups
 from kinetruss.io import read_mission
 from kinetruss.library import example_files
 from kinetruss.verification.structures import sizing as task

@@ -11,7 +11,7 @@ import pytest
 
 from kinetruss.display import instant, margin, number, palettes, quantity, round_up, scale, ticks
 from kinetruss.display.numbers import UNITS, column
-from kinetruss.display.script import script
+from kinetruss.display.palettes import script
 
 PAGE = Path(__file__).parents[2] / "viewer-src" / "src"
 CALLS = """

@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.matrices import mass_matrix
-from kinetruss.mechanics.assembly.tables import planar_body_mass
-from kinetruss.statics.small.weights import end_weights
+from kinetruss.mechanics.matrices import mass_matrix
+from kinetruss.mechanics.tables import planar_body_mass
+from kinetruss.statics.small_displacements import end_weights
 
 lengths = st.floats(0.1, 3.0)
 places = st.floats(-2.0, 2.0)

@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import kinetruss as kt
-from kinetruss.dynamics.linear.reached import not_reached
+from kinetruss.dynamics.state_feedback import not_reached
 from kinetruss.errors import InputError
 
 G = 9.81

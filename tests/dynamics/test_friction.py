@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics import newton_euler
 from kinetruss.kernels.structure.pins import add_pin_forces
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.friction import friction_tangents
-from kinetruss.mechanics.assembly.tables import structure_of
+from kinetruss.mechanics.matrices import friction_tangents
+from kinetruss.mechanics.tables import structure_of
 
 METHODS = [kt.DOP853(), kt.Radau(), kt.GeneralizedAlpha(step=1e-3), kt.EnergyMomentum(step=1e-3)]
 

@@ -10,7 +10,7 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
-from kinetruss.dynamics.forward.integrate import integrator_of
+from kinetruss.dynamics.integrators import integrator_of
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.structure.applied import USER_FORCE
 from kinetruss.library import mechanisms

@@ -192,7 +192,7 @@ def test_a_stiff_bar_that_turns_costs_nothing():
 @pytest.mark.parametrize("model", [mechanisms.double_pendulum(), mechanisms.n_four_bar(loops=2)], ids=["pendulum", "loops"])
 def test_constraints_hold_to_round_off_after_every_step(model):
     system, eq, ws, told, memory, samples = prepared(model, [0.0, 1.0], controlled(1e-4))
-    from kinetruss.dynamics.forward.integrate import integrator_of
+    from kinetruss.dynamics.integrators import integrator_of
     from kinetruss.kernels.structure.applied import no_force
 
     free, nf, code, steps = eq.free, len(eq.free), m.PAUSED, 0

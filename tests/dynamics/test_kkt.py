@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
-from hypothesis import strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.forward.integrate import control
+from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.integrators import control
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.solve.kkt import evaluate, prepare_rows, project
 from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve

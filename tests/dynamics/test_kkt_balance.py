@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.assembly.motion_tables import drive_tables
+from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.motion_tables import drive_tables
 from kinetruss.kernels.solve.kkt import evaluate, kinetic, momenta, potential, prepare_rows
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms, vgt

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics.linear.state import state_at
+from kinetruss.dynamics.linear_state import state_at
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.freedom.rows import derivatives_of, dof_basis, first_order_of
+from kinetruss.mechanics.coordinates import derivatives_of, dof_basis, first_order_of
 
 G = 9.81
 SPAN = 9.144
@@ -130,7 +130,7 @@ def nonlinear(model, at, x, v):
 
 def nearby(model, at, x, rates, change):
     """Positions and velocities with the dofs changed by `change` (dofs, then rates), on the rows."""
-    from kinetruss.statics.large.search import projected
+    from kinetruss.statics.search import projected
 
     system, k = at.system, len(at.dofs)
     y = x.copy()

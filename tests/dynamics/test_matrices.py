@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics.linear.state import moving_forces
-from kinetruss.dynamics.prescribed.free import applied
+from kinetruss.dynamics.linear_state import moving_forces
+from kinetruss.dynamics.prescribed import apply_loads
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.mechanics import compile, constraint_jacobian
-from kinetruss.mechanics.assembly.balance import balance_of, balanced_rows
-from kinetruss.mechanics.assembly.cases import case_loads
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
+from kinetruss.mechanics.balance import balance_of, balanced_rows
+from kinetruss.mechanics.loads import case_loads
+from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
 
 RNG = np.random.default_rng(7)
 SECTION = kt.Tube(outer=0.019, inner=0.016)
@@ -43,7 +42,7 @@ def web(dim: int = 3) -> kt.Model:
 def left_over(system, loads, x, v, a):
     """f - M a (3 n,) by the kernels of inverse dynamics."""
     joint, rest = np.empty((1, len(system.members), 2, 3)), np.empty((1, x.size))
-    applied(system, loads, States(*(np.ascontiguousarray(y.reshape(1, -1)) for y in (x, v, a))), EndForces(joint, rest))
+    apply_loads(system, loads, States(*(np.ascontiguousarray(y.reshape(1, -1)) for y in (x, v, a))), EndForces(joint, rest))
     return rest[0]
 
 

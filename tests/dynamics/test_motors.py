@@ -8,9 +8,10 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.actuators.forward import drive_model_of, slipping
-from kinetruss.dynamics.forward.set_up import Options, problem_of
-from kinetruss.dynamics.forward.steppers import stepper_for
+from kinetruss.actuators.drive_model import drive_model_of
+from kinetruss.actuators.slip import slipping
+from kinetruss.dynamics.motor_stepping import stepper_for
+from kinetruss.dynamics.simulation_problem import Options, problem_of
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import drives, vgt
 from kinetruss.model import (

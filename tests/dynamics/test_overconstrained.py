@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.equations import equations
+from kinetruss.dynamics.equations import equations
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import kinetruss as kt
-from kinetruss.dynamics.starting.first_segment import _plan
+from kinetruss.dynamics.singular_starts import _plan
 from kinetruss.library import mechanisms
 from kinetruss.results import Status
 

@@ -10,8 +10,8 @@ import kinetruss as kt
 from hinge_models import Arm
 from kinetruss.dynamics import newton_euler
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly import spring_forces, spring_motions
-from kinetruss.mechanics.assembly.matrices import tangents
+from kinetruss.mechanics.elements import spring_forces, spring_motions
+from kinetruss.mechanics.matrices import tangents
 from spring_models import ARM, INERTIA, MASS, STIFFNESS, angle, flying, pendulum, rate, two_links
 
 FINE = kt.DOP853(rtol=1e-12, atol=1e-13)

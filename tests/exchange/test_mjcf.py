@@ -12,8 +12,8 @@ import pytest
 from mujoco.introspect.structs import STRUCTS
 
 import kinetruss as kt
-from kinetruss.exchange.readers.robot_formats import mjcf_compile, mjcf_fields
-from kinetruss.exchange.readers.robot_formats.robot_files import robot_of
+from kinetruss.exchange import mjcf_compile, mjcf_fields
+from kinetruss.exchange.robot_files import robot_of
 from kinetruss.io import MAX_SIZE
 from reference.loops import MujocoTree
 

@@ -88,13 +88,13 @@ def plant(copy: Path, module: str, line: str) -> None:
     ("module", "line", "contract"),
     [
         ("kernels/sweep/blocks.py", "def later():\n    from kinetruss.model import Model\n    return Model", "layers"),
-        ("results/records/records.py", "import kinetruss.runs", "layers"),
+        ("results/records.py", "import kinetruss.runs", "layers"),
         ("actuators/__init__.py", "import kinetruss.library", "layers"),
         ("utils.py", "X = 1", "layers"),
-        ("model/_model.py", "import numba", "numba"),
-        ("runs/_run.py", "import matplotlib", "drawing"),
-        ("viewer/pages/page.py", "import matplotlib", "drawing"),
-        ("viewer/pages/page.py", "import kinetruss.report", "layers"),
+        ("model/the_model.py", "import numba", "numba"),
+        ("runs/running.py", "import matplotlib", "drawing"),
+        ("viewer/self_contained.py", "import matplotlib", "drawing"),
+        ("viewer/self_contained.py", "import kinetruss.report", "layers"),
     ],
 )
 def test_import_contract_catches(copy, module, line, contract):

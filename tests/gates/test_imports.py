@@ -8,9 +8,10 @@ import sys
 import pytest
 
 CODE = """
-import importlib, sys
+import importlib.util, sys
 import kinetruss
-packages = [name for name in kinetruss._PACKAGES.split() if name not in ("notebook", "studio")]
+listed = [name for name in kinetruss.__all__ if importlib.util.find_spec(f"kinetruss.{name}")]
+packages = [name for name in listed if name not in ("notebook", "studio")]
 for first in packages:
     for name in [name for name in sys.modules if name.startswith("kinetruss") and ".kernels" not in name]:
         del sys.modules[name]

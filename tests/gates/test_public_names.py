@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
@@ -34,7 +35,9 @@ def test_every_public_name_is_there():
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "src").rglob("__init__.py")), ids=lambda path: path.parent.as_posix())
-def test_no_late_name_is_that_of_its_module(path):
+def test_no_exported_name_is_that_of_a_file_beside_it(path):
     """Python binds an imported module to its name in the package, so that the name would give the module."""
-    for module, names in re.findall(r'^        "(\w+)": "([\w ]+)",$', path.read_text(encoding="utf-8"), re.MULTILINE):
-        assert module not in names.split()
+    package = ".".join(path.parent.relative_to(ROOT / "src").parts)
+    imports = [one for one in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(one, ast.ImportFrom)]
+    exported = {name.asname for one in imports if one.module != package for name in one.names}
+    assert not exported & {one.stem for one in path.parent.glob("*.py")}

@@ -4,11 +4,10 @@ import copy
 import json
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.io.formats.plain import plain_model
+from kinetruss.io.emitting import plain_model
 
 FULL = plain_model(
     kt.library.vgt.double_octahedral(

@@ -4,12 +4,10 @@ import json
 from pathlib import Path
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import kinetruss as kt
-from kinetruss.io.formats.tree import plain
-from kinetruss.io.formats.yaml import parse_json, parse_yaml
+from kinetruss.io.yaml_text import parse_json, parse_yaml, plain
 
 BAR = """
 kinetruss: 1
@@ -100,7 +98,7 @@ def test_deep_nesting_is_refused_and_not_followed(put, suffix):
 
 @pytest.mark.parametrize("suffix", [".yaml", ".json"])
 def test_values_beyond_any_model(put, suffix, monkeypatch):
-    monkeypatch.setattr("kinetruss.io.formats.tree.LARGEST", 1000)
+    monkeypatch.setattr("kinetruss.io.yaml_text.LARGEST", 1000)
     assert "more than 1,000 values" in faults(put("[" + "1, " * 2000, f"many{suffix}"))[0]
 
 

@@ -5,13 +5,11 @@ import math
 import os
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import kinetruss as kt
-from kinetruss.io.formats.emit import _number, to_json, to_yaml
-from kinetruss.io.formats.tree import plain
-from kinetruss.io.formats.yaml import parse_json, parse_yaml
+from kinetruss.io.emitting import _number, to_json, to_yaml
+from kinetruss.io.yaml_text import parse_json, parse_yaml, plain
 from kinetruss.limits import LARGEST, SMALLEST
 
 real = st.floats(-LARGEST, LARGEST)

@@ -10,7 +10,7 @@ import kinetruss as kt
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import joints
 from kinetruss.model import GROUND
-from kinetruss.model.parts.joints import FREEDOMS
+from kinetruss.model.joints import FREEDOMS
 
 PLACE = {2: (1.1, 0.2), 3: (1.1, 0.2, 0.1)}
 U, V = np.array([0.0, 0.6, 0.8]), np.array([1.0, 0.0, 0.0])
@@ -336,7 +336,7 @@ def test_faults_of_drives_and_screws():
 def test_info_tells_of_joints(tmp_path):
     from click.testing import CliRunner
 
-    from kinetruss.cli._main import main
+    from kinetruss.cli.commands import main
 
     model = made("revolute", (GROUND, "B"))
     kt.write(model, tmp_path / "m.yaml")

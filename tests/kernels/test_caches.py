@@ -11,8 +11,7 @@ from pathlib import Path
 
 import numba
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import kinetruss
 from kinetruss.errors import KernelCacheWarning

@@ -4,8 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, example, given, settings, strategies as st
 
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE, NODES, TO_BERNSTEIN, roots
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.dynamics.assembly.equations import equations
+from kinetruss.dynamics.equations import equations
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.solve.cholesky import cholesky
 from kinetruss.kernels.solve.kkt import evaluate, project

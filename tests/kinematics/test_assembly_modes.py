@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kinematics.modes.known_platform import Platform, _Way, known_platform, poses_of
+from kinetruss.kinematics.known_platform import Platform, _Way, known_platform, poses_of
 from kinetruss.library import mechanisms
 
 

@@ -5,8 +5,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.mechanics import compile, eliminated, jacobian, rearrange
-from kinetruss.mechanics.constraints.elimination import RANK_TOLERANCE, Elimination
-from kinetruss.mechanics.constraints.null_space import Spaces
+from kinetruss.mechanics.null_space import Elimination, Spaces
+from kinetruss.mechanics.row_gradients import RANK_TOLERANCE
 
 SHAPES = ((9, 4), (4, 3, 3))
 
@@ -93,7 +93,7 @@ def test_forces_of_redundant_structures_do_not_depend_on_the_way(monkeypatch):
         if quick.plan is None:
             continue
         with monkeypatch.context() as now:
-            now.setattr("kinetruss.mechanics.structure.arrange.FEW", 10**6)
+            now.setattr("kinetruss.mechanics.arrangement.FEW", 10**6)
             dense = rearrange(system, system.x0, None)
         np.testing.assert_array_equal(quick.not_unique, dense.not_unique)
         np.testing.assert_allclose(quick.weight, dense.weight)

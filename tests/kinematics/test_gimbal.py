@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.motion.gimbal import gimbal_inverse

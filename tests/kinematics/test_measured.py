@@ -4,12 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.io import read_measured
-from kinetruss.kinematics.given.outliers import outlying
+from kinetruss.kinematics.measured_motions import outlying
 
 NOISE = 5e-5
 

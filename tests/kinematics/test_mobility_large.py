@@ -2,14 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.mechanics import compile
-from kinetruss.mechanics.constraints import null_space as _null_space
-from kinetruss.mechanics.constraints.moves import moves_text, ranked
-from kinetruss.mechanics.constraints.null_space import tidy
+from kinetruss.mechanics import compile, null_space as _null_space
+from kinetruss.mechanics.mobility import moves_text, ranked
+from kinetruss.mechanics.null_space import tidy
 
 COUNTS = ("rank", "degrees_of_freedom", "undriven", "self_stress")
 

@@ -1,8 +1,7 @@
 """Rods of active members that are longer than their member: refused at the start, said along a motion."""
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 

@@ -4,11 +4,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.kinematics.given.tables import monotone, swings, through
+from kinetruss.kinematics.time_tables import monotone, swings, through
 
 STEPS = st.lists(st.sampled_from([0.0, 0.0, 1e-3, 0.1, 1.0, -0.5, -1.0, 10.0]), min_size=1, max_size=12)
 

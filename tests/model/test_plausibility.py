@@ -4,8 +4,7 @@ import json
 
 import pytest
 from click.testing import CliRunner
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import kinetruss as kt
 from kinetruss.cli import main

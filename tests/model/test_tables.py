@@ -9,7 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.model import Record
-from kinetruss.model._table import ReadOnly
+from kinetruss.model.table import ReadOnly
 
 EXAMPLES = [kt.read(paths[0]) for paths in kt.library.example_files().values()]
 

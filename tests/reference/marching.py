@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.forward.integrate import control, integrator_of, start_memory
+from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.integrators import control, integrator_of, start_memory
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.solve.kkt import kinetic, potential, project
 from kinetruss.kernels.structure.applied import no_force

@@ -18,12 +18,11 @@ from kinetruss.cli import main
 from kinetruss.display.palettes import OVER, SKINS, colours_of, limits_of, rgb
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
-from kinetruss.viewer.films.camera import PRESETS, aimed
+from kinetruss.viewer.films.copies import box
 from kinetruss.viewer.films.frame import strips
 from kinetruss.viewer.films.render import _Job
 from kinetruss.viewer.films.shown import Look, Subject
-from kinetruss.viewer.films.solids import box
-from kinetruss.viewer.films.stage import _drawing
+from kinetruss.viewer.films.stage import PRESETS, _drawing, aimed
 from samples import fourbar
 
 pytestmark = pytest.mark.slow

@@ -9,17 +9,16 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss import report
 from kinetruss.display import Table, element
-from kinetruss.report.document._bars import bar, span_bar
-from kinetruss.report.document.parts.checks import closure, mobility_record
-from kinetruss.report.document.parts.inputs import worded
-from kinetruss.report.document.parts.pictures import FINE, thinned
-from kinetruss.report.document.parts.words import bars_of, is_over, margin_of, share_of
+from kinetruss.report.document.checks import closure, mobility_record
+from kinetruss.report.document.columns import bar, span_bar
+from kinetruss.report.document.demands import bars_of, is_over, margin_of, share_of
+from kinetruss.report.document.inputs import worded
+from kinetruss.report.document.run_pictures import FINE, thinned
 from kinetruss.report.pictures.specs import Histories, Panel
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod

@@ -14,7 +14,7 @@ from click.testing import CliRunner
 
 from kinetruss import report, runs, viewer
 from kinetruss.cli import main
-from kinetruss.report.document import _print
+from kinetruss.report.document import writing as _print
 from shipped import RUNS, named, stored
 
 everything = pytest.mark.parametrize(("name", "run"), RUNS, ids=lambda one: one)

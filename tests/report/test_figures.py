@@ -8,12 +8,12 @@ import pytest
 from matplotlib.colors import to_rgb
 
 from kinetruss import report
+from kinetruss.display import COLOURS
 from kinetruss.errors import InputError, StoreError
+from kinetruss.report.pictures.drawing import projected
 from kinetruss.report.pictures.figures import specifications
-from kinetruss.report.pictures.plot import specification
-from kinetruss.report.pictures.specs import Bars, Histories, Shape
-from kinetruss.report.pictures.style import COLOURS, pen
-from kinetruss.report.pictures.view import projected
+from kinetruss.report.pictures.plots import specification
+from kinetruss.report.pictures.specs import Bars, Histories, Shape, pen
 from kinetruss.runs import RunResult, run
 from samples import fourbar, tripod
 

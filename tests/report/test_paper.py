@@ -11,8 +11,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.report.document import _print
-from kinetruss.report.document._paper import read_paper
+from kinetruss.report.document import writing as _print
+from kinetruss.report.document.writing import read_paper
 from kinetruss.runs import load, run
 from samples import tripod
 from shipped import stored

@@ -17,7 +17,7 @@ from kinetruss.cli import main
 from kinetruss.display import palettes as _colours
 from kinetruss.errors import InputError, StoreError
 from kinetruss.report.pictures.draw import draw
-from kinetruss.report.pictures.plot import specification
+from kinetruss.report.pictures.plots import specification
 from kinetruss.report.pictures.specs import Histories
 from kinetruss.runs import RunResult, run
 from samples import fourbar, tripod
@@ -103,7 +103,7 @@ def test_the_same_drawing_has_the_same_bytes(turn, tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["iso", "front", "side", "top"])
 def test_views_show_what_lies_across_them(tmp_path, view):
-    from kinetruss.report.pictures.view import projected
+    from kinetruss.report.pictures.drawing import projected
 
     seen = projected(np.eye(3), view)
     flat = {"front": [[1, 0], [0, 0], [0, 1]], "side": [[0, 0], [1, 0], [0, 1]], "top": [[1, 0], [0, 1], [0, 0]]}
@@ -217,8 +217,7 @@ def test_the_command(tmp_path, monkeypatch):
 
 
 def test_the_page_and_the_drawing_say_the_same_of_strength(lift):
-    from kinetruss.report.pictures.picture import _coloured
-    from kinetruss.report.pictures.pictured import pictured
+    from kinetruss.report.pictures.picture import _coloured, pictured
 
     scene = viewer.scene(lift, case="pushed")
     for colour, array in (("force", "member_force"), ("stress", "stress"), ("utilisation", "utilisation")):

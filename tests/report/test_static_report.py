@@ -10,8 +10,8 @@ import pytest
 import kinetruss as kt
 from kinetruss import report
 from kinetruss.report.document.figure import loaded
-from kinetruss.report.document.figure.drawing import _arrows
-from kinetruss.report.pictures.view import projected
+from kinetruss.report.document.figure_drawing import _arrows
+from kinetruss.report.pictures.drawing import projected
 
 
 @pytest.fixture(scope="module")

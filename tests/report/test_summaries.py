@@ -14,8 +14,7 @@ import kinetruss as kt
 from kinetruss import report
 from kinetruss.cli import main
 from kinetruss.errors import InputError
-from kinetruss.report.document._paper import read_paper
-from kinetruss.report.document._print import chromium
+from kinetruss.report.document.writing import chromium, read_paper
 from samples import tripod
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 9 3">{}</svg>'

@@ -6,12 +6,11 @@ import re
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.cli import main
-from kinetruss.report.document.parts.lists import members_of, nodes_of, total_mass
+from kinetruss.report.document.inputs import members_of, nodes_of, total_mass
 from kinetruss.report.pictures.figures import specifications
 
 TUBE = kt.Tube(outer=0.0889, inner=0.0789)

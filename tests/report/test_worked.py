@@ -11,9 +11,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.report.document.worked import shown, worked
-from kinetruss.report.document.worked.chosen import demand_sheet, member_sheet
-from kinetruss.report.document.worked.formulas import evaluate, in_numbers, in_symbols
+from kinetruss.report.document.sheets import evaluate, in_numbers, in_symbols
+from kinetruss.report.document.worked import demand_sheet, member_sheet, shown, worked
 from kinetruss.runs import RunResult, run
 from samples import ALUMINIUM, MOTOR, SCREW, fourbar, tripod
 

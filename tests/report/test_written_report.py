@@ -6,8 +6,8 @@ import pytest
 
 from kinetruss import report
 from kinetruss.errors import StoreError
-from kinetruss.report.document import _print
-from kinetruss.results.store import REPORT
+from kinetruss.report.document import writing as _print
+from kinetruss.results.folder import REPORT
 from kinetruss.runs import RunResult, run
 from samples import fourbar
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kinetruss.results.store.store import open_store
+from kinetruss.results.store import open_store
 from kinetruss.runs import load, resume, run
 from samples import fourbar
 

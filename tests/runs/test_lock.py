@@ -19,12 +19,11 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, KinetrussError, StoreError
 from kinetruss.io import export
-from kinetruss.results.store import folder as _folder
-from kinetruss.results.store import lock as _lock
-from kinetruss.results.store.folder import Ledger, claimed
-from kinetruss.results.store.lock import LOCK, hold, holding, is_locked
-from kinetruss.results.store.packed import pack
-from kinetruss.results.store.store import create, open_store
+from kinetruss.results import folder as _folder, lock as _lock
+from kinetruss.results.folder import Ledger, claimed
+from kinetruss.results.lock import LOCK, hold, holding, is_locked
+from kinetruss.results.packed import pack
+from kinetruss.results.store import create, open_store
 from permissions import bound
 from samples import fourbar
 

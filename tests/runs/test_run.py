@@ -6,9 +6,9 @@ import xarray as xr
 
 import kinetruss as kt
 from kinetruss.errors import InputError
-from kinetruss.results.store.store import open_store
+from kinetruss.results.store import open_store
 from kinetruss.runs import load, resume, run
-from kinetruss.runs.blocks.planned import block_size
+from kinetruss.runs.plans import block_size
 from samples import FOURBAR_MOVES, fourbar, tripod
 
 LOOSE = ["time_of", "margin", "station", "position", "singularity"]

@@ -9,8 +9,7 @@ import pytest
 import kinetruss as kt
 from kinetruss.errors import InputError, StoreError
 from kinetruss.results import Status
-from kinetruss.results.store import open_store
-from kinetruss.results.store.checkpoint import write_state
+from kinetruss.results.store import open_store, write_state
 from kinetruss.runs import RunResult, forces_at, load, resume, run
 from samples import fourbar
 
@@ -110,7 +109,7 @@ def test_a_state_without_units_of_events_is_read_and_resumed(tmp_path):
 
 @pytest.mark.slow
 def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch):
-    from kinetruss.dynamics.forward.kernel_stepper import KernelStepper
+    from kinetruss.dynamics.stepping import KernelStepper
 
     run(model(), out=tmp_path / "whole", block=10)
     march, calls = KernelStepper._integrate, []
@@ -134,7 +133,7 @@ def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch
 @pytest.mark.slow
 def test_a_kill_between_state_and_ledger_is_no_harm(tmp_path, monkeypatch):
     """The state behind the block is written, the ledger does not count it yet."""
-    from kinetruss.results.store import store as _store
+    from kinetruss.results import store as _store
 
     run(model(), out=tmp_path / "whole", block=10)
     written = _store.write_ledger

@@ -9,8 +9,9 @@ import pytest
 import xarray as xr
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results.store.folder import Ledger, check_target, is_locked, is_store
-from kinetruss.results.store.store import Writer, create, key, open_store, reopen
+from kinetruss.results.folder import Ledger, check_target, is_store
+from kinetruss.results.lock import is_locked
+from kinetruss.results.store import Writer, create, key, open_store, reopen
 
 
 def block(first: int, count: int = 10, size: int = 3) -> xr.Dataset:

@@ -10,8 +10,8 @@ from click.testing import CliRunner
 import kinetruss as kt
 from kinetruss.cli import main
 from kinetruss.results import Status
-from kinetruss.results.store.lock import hold
-from kinetruss.results.store.store import open_store
+from kinetruss.results.lock import hold
+from kinetruss.results.store import open_store
 from kinetruss.runs import load, resume, run
 from samples import fourbar
 

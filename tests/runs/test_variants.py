@@ -11,15 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import zarr
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
-from kinetruss.results.store.packed import PACKED
-from kinetruss.runs.many.beside import beside
-from kinetruss.runs.many.variants import short_paths, spread
+from kinetruss.results.folder import PACKED
+from kinetruss.runs.many import beside, short_paths, spread
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"

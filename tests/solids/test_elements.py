@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly.continua import continua_energy, continua_forces, continua_stiffness
+from kinetruss.mechanics.elements import continua_energy, continua_forces, continua_stiffness
 from kinetruss.verification.solids import elements as cases
 from reference.total_lagrange import KINDS, tangent
 

@@ -9,7 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.errors import ModelError
-from kinetruss.model.beams import free_spins
+from kinetruss.model import beam_checks as free_spins
 
 STEEL = kt.Material(E=200e9, density=7800.0)
 BOX = kt.Rectangle(width=0.02, height=0.03)

@@ -4,16 +4,15 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly import continua_mass, resting_forces
-from kinetruss.mechanics.assembly.continua import continua_energy
+from kinetruss.mechanics.elements import continua_energy, resting_forces
+from kinetruss.mechanics.tables import continua_mass
 
 STEEL = kt.Material(E=200e9, density=7800.0, yield_strength=235e6)
 BOX = kt.Rectangle(width=0.03, height=0.02)
@@ -68,7 +67,7 @@ def test_the_tangent_is_the_derivative_of_the_forces():
     rng = np.random.default_rng(3)
     x = system.x0 + 0.05 * rng.standard_normal(system.x0.shape)
     u = rng.standard_normal(x.shape)
-    from kinetruss.mechanics.assembly import continua_stiffness
+    from kinetruss.mechanics.elements import continua_stiffness
 
     # forces are cubic in positions: fourth-order differences are exact
     h = 1e-2

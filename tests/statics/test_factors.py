@@ -1,12 +1,11 @@
 """Factors of sparse matrices: singular ones are told, never handed to SuperLU where they would ruin its memory."""
 
 import numpy as np
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.sparse import csr_array, random_array
 from scipy.sparse.csgraph import structural_rank
 
-from kinetruss.mechanics.constraints.factors import SYMMETRIC, factors_of, matched
+from kinetruss.mechanics.rows import SYMMETRIC, factors_of, matched
 
 SIZE = 22
 

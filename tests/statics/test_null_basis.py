@@ -5,7 +5,7 @@ import pytest
 import scipy.linalg
 from scipy.sparse import csr_array
 
-from kinetruss.mechanics.constraints import null_basis
+from kinetruss.mechanics.rows import null_basis
 
 
 @pytest.mark.parametrize("fails", [False, True])

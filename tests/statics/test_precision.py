@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.statics.small.accuracy import SILENT
-from kinetruss.statics.small.refine import Doubled, best_of
+from kinetruss.statics.refinement import SILENT, Doubled, best_of
 
 METAL = kt.Material(E=70e9, density=0.0)
 
@@ -207,7 +205,7 @@ def test_poses_closed_from_lengths_say_what_rounding_of_lengths_costs(height):
 
 
 def test_the_geometry_of_load_cases_is_found_once(monkeypatch):
-    from kinetruss.statics.poses import at_poses as _at_poses
+    from kinetruss.statics import poses as _at_poses
 
     model = kt.library.vgt.double_octahedral()
     name = next(iter(model.all_drives))

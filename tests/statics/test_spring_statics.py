@@ -9,7 +9,7 @@ from scipy.special import ellipk, ellipkinc
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.assembly import spring_forces, spring_motions
+from kinetruss.mechanics.elements import spring_forces, spring_motions
 from spring_models import STIFFNESS, hencky, pendulum, two_links
 
 SOLID = {"section": kt.Rectangle(width=0.03, height=0.02), "material": kt.library.materials.STEEL_S235}

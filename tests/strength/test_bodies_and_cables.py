@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.design._groups import default_groups
-from kinetruss.design._plan import make_plan
+from kinetruss.design.choices import default_groups, make_plan
 
 STEEL = {"section": kt.Rod(diameter=0.008), "material": kt.Material(E=210e9, density=7850.0, yield_strength=240e6)}
 

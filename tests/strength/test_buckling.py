@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from kinetruss.errors import InputError
 from kinetruss.strength import END_CONDITIONS, amplification, critical_load, end_condition, euler_load, johnson_load, transition

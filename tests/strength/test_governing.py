@@ -4,7 +4,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import runs, strength
-from kinetruss.strength.verdict import Governing, headline
+from kinetruss.strength.governing import Governing, headline
 from samples import tripod
 
 STEEL = kt.Material(E=210e9, density=7850, yield_strength=235e6)

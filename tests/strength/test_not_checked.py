@@ -8,14 +8,13 @@ import math
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss import report, runs, strength, viewer
 from kinetruss.cli import main
 from kinetruss.report.pictures.figures import specifications
-from kinetruss.strength.verdict.by_member import highest, strength_histories, unchecked, worst_of
+from kinetruss.strength.verdict import highest, strength_histories, unchecked, worst_of
 
 TUBE = kt.Tube(outer=0.02, inner=0.016)
 KNOWN = kt.Material(E=70e9, density=2700, yield_strength=200e6)

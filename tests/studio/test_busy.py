@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kinetruss.studio import _app
+from kinetruss.studio import app as _app
 
 
 class Line:
@@ -54,7 +54,7 @@ def test_an_error_of_the_work_is_raised(asked):
 def test_kernels_that_are_compiled_meanwhile_are_said(monkeypatch):
     from kinetruss.kernels.compiled.jit import keeper
     from kinetruss.kernels.compiled.progress import Progress
-    from kinetruss.studio._busy import Busy
+    from kinetruss.studio.messages import Busy
 
     monkeypatch.setattr(keeper, "progress", Progress())
     busy = Busy()

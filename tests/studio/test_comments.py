@@ -6,14 +6,13 @@ import json
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.io.models import changed_text, data_of
+from kinetruss.io.writing import changed_text, data_of
 from kinetruss.library import example_files
 from kinetruss.studio import Session
-from kinetruss.studio.editor import Desk
+from kinetruss.studio.desk import Desk
 
 TEXT = """\
 # an arm
@@ -122,7 +121,7 @@ TABLES = st.dictionaries(st.sampled_from("abcdef"), st.dictionaries(st.sampled_f
 @settings(max_examples=150, deadline=None)
 @given(TABLES, TABLES, st.randoms())
 def test_a_patched_text_means_the_new_data_or_is_refused(before, after, random):
-    from kinetruss.io.formats import to_yaml
+    from kinetruss.io.emitting import to_yaml
 
     lines = [f"{line}  # c{k}" if random.random() < 0.5 and not line.endswith("[") else line
              for k, line in enumerate(to_yaml({"title": "t", **before}).splitlines())]  # fmt: skip

@@ -7,14 +7,13 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import Phase, settings
-from hypothesis import strategies as st
+from hypothesis import Phase, settings, strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from kinetruss.library import example_files
-from kinetruss.studio.editor import Desk
+from kinetruss.studio.desk import Desk
 
 
 def ask(desk: Desk, **command) -> dict:

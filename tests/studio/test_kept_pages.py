@@ -11,7 +11,7 @@ from websockets.sync.client import connect
 
 import kinetruss as kt
 from kinetruss.studio import Session
-from kinetruss.studio.editor import Desk
+from kinetruss.studio.desk import Desk
 from samples import tripod
 from served import WAIT, serve, start
 

@@ -11,8 +11,8 @@ import pytest
 import kinetruss as kt
 from kinetruss import kinematics, runs
 from kinetruss.io import schema
-from kinetruss.studio.editor import Desk
-from kinetruss.studio.editor.parts import forms
+from kinetruss.studio.desk import Desk
+from kinetruss.studio.new_parts import forms
 
 
 def ask(desk: Desk, **command) -> dict:

@@ -10,8 +10,8 @@ import pytest
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from kinetruss.studio import Session
-from kinetruss.studio._commands import MOST
-from kinetruss.studio._save import seen_now
+from kinetruss.studio.commands import MOST
+from kinetruss.studio.edits import seen_now
 from samples import fourbar, tripod
 
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 import kinetruss as kt
-from kinetruss.kinematics.limited.holding import holding, holding_rates
+from kinetruss.kinematics.drive_limits import holding, holding_rates
 from kinetruss.mechanics import compile
 
 TOP = ("B2.N7", "B2.N9", "B2.N8")

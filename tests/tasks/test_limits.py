@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import LinearConstraint, minimize
 
 import kinetruss as kt
-from kinetruss.kinematics.limited.quadratic import Rows, least
+from kinetruss.kinematics.within_limits import Rows, least
 
 SLIDES = kt.Model(
     nodes={"A": (0, 0), "B": (1, 0), "C": (2, 0)}, fixed={"A": "xy", "B": "y", "C": "y"},

@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import minimize, minimize_scalar
 
 import kinetruss as kt
-from kinetruss.kinematics.objectives.bounded import bounded_least
+from kinetruss.kinematics.objectives import bounded_least
 from kinetruss.library import cells
 
 BAYS = 10

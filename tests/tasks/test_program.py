@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kinetruss.kernels.tasks import tape as kernel
-from kinetruss.kinematics.targets.expressions import Program, angle, cross, dot, minus, root, size, unit
+from kinetruss.kinematics.expressions import Program, angle, cross, dot, minus, root, size, unit
 
 
 def _made():

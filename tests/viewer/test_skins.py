@@ -5,8 +5,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import viewer
-from kinetruss.mechanics.structure.faces import body_faces, skin_of
-from kinetruss.strength.members.skins import skin_stress
+from kinetruss.mechanics.continua import body_faces, skin_of
+from kinetruss.strength.element_stresses import skin_stress
 
 STEEL = kt.Material(E=210e9, poisson=0.3, density=7850.0)
 
@@ -87,7 +87,7 @@ def test_stress_of_faces_is_in_the_scene_of_a_rest_and_of_a_run():
 
 
 def test_where_stress_would_take_long_faces_stay_plain(monkeypatch):
-    from kinetruss.strength.members import skins as _skins
+    from kinetruss.strength import element_stresses as _skins
 
     monkeypatch.setattr(_skins, "MOST", 1)
     model = plate(False)

@@ -1,31 +1,35 @@
 """Lead screws, gears and motors: what drives must deliver, and how they move when a voltage or a current drives them."""
 
-from kinetruss.actuators.demand.couples import screw_couples
-from kinetruss.actuators.demand.evaluate import evaluate
-from kinetruss.actuators.demand.exceeded import Exceeded, exceeded
-from kinetruss.actuators.demand.moves import Move, moves
-from kinetruss.actuators.demand.power_flow import power_flow
-from kinetruss.actuators.demand.summarise import merge_summaries, summarise
-from kinetruss.actuators.forward.place_poles import Gains, place_poles
-from kinetruss.actuators.forward.simulate_drive import simulate_drive
-from kinetruss.actuators.trains.motor import motor_demand
-from kinetruss.actuators.trains.screw import (
-    breakaway_torque,
-    gear_ratio_for,
-    holding_torque,
-    is_self_locking,
-    largest_self_locking_lead,
-    lowering_torque,
-    raising_torque,
-    screw_torque,
-)
-from kinetruss.actuators.trains.train_of import train_of
-from kinetruss.late import listed
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "Exceeded", "Gains", "Move", "breakaway_torque", "evaluate", "exceeded", "gear_ratio_for", "holding_torque",
-    "is_self_locking", "largest_self_locking_lead", "lowering_torque", "merge_summaries", "motor_demand", "moves",
-    "place_poles", "power_flow", "raising_torque", "screw_couples", "screw_torque", "simulate_drive", "summarise", "train_of",
-]  # fmt: skip
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.actuators.demand_summary import (
+        Exceeded as Exceeded,
+        exceeded as exceeded,
+        merge_summaries as merge_summaries,
+        summarise as summarise,
+    )
+    from kinetruss.actuators.demands import (
+        Move as Move,
+        evaluate as evaluate,
+        moves as moves,
+        power_flow as power_flow,
+        screw_couples as screw_couples,
+    )
+    from kinetruss.actuators.drive_model import Gains as Gains, place_poles as place_poles
+    from kinetruss.actuators.drive_runs import simulate_drive as simulate_drive
+    from kinetruss.actuators.screws import (
+        breakaway_torque as breakaway_torque,
+        gear_ratio_for as gear_ratio_for,
+        holding_torque as holding_torque,
+        is_self_locking as is_self_locking,
+        largest_self_locking_lead as largest_self_locking_lead,
+        lowering_torque as lowering_torque,
+        raising_torque as raising_torque,
+        screw_torque as screw_torque,
+    )
+    from kinetruss.actuators.shafts import motor_demand as motor_demand, train_of as train_of
+
+__getattr__, __dir__, __all__ = late(__name__)

@@ -1,19 +1,18 @@
 """Sizing: tubes, screws, gears and motors chosen from catalogues."""
 
-from kinetruss.design._catalogue import catalogue
-from kinetruss.design._size import size
-from kinetruss.design._sizing import DriveRow, GroupRow, Sizing
-from kinetruss.design._table import record, table
-from kinetruss.late import listed
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "DriveRow",
-    "GroupRow",
-    "Sizing",
-    "catalogue",
-    "record",
-    "size",
-    "table",
-]
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.design.choices import catalogue as catalogue
+    from kinetruss.design.sizing import size as size
+    from kinetruss.design.sizing_result import (
+        DriveRow as DriveRow,
+        GroupRow as GroupRow,
+        Sizing as Sizing,
+        record as record,
+        table as table,
+    )
+
+__getattr__, __dir__, __all__ = late(__name__)

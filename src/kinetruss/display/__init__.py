@@ -1,44 +1,47 @@
 """How results look, defined in one place: numbers with units, colours, tables, the frame of a page."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
-from kinetruss.display.html import POLICY, Markup, element, html_page, joined
-from kinetruss.display.numbers import DIGIT, POINT, aligned, counted, instant, margin, number, quantity, round_up, scale, ticks
-from kinetruss.display.tables import Table
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.display.html import (
+        POLICY as POLICY,
+        Markup as Markup,
+        Table as Table,
+        element as element,
+        html_page as html_page,
+        joined as joined,
+    )
+    from kinetruss.display.numbers import (
+        DIGIT as DIGIT,
+        POINT as POINT,
+        aligned as aligned,
+        counted as counted,
+        instant as instant,
+        margin as margin,
+        number as number,
+        quantity as quantity,
+        round_up as round_up,
+        scale as scale,
+        ticks as ticks,
+    )
     from kinetruss.display.palettes import (
-        COLOURS,
-        DIVERGING,
-        DRIVEN,
-        ELASTIC,
-        KINDS,
-        LOAD,
-        MISSING,
-        OVER,
-        SEQUENTIAL,
-        SKINS,
-        THEMES,
-        colours_of,
-        contrast,
-        limits_of,
-        rgb,
+        COLOURS as COLOURS,
+        DIVERGING as DIVERGING,
+        DRIVEN as DRIVEN,
+        ELASTIC as ELASTIC,
+        KINDS as KINDS,
+        LOAD as LOAD,
+        MISSING as MISSING,
+        OVER as OVER,
+        SEQUENTIAL as SEQUENTIAL,
+        SKINS as SKINS,
+        THEMES as THEMES,
+        colours_of as colours_of,
+        contrast as contrast,
+        limits_of as limits_of,
+        rgb as rgb,
     )
 
-__all__ = [
-    "COLOURS", "DIGIT", "DIVERGING", "DRIVEN", "ELASTIC", "KINDS", "LOAD", "MISSING", "OVER", "POINT", "POLICY",
-    "SEQUENTIAL", "SKINS", "THEMES",
-    "Markup", "Table", "aligned", "colours_of", "contrast", "counted", "element", "html_page", "instant", "joined", "limits_of",
-    "margin", "number", "quantity", "rgb", "round_up", "scale", "ticks",
-]  # fmt: skip
-
-__getattr__, __dir__ = late(
-    __name__,
-    {
-        "palettes": "COLOURS DIVERGING DRIVEN ELASTIC KINDS LOAD MISSING OVER SEQUENTIAL SKINS THEMES colours_of contrast "
-        "limits_of rgb"
-    },
-)
+__getattr__, __dir__, __all__ = late(__name__)

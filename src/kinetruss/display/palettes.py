@@ -1,4 +1,4 @@
-"""Colours of pages, pictures and films, defined in one place; colour-blind readers can distinguish them.
+"""Colours of pages, pictures and films, defined in one place, and units and colours for the viewer's page.
 
 A colour has one meaning: green is driven, violet a load, blue compression, orange tension, red over capacity, grey not known.
 Categories: Wong (2011), Nature Methods 8, 441. SEQUENTIAL: viridis (Smith and van der Walt, 2015). Contrast: WCAG 2.2, 1.4.3
@@ -7,20 +7,20 @@ and 1.4.11 (W3C, 2023): 4.5 for text, 3 for graphics.
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import numbers
 from kinetruss.display.numbers import round_up
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = [
-    "COLOURS", "DIVERGING", "DRIVEN", "ELASTIC", "KINDS", "LOAD", "MISSING", "OVER", "SEQUENTIAL", "SKINS", "THEMES",
-    "colours_of", "contrast", "limits_of", "rgb",
-]  # fmt: skip
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 """Colours of curves, in their order."""
@@ -103,3 +103,21 @@ def contrast(one: str, other: str) -> float:
         linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
         light.append(float(linear @ [0.2126, 0.7152, 0.0722]))
     return (max(light) + 0.05) / (min(light) + 0.05)
+
+
+# The units and colours of this package as a JavaScript module for the viewer's page.
+
+NUMBERS = ("UNITS", "FLOORS", "DIGITS", "LONG", "SHORT", "ROUND_OFF", "DIGIT", "POINT", "ENDS", "FAR")
+PALETTES = ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "LOAD", "ELASTIC", "KINDS", "SKINS", "THEMES")
+HEAD = "// Written from src/kinetruss/display by `make viewer`: change it there.\n"
+
+
+def script() -> str:
+    """Text of ``viewer-src/src/display.js``: the tables of units and the colours."""
+    tables = {name: getattr(numbers, name) for name in NUMBERS} | {name: globals()[name] for name in PALETTES}
+    lines = [f"export const {name} = {json.dumps(table, ensure_ascii=False)};" for name, table in tables.items()]
+    return HEAD + "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    Path(sys.argv[1]).write_text(script(), encoding="utf-8")

@@ -3,47 +3,39 @@
 The parts that simulate are imported when first used: they load many compiled kernels.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
-from kinetruss.dynamics.actions.bar_actions import not_on_bars
-from kinetruss.dynamics.actions.records import NotOnBars
-from kinetruss.dynamics.free_bodies.free_body import Body, Equation, FreeBody, Term, free_body
-from kinetruss.dynamics.free_bodies.newton_euler import LabelledSystem, newton_euler
-from kinetruss.dynamics.prescribed.inverse import inverse
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.dynamics.forward.prepare import Histories, Prepared, prepare
-    from kinetruss.dynamics.forward.simulate import simulate
-    from kinetruss.dynamics.free_bodies.joint_reaction import joint_reaction
-    from kinetruss.dynamics.linear.feedback import Feedback, feedback
-    from kinetruss.dynamics.linear.linearise import linearise
-    from kinetruss.dynamics.linear.record import Linearisation
-    from kinetruss.dynamics.linear.reduced_equations import reduced_equations
-    from kinetruss.dynamics.prescribed.inverse_along import inverse_along
-    from kinetruss.dynamics.prescribed.limits_kept import LimitsKept, limits_kept
-    from kinetruss.dynamics.prescribed.quickest import Quickest, quickest
+    from kinetruss.dynamics.actions import NotOnBars as NotOnBars
+    from kinetruss.dynamics.bar_actions import not_on_bars as not_on_bars
+    from kinetruss.dynamics.closed_loop import Feedback as Feedback
+    from kinetruss.dynamics.drive_limits import (
+        LimitsKept as LimitsKept,
+        Quickest as Quickest,
+        inverse_along as inverse_along,
+        limits_kept as limits_kept,
+        quickest as quickest,
+    )
+    from kinetruss.dynamics.free_bodies import (
+        Body as Body,
+        Equation as Equation,
+        FreeBody as FreeBody,
+        Term as Term,
+        free_body as free_body,
+    )
+    from kinetruss.dynamics.joint_reactions import joint_reaction as joint_reaction
+    from kinetruss.dynamics.labelled_system import LabelledSystem as LabelledSystem, newton_euler as newton_euler
+    from kinetruss.dynamics.linearisation import Linearisation as Linearisation, linearise as linearise
+    from kinetruss.dynamics.prescribed import inverse as inverse
+    from kinetruss.dynamics.reduction import reduced_equations as reduced_equations
+    from kinetruss.dynamics.simulation import (
+        Histories as Histories,
+        Prepared as Prepared,
+        prepare as prepare,
+        simulate as simulate,
+    )
+    from kinetruss.dynamics.state_feedback import feedback as feedback
 
-__all__ = [
-    "Body", "Equation", "Feedback", "FreeBody", "Histories", "LabelledSystem", "LimitsKept", "Linearisation", "NotOnBars",
-    "Prepared", "Quickest", "Term", "feedback", "free_body", "inverse", "inverse_along", "joint_reaction", "limits_kept",
-    "linearise", "newton_euler", "not_on_bars", "prepare", "quickest", "reduced_equations", "simulate",
-]  # fmt: skip
-
-__getattr__, __dir__ = late(
-    __name__,
-    {
-        "forward.prepare": "Histories Prepared prepare",
-        "forward.simulate": "simulate",
-        "free_bodies.joint_reaction": "joint_reaction",
-        "linear.feedback": "Feedback feedback",
-        "linear.linearise": "linearise",
-        "linear.record": "Linearisation",
-        "linear.reduced_equations": "reduced_equations",
-        "prescribed.inverse_along": "inverse_along",
-        "prescribed.limits_kept": "LimitsKept limits_kept",
-        "prescribed.quickest": "Quickest quickest",
-    },
-)
+__getattr__, __dir__, __all__ = late(__name__)

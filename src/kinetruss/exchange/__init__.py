@@ -1,19 +1,13 @@
 """Files of other programs: robots, drawings, meshes in; models and runs out. What cannot be carried is listed."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.exchange._imported import Imported
-    from kinetruss.exchange._read import read
-    from kinetruss.exchange._write import FORMATS, Written, write
-    from kinetruss.exchange.robots import LeftOut
+    from kinetruss.exchange.file_reading import read as read
+    from kinetruss.exchange.file_writing import FORMATS as FORMATS, Written as Written, write as write
+    from kinetruss.exchange.imported import Imported as Imported
+    from kinetruss.exchange.robots import LeftOut as LeftOut
 
-__all__ = ["FORMATS", "Imported", "LeftOut", "Written", "read", "write"]
-
-__getattr__, __dir__ = late(
-    __name__, {"_imported": "Imported", "_read": "read", "_write": "FORMATS Written write", "robots": "LeftOut"}
-)
+__getattr__, __dir__, __all__ = late(__name__)

@@ -14,13 +14,13 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.flexible._structure import Instant, Softness, instants_of
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_scales
-from kinetruss.mechanics.assembly import bar_laws
-from kinetruss.mechanics.configuration import row_values
-from kinetruss.mechanics.constraints import factors_of
-from kinetruss.mechanics.freedom import Coordinate, coordinate_values, coordinates, derivatives_of
+from kinetruss.mechanics.coordinates import Coordinate, coordinate_values, coordinates, derivatives_of
+from kinetruss.mechanics.matrices import bar_laws
+from kinetruss.mechanics.positions import row_values
+from kinetruss.mechanics.rows import factors_of
 from kinetruss.model import Model, Spline, nearest
 from kinetruss.results import Forces, Result, provenance, variable
-from kinetruss.results.records import unit_along
+from kinetruss.results.wide_tables import unit_along
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics import inverse
-from kinetruss.dynamics import simulate as simulated
+from kinetruss.dynamics import inverse, simulate as simulated
 from kinetruss.errors import InputError
 from kinetruss.flexible._structure import Instant, Softness, instants_of
 from kinetruss.flexible._vibration import settled_of
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import follow, sample
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.configuration import number_of
+from kinetruss.mechanics.positions import number_of
 from kinetruss.model import Bar, Free, Model
 from kinetruss.results import Simulation
 

@@ -20,16 +20,18 @@ from scipy.sparse import csr_array, diags_array
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kinematics.given import check_motion
+from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
-from kinetruss.mechanics.assembly import Balance, balance_of, balanced_rows, bar_laws, mass_matrix, material_stiffness
-from kinetruss.mechanics.beams import mode_stiffness
-from kinetruss.mechanics.constraints import null_basis
-from kinetruss.mechanics.freedom import flat_positions
+from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows
+from kinetruss.mechanics.beam_elements import mode_stiffness
+from kinetruss.mechanics.elements import material_stiffness
+from kinetruss.mechanics.matrices import bar_laws, mass_matrix
+from kinetruss.mechanics.rows import null_basis
+from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces
-from kinetruss.statics.poses import loads_of, nodal_forces
-from kinetruss.statics.small import flexibility, stiff_rows
+from kinetruss.statics.deflections import loads_of, nodal_forces
+from kinetruss.statics.small_displacements import flexibility, stiff_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

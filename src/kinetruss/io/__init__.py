@@ -1,31 +1,25 @@
 """Model files and tables: read, write, check; the JSON Schema; values set by path; export of stored runs."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
-from kinetruss.io._schema import schema, schema_file
-from kinetruss.io.formats.text import MAX_SIZE
-from kinetruss.io.models.catalogue import read_catalogue
-from kinetruss.io.models.cells import read_cell
-from kinetruss.io.models.check import check
-from kinetruss.io.models.mission import read_mission
-from kinetruss.io.models.read import placed, read
-from kinetruss.io.models.set_value import set_value, set_values
-from kinetruss.io.models.write import write
-from kinetruss.io.tables.history import NodeHistory, read_history
-from kinetruss.io.tables.measured import read_measured
-from kinetruss.io.tables.strains import StrainHistory, read_strains
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.io.tables.export import export
+    from kinetruss.io.checking import check as check
+    from kinetruss.io.exporting import export as export
+    from kinetruss.io.histories import (
+        NodeHistory as NodeHistory,
+        StrainHistory as StrainHistory,
+        read_history as read_history,
+        read_measured as read_measured,
+        read_strains as read_strains,
+    )
+    from kinetruss.io.json_schema import schema as schema, schema_file as schema_file
+    from kinetruss.io.library_models import read_cell as read_cell
+    from kinetruss.io.missions import read_catalogue as read_catalogue, read_mission as read_mission
+    from kinetruss.io.reading import placed as placed, read as read
+    from kinetruss.io.values import set_value as set_value, set_values as set_values
+    from kinetruss.io.writing import write as write
+    from kinetruss.io.yaml_text import MAX_SIZE as MAX_SIZE
 
-__all__ = [
-    "MAX_SIZE", "NodeHistory", "StrainHistory", "check", "export", "placed", "read", "read_catalogue", "read_cell",
-    "read_history", "read_measured", "read_mission", "read_strains", "schema", "schema_file", "set_value", "set_values",
-    "write",
-]  # fmt: skip
-
-# reading a model needs no run store
-__getattr__, __dir__ = late(__name__, {"tables.export": "export"})
+__getattr__, __dir__, __all__ = late(__name__)

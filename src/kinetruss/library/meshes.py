@@ -12,8 +12,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.late import listed
-from kinetruss.library._arguments import own_arguments
-from kinetruss.library._mesh import Mesh, mesh
+from kinetruss.library.building import own_arguments
+from kinetruss.library.mesh_arrays import Mesh, mesh
 from kinetruss.limits import MOST_ENTRIES, hold, whole
 
 __all__ = ["Mesh", "box", "mesh", "read", "rectangle"]

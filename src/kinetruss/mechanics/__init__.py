@@ -1,74 +1,55 @@
 """A model compiled to flat arrays, and the order in which its constraints are solved."""
 
-from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, NONE
-from kinetruss.mechanics.beams import BeamElements
-from kinetruss.mechanics.kept import kept
-from kinetruss.mechanics.structure.arrange import Arrangement, arrange, eliminated, not_unique_note, plan_of, rearrange
-from kinetruss.mechanics.structure.blocks import block_triangular
-from kinetruss.mechanics.structure.constraint_gradients import (
-    RANK_TOLERANCE,
-    constraint_curvature,
-    constraint_gradients,
-    constraint_jacobian,
-    direction_rates,
-    ends_of,
-    jacobian,
-    row_directions,
-    row_ends,
-    row_scales,
-    turned,
-)
-from kinetruss.mechanics.structure.continua import Continua, Patch, element_points, gradients, law_matrix, without_beams
-from kinetruss.mechanics.structure.hessians import measure_curvature, measure_hessian, measure_turning
-from kinetruss.mechanics.structure.measure_arrays import axes_of, is_measured
-from kinetruss.mechanics.structure.measures import coordinate_derivatives, flats_of, measure_gradients, measured
-from kinetruss.mechanics.structure.system import DRIVEN, ELASTIC, FREE, RIGID, ByIdentity, System, compile
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "BeamElements",
-    "CABLE",
-    "Continua",
-    "DRIVEN",
-    "ELASTIC",
-    "ENGINEERING",
-    "FREE",
-    "GREEN",
-    "NONE",
-    "RANK_TOLERANCE",
-    "Patch",
-    "RIGID",
-    "Arrangement",
-    "ByIdentity",
-    "System",
-    "arrange",
-    "axes_of",
-    "block_triangular",
-    "compile",
-    "constraint_curvature",
-    "constraint_gradients",
-    "constraint_jacobian",
-    "coordinate_derivatives",
-    "direction_rates",
-    "element_points",
-    "eliminated",
-    "ends_of",
-    "flats_of",
-    "gradients",
-    "is_measured",
-    "jacobian",
-    "kept",
-    "law_matrix",
-    "measure_curvature",
-    "measure_gradients",
-    "measure_hessian",
-    "measure_turning",
-    "measured",
-    "not_unique_note",
-    "plan_of",
-    "rearrange",
-    "row_directions",
-    "row_ends",
-    "row_scales",
-    "turned",
-    "without_beams",
-]
+from kinetruss.late import late
+
+if TYPE_CHECKING:
+    from kinetruss.kernels.structure.plan import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
+    from kinetruss.mechanics.arrangement import (
+        Arrangement as Arrangement,
+        arrange as arrange,
+        block_triangular as block_triangular,
+        eliminated as eliminated,
+        not_unique_note as not_unique_note,
+        plan_of as plan_of,
+        rearrange as rearrange,
+    )
+    from kinetruss.mechanics.beam_elements import BeamElements as BeamElements
+    from kinetruss.mechanics.continua import (
+        Continua as Continua,
+        Patch as Patch,
+        element_points as element_points,
+        gradients as gradients,
+        law_matrix as law_matrix,
+        without_beams as without_beams,
+    )
+    from kinetruss.mechanics.keeping import kept as kept
+    from kinetruss.mechanics.measures import (
+        axes_of as axes_of,
+        coordinate_derivatives as coordinate_derivatives,
+        flats_of as flats_of,
+        is_measured as is_measured,
+        measure_gradients as measure_gradients,
+        measured as measured,
+    )
+    from kinetruss.mechanics.members import DRIVEN as DRIVEN, ELASTIC as ELASTIC, FREE as FREE, RIGID as RIGID
+    from kinetruss.mechanics.row_gradients import (
+        RANK_TOLERANCE as RANK_TOLERANCE,
+        constraint_curvature as constraint_curvature,
+        constraint_gradients as constraint_gradients,
+        constraint_jacobian as constraint_jacobian,
+        direction_rates as direction_rates,
+        ends_of as ends_of,
+        jacobian as jacobian,
+        measure_curvature as measure_curvature,
+        measure_hessian as measure_hessian,
+        measure_turning as measure_turning,
+        row_directions as row_directions,
+        row_ends as row_ends,
+        row_scales as row_scales,
+        turned as turned,
+    )
+    from kinetruss.mechanics.system import ByIdentity as ByIdentity, System as System, compile as compile
+
+__getattr__, __dir__, __all__ = late(__name__)

@@ -1,266 +1,157 @@
 """Classes for describing a model. All are immutable."""
 
-from kinetruss.late import listed
-from kinetruss.model._catalogue import Catalogue, ScrewStock, TubeStock
-from kinetruss.model._collect import Lost, rests_on
-from kinetruss.model._data import FORMAT
-from kinetruss.model._described import contents, field_texts
-from kinetruss.model._inner import Inner, Owner, inner_parts
-from kinetruss.model._mission import Catalogues, Group, Mission, Settle, matched, mission_faults
-from kinetruss.model._model import Model, Safety, TitleBlock
-from kinetruss.model._plausibility import plausibility, turned_far
-from kinetruss.model._record import (
-    Angle,
-    Count,
-    Flag,
-    Force,
-    ForceVector,
-    GravityVector,
-    Length,
-    Mass,
-    Name,
-    Number,
-    Of,
-    Point,
-    PositiveLength,
-    PositiveNumber,
-    PositiveTime,
-    Record,
-    Series,
-    Whole,
-    short_form,
-)
-from kinetruss.model._table import Filled, ReadOnly, Table
-from kinetruss.model._words import in_python, nearest, of_file
-from kinetruss.model.beams.record import Beam
-from kinetruss.model.checks.faults import faults, trajectory_faults
-from kinetruss.model.checks.loads import loads_along_beams
-from kinetruss.model.checks.simulation import condition_faults, event_faults, task_faults
-from kinetruss.model.checks.targets import target_faults
-from kinetruss.model.hubs.record import Hub
-from kinetruss.model.motion.conditions import BaseRotation, Condition
-from kinetruss.model.motion.drives import (
-    AngleDrive,
-    CoordinateDrive,
-    CosineCoordinate,
-    Coupling,
-    GimbalPose,
-    HingeDrive,
-    LengthDrive,
-    OffsetCoordinate,
-    geared,
-    turns,
-)
-from kinetruss.model.motion.drivetrain import Amplifier, DriveTrain, Gear, LeadScrew, Motor
-from kinetruss.model.motion.events import Event
-from kinetruss.model.motion.inputs import (
-    DriveInput,
-    DriveLoad,
-    ExponentialInput,
-    PositionLoop,
-    SineInput,
-    StepInput,
-    TableInput,
-)
-from kinetruss.model.motion.methods import (
-    DOP853,
-    ERROR_CONTROLLED,
-    EnergyMomentum,
-    GeneralizedAlpha,
-    Method,
-    Radau,
-    Rattle,
-    Taylor,
-)
-from kinetruss.model.motion.runs import Elastic, Run
-from kinetruss.model.motion.springs import Spring
-from kinetruss.model.motion.targets import (
-    TARGETS,
-    Circle,
-    Combined,
-    Coordinates,
-    Docking,
-    Gimbal,
-    Pointing,
-    Positioning,
-    Reflecting,
-    Way,
-)
-from kinetruss.model.motion.tasks import MOTOR_TASKS, TRAJECTORY_TASKS, Free, GivenForce, Hold
-from kinetruss.model.motion.trajectories import (
-    ConstantRate,
-    Cyclic,
-    Measured,
-    Quintic,
-    Sine,
-    Spline,
-    StepResponse,
-    Tabulated,
-    Trapezoid,
-    moved_by,
-)
-from kinetruss.model.parts.bodies import Body, Frame
-from kinetruss.model.parts.body_loads import BodyCouple, BodyForce, Pressure
-from kinetruss.model.parts.body_mass import body_mass
-from kinetruss.model.parts.continua import Membrane, Orthotropic, Solid
-from kinetruss.model.parts.elastic import natural_length, stiffness
-from kinetruss.model.parts.gauges import Bridge, Gauge, GaugeZero
-from kinetruss.model.parts.joints import GROUND, Bearing, Hinge, Joint
-from kinetruss.model.parts.loads import History, LoadCase, NodalForce
-from kinetruss.model.parts.members import Active, Bar, Compliance, Node, Part, PlanarBody, PointMass
-from kinetruss.model.parts.sections import General, Material, Rectangle, Rod, Tube
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "Active",
-    "Amplifier",
-    "AngleDrive",
-    "BaseRotation",
-    "Bearing",
-    "Bar",
-    "Beam",
-    "Body",
-    "Compliance",
-    "BodyCouple",
-    "BodyForce",
-    "Bridge",
-    "Circle",
-    "Combined",
-    "Condition",
-    "ConstantRate",
-    "CoordinateDrive",
-    "Coordinates",
-    "CosineCoordinate",
-    "Cyclic",
-    "Docking",
-    "DriveInput",
-    "DriveLoad",
-    "DriveTrain",
-    "ExponentialInput",
-    "Frame",
-    "Gauge",
-    "GaugeZero",
-    "Gear",
-    "General",
-    "Gimbal",
-    "GimbalPose",
-    "History",
-    "LeadScrew",
-    "LengthDrive",
-    "LoadCase",
-    "Material",
-    "Measured",
-    "Model",
-    "Motor",
-    "Node",
-    "NodalForce",
-    "Part",
-    "PointMass",
-    "Pointing",
-    "PositionLoop",
-    "Positioning",
-    "Pressure",
-    "Quintic",
-    "Record",
-    "Rectangle",
-    "Reflecting",
-    "Rod",
-    "Run",
-    "Safety",
-    "Sine",
-    "SineInput",
-    "Spline",
-    "Spring",
-    "StepInput",
-    "StepResponse",
-    "TableInput",
-    "Tabulated",
-    "TitleBlock",
-    "Trapezoid",
-    "Tube",
-    "Way",
-    "TARGETS",
-    "Catalogue",
-    "Catalogues",
-    "Group",
-    "Mission",
-    "ScrewStock",
-    "Settle",
-    "TubeStock",
-    "matched",
-    "mission_faults",
-    "DOP853",
-    "EnergyMomentum",
-    "Elastic",
-    "Event",
-    "Free",
-    "GeneralizedAlpha",
-    "GivenForce",
-    "Hold",
-    "MOTOR_TASKS",
-    "Method",
-    "ERROR_CONTROLLED",
-    "PlanarBody",
-    "Radau",
-    "Rattle",
-    "TRAJECTORY_TASKS",
-    "Taylor",
-    "Coupling",
-    "HingeDrive",
-    "Hub",
-    "Inner",
-    "Owner",
-    "inner_parts",
-    "OffsetCoordinate",
-    "geared",
-    "turns",
-    "condition_faults",
-    "event_faults",
-    "natural_length",
-    "stiffness",
-    "task_faults",
-    "GROUND",
-    "Hinge",
-    "Joint",
-    "body_mass",
-    "contents",
-    "field_texts",
-    "faults",
-    "loads_along_beams",
-    "moved_by",
-    "nearest",
-    "in_python",
-    "of_file",
-    "plausibility",
-    "turned_far",
-    "Membrane",
-    "Orthotropic",
-    "Solid",
-    "target_faults",
-    "trajectory_faults",
-    "Angle",
-    "Count",
-    "Flag",
-    "Force",
-    "ForceVector",
-    "GravityVector",
-    "Length",
-    "Mass",
-    "Name",
-    "Number",
-    "Of",
-    "Point",
-    "PositiveLength",
-    "PositiveNumber",
-    "PositiveTime",
-    "Series",
-    "FORMAT",
-    "Lost",
-    "rests_on",
-    "Whole",
-    "short_form",
-    "Filled",
-    "ReadOnly",
-    "Table",
-]
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.model.beams import Beam as Beam
+    from kinetruss.model.bodies import Body as Body, Frame as Frame, body_mass as body_mass
+    from kinetruss.model.catalogues import Catalogue as Catalogue, ScrewStock as ScrewStock, TubeStock as TubeStock
+    from kinetruss.model.checks import faults as faults, trajectory_faults as trajectory_faults
+    from kinetruss.model.collecting import Lost as Lost, rests_on as rests_on
+    from kinetruss.model.continua import Membrane as Membrane, Orthotropic as Orthotropic, Solid as Solid
+    from kinetruss.model.data import FORMAT as FORMAT, Safety as Safety, TitleBlock as TitleBlock
+    from kinetruss.model.description import contents as contents, field_texts as field_texts
+    from kinetruss.model.drives import (
+        AngleDrive as AngleDrive,
+        CoordinateDrive as CoordinateDrive,
+        CosineCoordinate as CosineCoordinate,
+        Coupling as Coupling,
+        GimbalPose as GimbalPose,
+        HingeDrive as HingeDrive,
+        LengthDrive as LengthDrive,
+        OffsetCoordinate as OffsetCoordinate,
+        Spring as Spring,
+        geared as geared,
+        turns as turns,
+    )
+    from kinetruss.model.drivetrain import (
+        Amplifier as Amplifier,
+        DriveTrain as DriveTrain,
+        Gear as Gear,
+        LeadScrew as LeadScrew,
+        Motor as Motor,
+    )
+    from kinetruss.model.gauges import Bridge as Bridge, Gauge as Gauge, GaugeZero as GaugeZero
+    from kinetruss.model.hubs import Hub as Hub
+    from kinetruss.model.inner import Inner as Inner, Owner as Owner, inner_parts as inner_parts
+    from kinetruss.model.inputs import (
+        DriveInput as DriveInput,
+        DriveLoad as DriveLoad,
+        ExponentialInput as ExponentialInput,
+        PositionLoop as PositionLoop,
+        SineInput as SineInput,
+        StepInput as StepInput,
+        TableInput as TableInput,
+    )
+    from kinetruss.model.joints import GROUND as GROUND, Bearing as Bearing, Hinge as Hinge, Joint as Joint
+    from kinetruss.model.load_checks import loads_along_beams as loads_along_beams
+    from kinetruss.model.loads import (
+        BodyCouple as BodyCouple,
+        BodyForce as BodyForce,
+        History as History,
+        LoadCase as LoadCase,
+        NodalForce as NodalForce,
+        Pressure as Pressure,
+    )
+    from kinetruss.model.members import (
+        Active as Active,
+        Bar as Bar,
+        Compliance as Compliance,
+        Node as Node,
+        Part as Part,
+        PlanarBody as PlanarBody,
+        PointMass as PointMass,
+        natural_length as natural_length,
+        stiffness as stiffness,
+    )
+    from kinetruss.model.mission import (
+        Catalogues as Catalogues,
+        Group as Group,
+        Mission as Mission,
+        Settle as Settle,
+        matched as matched,
+        mission_faults as mission_faults,
+    )
+    from kinetruss.model.plausible import plausibility as plausibility, turned_far as turned_far
+    from kinetruss.model.record import (
+        Angle as Angle,
+        Count as Count,
+        Flag as Flag,
+        Force as Force,
+        ForceVector as ForceVector,
+        GravityVector as GravityVector,
+        Length as Length,
+        Mass as Mass,
+        Name as Name,
+        Number as Number,
+        Of as Of,
+        Point as Point,
+        PositiveLength as PositiveLength,
+        PositiveNumber as PositiveNumber,
+        PositiveTime as PositiveTime,
+        Record as Record,
+        Series as Series,
+        Whole as Whole,
+        short_form as short_form,
+    )
+    from kinetruss.model.run_checks import (
+        condition_faults as condition_faults,
+        event_faults as event_faults,
+        task_faults as task_faults,
+    )
+    from kinetruss.model.runs import BaseRotation as BaseRotation, Condition as Condition, Elastic as Elastic, Run as Run
+    from kinetruss.model.sections import (
+        General as General,
+        Material as Material,
+        Rectangle as Rectangle,
+        Rod as Rod,
+        Tube as Tube,
+    )
+    from kinetruss.model.simulation import (
+        DOP853 as DOP853,
+        ERROR_CONTROLLED as ERROR_CONTROLLED,
+        MOTOR_TASKS as MOTOR_TASKS,
+        TRAJECTORY_TASKS as TRAJECTORY_TASKS,
+        EnergyMomentum as EnergyMomentum,
+        Event as Event,
+        Free as Free,
+        GeneralizedAlpha as GeneralizedAlpha,
+        GivenForce as GivenForce,
+        Hold as Hold,
+        Method as Method,
+        Radau as Radau,
+        Rattle as Rattle,
+        Taylor as Taylor,
+    )
+    from kinetruss.model.table import Filled as Filled, ReadOnly as ReadOnly, Table as Table
+    from kinetruss.model.targets import (
+        TARGETS as TARGETS,
+        Circle as Circle,
+        Combined as Combined,
+        Coordinates as Coordinates,
+        Docking as Docking,
+        Gimbal as Gimbal,
+        Pointing as Pointing,
+        Positioning as Positioning,
+        Reflecting as Reflecting,
+        Way as Way,
+        target_faults as target_faults,
+    )
+    from kinetruss.model.the_model import Model as Model
+    from kinetruss.model.trajectories import (
+        ConstantRate as ConstantRate,
+        Cyclic as Cyclic,
+        Measured as Measured,
+        Quintic as Quintic,
+        Sine as Sine,
+        Spline as Spline,
+        StepResponse as StepResponse,
+        Tabulated as Tabulated,
+        Trapezoid as Trapezoid,
+        moved_by as moved_by,
+    )
+    from kinetruss.model.words import in_python as in_python, nearest as nearest, of_file as of_file
+
+__getattr__, __dir__, __all__ = late(__name__)

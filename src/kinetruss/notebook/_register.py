@@ -9,9 +9,9 @@ from kinetruss.errors import KinetrussError
 
 __all__ = ["register"]
 
-FRAMED = (("kinetruss.model._model", "Model"), ("kinetruss.runs._result", "RunResult"))
+FRAMED = (("kinetruss.model.the_model", "Model"), ("kinetruss.runs.results", "RunResult"))
 """Modules of the types that are shown in a frame; they are not imported here."""
-RESULT = ("kinetruss.results.records.records", "Result")
+RESULT = ("kinetruss.results.records", "Result")
 """The base of motions, forces and all other results; shown by curves."""
 
 

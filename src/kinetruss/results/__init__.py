@@ -1,28 +1,35 @@
 """Frozen result records with axes, units, provenance and status. Parts that need xarray are imported when first used."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
-from kinetruss.results.records.arrays import Arrays, Axes, Column, Columns, variable
-from kinetruss.results.records.drive_run import DriveRun, Episode
-from kinetruss.results.records.records import Demand, Forces, Motion, Result, Sections, Status, Verdict
-from kinetruss.results.records.rows import Row, row_text, rows_of
-from kinetruss.results.records.simulation import Occurrence, Passage, Simulation
 
 if TYPE_CHECKING:
-    from kinetruss.results.records.provenance import model_hash, provenance
+    from kinetruss.results.arrays import (
+        Arrays as Arrays,
+        Axes as Axes,
+        Column as Column,
+        Columns as Columns,
+        variable as variable,
+    )
+    from kinetruss.results.dynamic_records import (
+        DriveRun as DriveRun,
+        Episode as Episode,
+        Occurrence as Occurrence,
+        Passage as Passage,
+        Simulation as Simulation,
+    )
+    from kinetruss.results.records import (
+        Demand as Demand,
+        Forces as Forces,
+        Motion as Motion,
+        Result as Result,
+        Sections as Sections,
+        Status as Status,
+        Verdict as Verdict,
+        model_hash as model_hash,
+        provenance as provenance,
+    )
+    from kinetruss.results.wide_tables import Row as Row, row_text as row_text, rows_of as rows_of
 
-__all__ = [
-    "Arrays", "Axes", "Column", "Columns", "Demand", "DriveRun", "Episode", "Forces", "Motion", "Occurrence", "Passage",
-    "Result", "Row", "Sections", "Simulation", "Status", "Verdict", "model_hash", "provenance", "row_text", "rows_of",
-    "variable",
-]  # fmt: skip
-
-__getattr__, __dir__ = late(
-    __name__,
-    {
-        "records.provenance": "model_hash provenance",
-    },
-)
+__getattr__, __dir__, __all__ = late(__name__)

@@ -3,54 +3,23 @@
 Opening a stored run does not load the analyses; they are loaded when a run is computed.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
-from kinetruss.runs._result import RunResult
 
 if TYPE_CHECKING:
-    from kinetruss.runs._run import resume, run
-    from kinetruss.runs.accuracy.budget import Budget, budget
-    from kinetruss.runs.accuracy.standard_errors import standard_errors
-    from kinetruss.runs.blocks.forces_at import forces_at, forces_at_peak, forces_at_rest
-    from kinetruss.runs.blocks.gauge_strains import gauge_strains
-    from kinetruss.runs.many.run_variants import VariantRuns, run_variants
-    from kinetruss.runs.many.variants import variants
-    from kinetruss.runs.missions.governing import governing
-    from kinetruss.runs.missions.record import MissionRun, load
+    from kinetruss.runs.budgets import Budget as Budget, budget as budget
+    from kinetruss.runs.governing_pair import governing as governing
+    from kinetruss.runs.instants import (
+        forces_at as forces_at,
+        forces_at_peak as forces_at_peak,
+        forces_at_rest as forces_at_rest,
+    )
+    from kinetruss.runs.joining import gauge_strains as gauge_strains
+    from kinetruss.runs.many import VariantRuns as VariantRuns, run_variants as run_variants, variants as variants
+    from kinetruss.runs.mission_results import MissionRun as MissionRun, load as load
+    from kinetruss.runs.results import RunResult as RunResult
+    from kinetruss.runs.running import resume as resume, run as run
+    from kinetruss.runs.uncertain import standard_errors as standard_errors
 
-__all__ = [
-    "Budget",
-    "MissionRun",
-    "RunResult",
-    "VariantRuns",
-    "budget",
-    "forces_at",
-    "forces_at_peak",
-    "forces_at_rest",
-    "gauge_strains",
-    "governing",
-    "load",
-    "resume",
-    "run",
-    "run_variants",
-    "standard_errors",
-    "variants",
-]
-
-__getattr__, __dir__ = late(
-    __name__,
-    {
-        "_run": "resume run",
-        "accuracy.budget": "Budget budget",
-        "accuracy.standard_errors": "standard_errors",
-        "blocks.forces_at": "forces_at forces_at_peak forces_at_rest",
-        "blocks.gauge_strains": "gauge_strains",
-        "missions.governing": "governing",
-        "missions.record": "MissionRun load",
-        "many.run_variants": "VariantRuns run_variants",
-        "many.variants": "variants",
-    },
-)
+__getattr__, __dir__, __all__ = late(__name__)

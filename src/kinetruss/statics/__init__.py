@@ -3,45 +3,20 @@
 Parts are imported when first used.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.statics.large.equilibrium import Equilibrium, equilibrium
-    from kinetruss.statics.large.path import Path, path
-    from kinetruss.statics.poses.at_poses import at_poses
-    from kinetruss.statics.poses.deflection import Deflection, deflection
-    from kinetruss.statics.poses.platform_stiffness import platform_stiffness
-    from kinetruss.statics.small.buckling import Buckling, buckling
-    from kinetruss.statics.small.linear import Linear, linear
+    from kinetruss.statics.deflections import (
+        Deflection as Deflection,
+        deflection as deflection,
+        platform_stiffness as platform_stiffness,
+    )
+    from kinetruss.statics.large_displacements import Equilibrium as Equilibrium, equilibrium as equilibrium
+    from kinetruss.statics.linear_buckling import Buckling as Buckling, buckling as buckling
+    from kinetruss.statics.linear_statics import Linear as Linear, linear as linear
+    from kinetruss.statics.paths import Path as Path, path as path
+    from kinetruss.statics.poses import at_poses as at_poses
 
-__all__ = [
-    "Buckling",
-    "Deflection",
-    "Equilibrium",
-    "Linear",
-    "Path",
-    "at_poses",
-    "buckling",
-    "deflection",
-    "equilibrium",
-    "linear",
-    "path",
-    "platform_stiffness",
-]
-
-__getattr__, __dir__ = late(
-    __name__,
-    {
-        "large.equilibrium": "Equilibrium equilibrium",
-        "large.path": "Path path",
-        "poses.at_poses": "at_poses",
-        "poses.deflection": "Deflection deflection",
-        "poses.platform_stiffness": "platform_stiffness",
-        "small.buckling": "Buckling buckling",
-        "small.linear": "Linear linear",
-    },
-)
+__getattr__, __dir__, __all__ = late(__name__)

@@ -1,53 +1,31 @@
 """Strength of members: section forces, stress, buckling, utilisation."""
 
-from kinetruss.late import listed
-from kinetruss.strength.members.beams import beams
-from kinetruss.strength.members.components import components
-from kinetruss.strength.members.elements import elements
-from kinetruss.strength.members.sections import sections
-from kinetruss.strength.members.stresses import stresses
-from kinetruss.strength.strain_gauges.bridge import bridge_output, bridge_strain, shunt_strain
-from kinetruss.strength.strain_gauges.compare_gauges import compare_gauges
-from kinetruss.strength.strain_gauges.gauges import gauges
-from kinetruss.strength.strain_gauges.measured_strains import measured_strains
-from kinetruss.strength.strain_gauges.rosette import Rosette, rosette
-from kinetruss.strength.verdict.buckling import (
-    END_CONDITIONS,
-    amplification,
-    critical_load,
-    end_condition,
-    euler_load,
-    johnson_load,
-    transition,
-)
-from kinetruss.strength.verdict.check import check, table
-from kinetruss.strength.verdict.utilisation import Options, utilisation
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "END_CONDITIONS",
-    "Options",
-    "Rosette",
-    "amplification",
-    "beams",
-    "bridge_output",
-    "bridge_strain",
-    "check",
-    "compare_gauges",
-    "components",
-    "critical_load",
-    "elements",
-    "end_condition",
-    "euler_load",
-    "gauges",
-    "johnson_load",
-    "measured_strains",
-    "rosette",
-    "sections",
-    "shunt_strain",
-    "stresses",
-    "table",
-    "transition",
-    "utilisation",
-]
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.strength.beam_stresses import beams as beams
+    from kinetruss.strength.critical_loads import (
+        END_CONDITIONS as END_CONDITIONS,
+        amplification as amplification,
+        critical_load as critical_load,
+        end_condition as end_condition,
+        euler_load as euler_load,
+        johnson_load as johnson_load,
+        transition as transition,
+    )
+    from kinetruss.strength.element_stresses import elements as elements
+    from kinetruss.strength.gauge_records import (
+        bridge_output as bridge_output,
+        bridge_strain as bridge_strain,
+        compare_gauges as compare_gauges,
+        measured_strains as measured_strains,
+        shunt_strain as shunt_strain,
+    )
+    from kinetruss.strength.section_forces import components as components, sections as sections, stresses as stresses
+    from kinetruss.strength.strain_gauges import Rosette as Rosette, gauges as gauges, rosette as rosette
+    from kinetruss.strength.utilisations import Options as Options, utilisation as utilisation
+    from kinetruss.strength.verdict import check as check, table as table
+
+__getattr__, __dir__, __all__ = late(__name__)

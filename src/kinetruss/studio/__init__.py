@@ -3,22 +3,12 @@
 `serve` runs it; a `Session` answers one page and needs no network. Parts are imported when first used.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.studio._serve import serve
-    from kinetruss.studio._session import Session
+    from kinetruss.studio.serving import serve as serve
+    from kinetruss.studio.session import Session as Session
 
-__all__ = ["Session", "serve"]
-
-__getattr__, __dir__ = late(
-    __name__,
-    {
-        "_serve": "serve",
-        "_session": "Session",
-    },
-)
+__getattr__, __dir__, __all__ = late(__name__)

@@ -3,11 +3,13 @@
 Every entry has a class, a key of `CLAIMS`, which says what its agreement shows.
 """
 
-from kinetruss.late import listed
-from kinetruss.verification._case import Entry, Report
-from kinetruss.verification._reference import CLAIMS
-from kinetruss.verification._verify import verify
+from typing import TYPE_CHECKING
 
-__all__ = ["CLAIMS", "Entry", "Report", "verify"]
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.verification._case import Entry as Entry, Report as Report
+    from kinetruss.verification._reference import CLAIMS as CLAIMS
+    from kinetruss.verification._verify import verify as verify
+
+__getattr__, __dir__, __all__ = late(__name__)

@@ -21,23 +21,22 @@ from answers import SOLVED, Answer, Part, asked
 from asking import main
 from models import Case
 
-from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.linear.state import moving_forces
-from kinetruss.dynamics.prescribed.free import applied as left_over
+from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.linear_state import moving_forces
+from kinetruss.dynamics.prescribed import apply_loads as left_over
 from kinetruss.kernels.solve import kkt as kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, compile, jacobian, measured
-from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.assembly.cases import case_loads
-from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_balance
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
-from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
-from kinetruss.mechanics.constraints.derivatives import held_rows
-from kinetruss.statics.small.stiffness import flexibility, stiff_rows
+from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
+from kinetruss.mechanics.elements import continua_stiffness, strain_balance
+from kinetruss.mechanics.loads import case_loads
+from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
+from kinetruss.mechanics.rows import held_rows
+from kinetruss.mechanics.tables import nodal_loads, structure_of
+from kinetruss.statics.small_displacements import flexibility, stiff_rows
 
 SOLVERS = ("dense", "sparse", "sweep")
 SHIFT = 1e-9

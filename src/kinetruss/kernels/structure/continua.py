@@ -1,7 +1,7 @@
 """Membranes, solids and beams: forces along the edges of their elements, the energy they store, their tangent stiffness.
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
-densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.structure.continua`).
+densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.continua`).
 Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to. `stiffness` is
 the upper triangle of 2 G by rows.
 

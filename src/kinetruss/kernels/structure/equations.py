@@ -36,7 +36,7 @@ class Equations(Structure):
     Given forces: force_kind, force_A, force_B (g,) coordinates (of a SUM_FORCE first and last term), force_ptr (g + 1,),
     force_time, force_value; force_drive (g,) or -1.
     Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),
-    follower_vector (p, 4) (mechanics.assembly.followers); amounts in time as those of given forces.
+    follower_vector (p, 4) (mechanics.loads); amounts in time as those of given forces.
     Membranes, solids and beams: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
     tetrahedron_*, six_*, eight_* : edges of each element and what they resist with (kernels.structure.continua); damp_* :
     beams with damping, in the plane six, in space eight.

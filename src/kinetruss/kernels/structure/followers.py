@@ -1,4 +1,4 @@
-"""Loads on bodies: forces at points, couples, pressures, as nodal forces (mechanics.assembly.followers)."""
+"""Loads on bodies: forces at points, couples, pressures, as nodal forces (mechanics.loads)."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ class Plan(Record):
     terms term_ptr[j]:term_ptr[j+1] of sum j, term_kind, term_at, term_data (constraints.terms); sum_scale (s,) of the row,
     sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: axis sum_entry[., 3] of what term sum_entry[., 1] has at its
     node sum_entry[., 2] (P, 1, 2) is added to row sum_entry[., 0], column sum_entry[., 4].
-    Rigid parts (mechanics.structure.rigid_parts): counts (rows,) RIGID_SHAPE, ALONE or SIZE; seen (cols,) 0 where nothing but
+    Rigid parts (mechanics.rigid_parts): counts (rows,) RIGID_SHAPE, ALONE or SIZE; seen (cols,) 0 where nothing but
     its own part depends on a node, else 1. Parts sized_ptr[b]:sized_ptr[b+1] of block b have the rows size_row[., 0] from
     size_ptr[g] to size_ptr[g+1]; size_row[., 1] is 1 for those that may be the longest. hand[hand_ptr[b]:hand_ptr[b+1]]: flat
     coordinates of nodes of a part, the last one of which (the third if the fourth is -1) keeps its side of the others.

@@ -1,37 +1,35 @@
 """Trusses from cells: ready cells and one's own, stacked, mirrored, branched, closed into rings."""
 
-from kinetruss.late import listed
-from kinetruss.library.cells.assemblies import assemble, branch, ring, stack
-from kinetruss.library.cells.chains import cell, chain, stacked
-from kinetruss.library.cells.fittings import Actuator
-from kinetruss.library.cells.flat import panel, triangle
-from kinetruss.library.cells.mirroring import mirror
-from kinetruss.library.cells.octahedra import Rods, double_octahedron, quadruple_octahedron
-from kinetruss.library.cells.records import Cell, Face
-from kinetruss.library.cells.solid import cube, decahedron, octahedron, prism, tetrahedron
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "Actuator",
-    "Cell",
-    "Face",
-    "Rods",
-    "assemble",
-    "branch",
-    "cell",
-    "chain",
-    "cube",
-    "decahedron",
-    "double_octahedron",
-    "mirror",
-    "octahedron",
-    "panel",
-    "prism",
-    "quadruple_octahedron",
-    "ring",
-    "stack",
-    "stacked",
-    "tetrahedron",
-    "triangle",
-]
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.library.cells.assemblies import (
+        assemble as assemble,
+        branch as branch,
+        cell as cell,
+        chain as chain,
+        ring as ring,
+        stack as stack,
+        stacked as stacked,
+    )
+    from kinetruss.library.cells.fittings import Actuator as Actuator
+    from kinetruss.library.cells.joining import mirror as mirror
+    from kinetruss.library.cells.octahedra import (
+        Rods as Rods,
+        double_octahedron as double_octahedron,
+        quadruple_octahedron as quadruple_octahedron,
+    )
+    from kinetruss.library.cells.records import Cell as Cell, Face as Face
+    from kinetruss.library.cells.shapes import (
+        cube as cube,
+        decahedron as decahedron,
+        octahedron as octahedron,
+        panel as panel,
+        prism as prism,
+        tetrahedron as tetrahedron,
+        triangle as triangle,
+    )
+
+__getattr__, __dir__, __all__ = late(__name__)

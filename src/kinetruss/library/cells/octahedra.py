@@ -10,31 +10,15 @@ import numpy as np
 
 from kinetruss.errors import ModelError
 from kinetruss.kernels.motion.placement import base_triangle, equal_share, place_bay, reach, tilt
-from kinetruss.library._builder import named
-from kinetruss.library._placing import point, refuse
-from kinetruss.library.cells.fittings import Fittings, Placing, dressed, placed
+from kinetruss.library.building import named
+from kinetruss.library.cells.fittings import Fittings, Placing, dressed, placed, ready
 from kinetruss.library.cells.joining import joined
-from kinetruss.library.cells.ready import ready
 from kinetruss.library.cells.records import Cell, Face
 from kinetruss.library.drives import GEARS, MOTORS, SCREWS
+from kinetruss.library.placing import point, refuse
 from kinetruss.library.sections import SECTIONS, TUBE_LACY_SPATIAL
-from kinetruss.model import (
-    Active,
-    Angle,
-    Bar,
-    Compliance,
-    Gear,
-    GimbalPose,
-    LeadScrew,
-    Mass,
-    Motor,
-    Name,
-    Part,
-    PositiveLength,
-)
-from kinetruss.model.parts import Section
-
-__all__ = ["double_octahedron", "quadruple_octahedron"]
+from kinetruss.model import Active, Angle, Bar, Compliance, Gear, GimbalPose, LeadScrew, Mass, Motor, Name, Part, PositiveLength
+from kinetruss.model.sections import Section
 
 BARS = {
     "M1": (6, 2, 1),

@@ -28,9 +28,7 @@ from kinetruss.model import (
     nearest,
     short_form,
 )
-from kinetruss.model.parts import Section
-
-__all__ = ["EMPTY", "Axis", "Cell", "Face", "Triple", "changed"]
+from kinetruss.model.sections import Section
 
 Triple = Annotated[tuple[Length, ...], Field(min_length=2, max_length=3), Series]
 Axis = Literal["x", "y", "z"]

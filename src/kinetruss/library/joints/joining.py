@@ -11,11 +11,9 @@ from typing import Any, cast
 import numpy as np
 
 from kinetruss.errors import Fault, InputError, ModelError
-from kinetruss.library._arguments import own_arguments
-from kinetruss.library._placing import bars_between, point
+from kinetruss.library.building import own_arguments
+from kinetruss.library.placing import bars_between, point
 from kinetruss.model import GROUND, Coupling, Hinge, Joint, Model, Node, nearest
-
-__all__ = ["Draft", "JointWarning", "anchored", "conditioning", "direction", "extent", "hinge", "pair_of", "sized", "start"]
 
 FAR = 2.0
 """A joint farther from a body than this multiple of the size of the body is refused as a mistake."""

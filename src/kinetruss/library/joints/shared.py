@@ -9,11 +9,9 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.library._arguments import own_arguments
+from kinetruss.library.building import own_arguments
 from kinetruss.library.joints.joining import Draft, anchored, direction, extent, hinge, pair_of, sized, start
 from kinetruss.model import Model
-
-__all__ = ["pin", "revolute", "spherical", "universal", "weld"]
 
 Bodies = Sequence[str]
 

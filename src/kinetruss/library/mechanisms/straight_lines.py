@@ -5,11 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 
-from kinetruss.library._builder import builder
-from kinetruss.library._placing import bars_between, does_not_close, meet, on_link, places, refuse
+from kinetruss.library.building import builder
+from kinetruss.library.placing import bars_between, does_not_close, meet, on_link, places, refuse
 from kinetruss.model import Angle, AngleDrive, Cyclic, Model, Number, PositiveLength, Run
-
-__all__ = ["chebyshev", "hart", "peaucellier", "roberts", "watt_line"]
 
 Bars = list[tuple[str, str]]
 Nodes = dict[str, complex]

@@ -1,9 +1,11 @@
 """Variable-geometry trusses: the triangular truss, the double-octahedral truss and its chains, and their motions."""
 
-from kinetruss.late import listed
-from kinetruss.library.vgt.double_octahedral import double_octahedral, slew
-from kinetruss.library.vgt.triangular import lacy_step, triangular
+from typing import TYPE_CHECKING
 
-__all__ = ["double_octahedral", "lacy_step", "slew", "triangular"]
+from kinetruss.late import late
 
-__dir__ = listed(__name__)
+if TYPE_CHECKING:
+    from kinetruss.library.vgt.octahedral_truss import double_octahedral as double_octahedral, slew as slew
+    from kinetruss.library.vgt.triangular_truss import lacy_step as lacy_step, triangular as triangular
+
+__getattr__, __dir__, __all__ = late(__name__)

@@ -13,10 +13,25 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.display import DIGIT, DRIVEN, LOAD, POINT, aligned, quantity, scale
-from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
-from kinetruss.report.pictures.style import ACCENT, ALARM, BAND, INK, PRINT, QUIET, RC, REST, pen
-from kinetruss.report.pictures.view import MEMBERS, projected, write_names
-from kinetruss.results.store import whole_file
+from kinetruss.report.pictures.drawing import MEMBERS, projected, write_names
+from kinetruss.report.pictures.specs import (
+    ACCENT,
+    ALARM,
+    BAND,
+    INK,
+    PRINT,
+    QUIET,
+    RC,
+    REST,
+    Bars,
+    Figure,
+    Histories,
+    Panel,
+    Pose,
+    Shape,
+    pen,
+)
+from kinetruss.results.zarr_files import whole_file
 
 __all__ = ["draw", "save"]
 

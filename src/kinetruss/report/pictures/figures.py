@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
-from kinetruss.model.beams import FRAME, shown_kinds, shown_names
-from kinetruss.report.pictures.pictured import arrows, curves_of
+from kinetruss.model.beam_frames import FRAME, shown_kinds, shown_names
+from kinetruss.report.pictures.picture import arrows, curves_of
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
-from kinetruss.report.run_text.columns import moment, poses_of
-from kinetruss.report.run_text.summary import worst_rows
-from kinetruss.runs.missions import check_histories
+from kinetruss.report.run_summary import worst_rows
+from kinetruss.report.run_tables import moment, poses_of
+from kinetruss.runs.mission_results import check_histories
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

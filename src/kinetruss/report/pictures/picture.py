@@ -1,34 +1,133 @@
-"""A line drawing of a model or a run for print: PNG, SVG, PDF."""
+"""A line drawing of a model, a result or a run for print: its data, and the picture in PNG, SVG or PDF."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.display import instant, limits_of
-from kinetruss.errors import InputError
-from kinetruss.mechanics.structure import body_faces, skin_of
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.mechanics.continua import body_faces, skin_of
 from kinetruss.model import AngleDrive, Bar, HingeDrive, Model, nearest
-from kinetruss.model.beams import FRAME, shown_kinds, shown_names
+from kinetruss.model.beam_frames import FRAME, shown_kinds, shown_names
 from kinetruss.report.pictures.draw import SUFFIXES
-from kinetruss.report.pictures.pictured import Pictured, arrows, curves_of, pictured
-from kinetruss.report.pictures.specs import Colouring, Drawing, Stand
-from kinetruss.report.pictures.style import WIDTHS
-from kinetruss.report.pictures.view import MEMBERS, VIEWS, eye, names_of, projected
+from kinetruss.report.pictures.drawing import MEMBERS, VIEWS, eye, names_of, projected
+from kinetruss.report.pictures.specs import WIDTHS, Colouring, Drawing, Stand
+from kinetruss.results import Forces, Motion, Result, Simulation
+from kinetruss.results.records import check_samples
+from kinetruss.runs import RunResult
+from kinetruss.runs.mission_results import check_histories
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.results import Result
-    from kinetruss.runs import RunResult
 
+if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
-__all__ = ["COLOURED", "picture", "width_of"]
+
+LONGEST, LEAST = 0.16, 0.01
+"""Length of the longest arrow of all times, and below which none is drawn, as fractions of the structure."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Pictured:
+    """time (t,), s; position (t, n, dim), m; forces by load case; member_force (members,), N, of a state at rest."""
+
+    model: Model
+    time: Array
+    position: Array
+    forces: Mapping[str, Forces] = field(default_factory=dict)
+    member_force: Array | None = None
+    not_unique: tuple[str, ...] = ()
+
+
+def pictured(what: Any, model: Model | None = None) -> Pictured:
+    """The data of a model or a run; or of a motion, forces, a simulation or an equilibrium with its model.
+
+    Raises
+    ------
+    InputError : something else, a result without its model, or a run without a good sample.
+    """
+    if isinstance(what, Model):
+        return Pictured(model=what, time=np.zeros(1), position=_standing(what)[None])
+    if isinstance(what, RunResult):
+        check_histories(what)
+        return _moving(what.model, what.motion, what.forces)
+    if isinstance(what, Simulation):
+        what = what.forces
+    rest = isinstance(what, Result) and {"position", "member_force"} <= set(what.data) and what.data["position"].ndim == 2
+    if not rest and not isinstance(what, (Motion, Forces)):
+        raise InputError(f"A {type(what).__name__} cannot be drawn. Give a model, a motion, forces, an equilibrium or a run.")
+    if model is None:
+        raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
+    if rest:
+        from kinetruss.strength.beam_verdict import middle_forces
+
+        position, force = what.data["position"].values, middle_forces(model, what)
+        return Pictured(model=model, time=np.zeros(1), position=position[None], member_force=force)
+    check_samples(what)
+    if isinstance(what, Forces):
+        return _moving(model, what.motion, {what.load_case: what})
+    return _moving(model, what, {})
+
+
+def _moving(model: Model, motion: Motion, forces: Mapping[str, Forces]) -> Pictured:
+    names = dict.fromkeys(name for one in forces.values() for name in one.data.attrs.get("not_unique", []))
+    data = motion.data
+    return Pictured(
+        model=model,
+        time=data["time"].values,
+        position=data["position"].values,
+        forces=forces,
+        not_unique=tuple(map(str, names)),
+    )
+
+
+def arrows(
+    model: Model, time: Array, position: Array, case: str | None, frames: Sequence[int]
+) -> list[list[tuple[Array, Array]]]:
+    """Start and end of the arrow of each load, m, at some samples; nodes at position (times, n, dim)."""
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.loads import case_loads
+
+    found = case_loads(compile(model), time, case if case in model.load_cases else None, rotating=True)
+    force = found.force[:, :, : model.dim]
+    size = float(np.linalg.norm(np.ptp(position.reshape(-1, model.dim), axis=0)))
+    largest = float(np.linalg.norm(force, axis=2).max(initial=0.0))
+    along = force * (LONGEST * size / largest if largest else 0.0)
+    return [
+        [(x[n], x[n] + one) for n, one in zip(found.node, vectors, strict=True) if np.linalg.norm(one) > LEAST * size]
+        for x, vectors in ((position[k], along[k]) for k in frames)
+    ]
+
+
+def curves_of(model: Model, x: Array) -> dict[int, Array]:
+    """By place among the members that are drawn the points (g, dim), m, of elastic beams with nodes at x (n, dim)."""
+    from kinetruss.mechanics import compile
+    from kinetruss.mechanics.beam_forces import beam_curves
+
+    if not model.beams or (found := beam_curves(compile(model))) is None:
+        return {}
+    drawn = np.cumsum([kind != FRAME for kind in shown_kinds(model).values()]) - 1
+    return {int(drawn[member]): points for member, points in zip(found.member, found.at(x), strict=True)}
+
+
+def _standing(model: Model) -> Array:
+    from kinetruss.kinematics import assemble
+
+    try:
+        return assemble(model)
+    except (AnalysisError, InputError):
+        return np.array([node.at for node in model.nodes.values()], float)
+
+
+# A line drawing of a model or a run for print: PNG, SVG, PDF.
 
 COLOURED = {
     "force": ("Axial force", "N", ("compression", "tension")),
@@ -178,7 +277,8 @@ def _values(what: Pictured, colour: str, case: str | None) -> tuple[Array, Array
         if colour != "force":
             raise InputError(f"There is no {colour} of a state at rest. Colour it by force.")
         return np.asarray(what.member_force, float)[None], None
-    from kinetruss.strength.verdict import middle_forces, strength_histories
+    from kinetruss.strength.beam_verdict import middle_forces
+    from kinetruss.strength.verdict import strength_histories
 
     forces = what.forces[case or next(iter(what.forces))]
     if colour == "force":
@@ -247,7 +347,7 @@ def _lit(nodes: NDArray[np.int64], x: Array, view: str) -> tuple[Array, Array, N
 
 def _stress(model: Model, position: Array) -> Array | None:
     """Von Mises stress (times, f) at the faces of membranes and solids."""
-    from kinetruss.strength.members import skin_stress
+    from kinetruss.strength.element_stresses import skin_stress
 
     return skin_stress(model, skin_of(model), position)
 

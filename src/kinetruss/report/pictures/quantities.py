@@ -10,8 +10,8 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
-from kinetruss.results.records import units_of
-from kinetruss.runs.missions import check_histories
+from kinetruss.results.wide_tables import units_of
+from kinetruss.runs.mission_results import check_histories
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -128,8 +129,9 @@ def damped() -> dict[str, float]:
     forces = kt.statics.at_poses(model, [{}])
     w, z = math.sqrt(4e6 / 2.0), math.sqrt(1e6 / 2.0)
     gains = (100.0, w * math.sqrt(w / z))
+    methods: Any = (("force", gains), ("rate", (1000.0,)))
     by_force, by_rate = (
         kt.flexible.active_damping(model, forces, gain, kind=kind, stiffness={"act": 3e6}, modes=1).damping.values[:, 0]
-        for kind, gain in (("force", gains), ("rate", (1000.0,)))
+        for kind, gain in methods
     )
     return {"force_100": by_force[0], "force_best": by_force[1], "rate_1000": by_rate[0]}

@@ -58,7 +58,7 @@ def slider() -> dict[str, float]:
     wanted = {"y_P": ("position", "P", "y"), "z_P": ("position", "P", "z"), "x_S": ("position", "S", "x")}
     wanted["v_S"] = ("velocity", "S", "x")
     return {
-        f"{name}_at_{t}s": run.motion.data[kind].sel(node=node, axis=axis, time=float(t))
+        f"{name}_at_{t}s": float(run.motion.data[kind].sel(node=node, axis=axis, time=float(t)))
         for t in (1, 2)
         for name, (kind, node, axis) in wanted.items()
     }

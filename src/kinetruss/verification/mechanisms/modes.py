@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 import kinetruss as kt
@@ -15,7 +17,7 @@ def count(kind: str) -> dict[str, float]:
     return {"complex": found.attrs["complex_solutions"][0], "lost": found.attrs["lost"]}
 
 
-def _model(kind: str) -> kt.Model:
+def _model(kind: Any) -> kt.Model:
     if kind != "3-RPR":
         return kt.library.mechanisms.stewart(kind=kind, turned=(0.1, 0.2, 0.1))
     nodes = {"A": (0.0, 0.0), "B": (4.0, 0.0), "C": (2.0, 4.0), "P": (1.2, 1.1), "Q": (2.6, 1.0), "R": (2.0, 2.2)}

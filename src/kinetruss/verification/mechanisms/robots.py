@@ -21,7 +21,7 @@ def counts(name: str) -> dict[str, float]:
     """Bars, coordinates, fixed ones, rank, freedoms before drives."""
     model = getattr(kt.library.mechanisms, name)()
     found = kt.kinematics.mobility(model)
-    own = {"coordinates": found.coordinates, "fixed": found.fixed, "rank": found.rank}
+    own: dict[str, float] = {"coordinates": found.coordinates, "fixed": found.fixed, "rank": found.rank}
     return own | {"bars": len(model.bars), "freedoms": found.degrees_of_freedom}
 
 

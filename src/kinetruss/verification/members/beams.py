@@ -216,7 +216,7 @@ def driven() -> dict[str, float]:
     push = mass * (gravity - radius * second[:, None] * across + radius * rate[:, None] ** 2 * along)
     exact = along[:, 0] * push[:, 1] - along[:, 1] * push[:, 0]
     light = model.with_(gravity=(0.0, 0.0))
-    still = kt.dynamics.inverse(light, motion).static
+    still: Any = kt.dynamics.inverse(light, motion).static
     shaken = kt.flexible.frequencies(light, still, rigid=("crank",), modes=1).frequency.values[:, 0]
     I = SQUARE.second_moments[1]
     return {

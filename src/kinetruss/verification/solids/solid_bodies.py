@@ -129,7 +129,7 @@ def heavy_top() -> dict[str, float]:
     run = kt.dynamics.simulate(model.with_(velocities=start), t_end=1.0, method=TIGHT)
     x, y, z = run.motion.data["position"].sel(node="P").isel(time=-1).values
     force = run.forces.data["reaction"].sel(support="O", axis="z").isel(time=-1)
-    return {"azimuth": math.atan2(y, x), "tilt": math.atan2(math.hypot(x, y), z), "force": force}
+    return {"azimuth": math.atan2(y, x), "tilt": math.atan2(math.hypot(x, y), z), "force": float(force)}
 
 
 def _spin() -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ ONE = {"H1": ("N1", "N2", "N3"), "H2": ("N7", "N9", "N8")}
 def gimbal(bays: int) -> dict[str, float]:
     """Largest difference between the wanted pose of a grid over the workspace, and that of the nodes which the solver finds."""
     cells = kt.library.cells
-    short = {"base_length": 0.2, "tube_length": 0.1}
+    short: dict[str, Any] = {"base_length": 0.2, "tube_length": 0.1}
     cell = cells.double_octahedron(**short) if bays == 1 else cells.quadruple_octahedron(**short)
     model, corners = cells.stack([cell]), ONE if bays == 1 else HALF
     places = {name: k for k, name in enumerate(model.nodes)}
@@ -29,7 +30,7 @@ def gimbal(bays: int) -> dict[str, float]:
     worst = np.zeros(3)
     for beta, gamma, height in product(ANGLES, ANGLES, HEIGHTS):
         wanted = np.array([beta, gamma, bays * height])
-        lengths = kt.kinematics.chain_lengths(BASE, LONGERON, *wanted, bays=bays)
+        lengths = kt.kinematics.chain_lengths(BASE, LONGERON, beta, gamma, bays * height, bays=bays)
         x = kt.kinematics.assemble(model, dict(zip(model.active, lengths.tolist(), strict=True)))
         worst = np.maximum(worst, np.abs(_pose(x[low], x[high]) - wanted))
         back = np.array(kt.kinematics.chain_pose(BASE, LONGERON, lengths))

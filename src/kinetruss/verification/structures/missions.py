@@ -46,7 +46,7 @@ def virtual_work() -> dict[str, float]:
 def envelope() -> dict[str, float]:
     """Highest utilisation and drive force of a mission over those of its pairs, done one by one as runs."""
     model = chain()
-    mission = kt.run(model, "all")
+    mission: Any = kt.run(model, "all")
     used, force = 0.0, 0.0
     for condition in model.conditions:
         one = kt.run(model.with_(runs={"one": kt.Run(trajectory="tilt", samples=21, condition=condition)}))

@@ -20,7 +20,7 @@ def numbers(payload: float) -> dict[str, float]:
     """Sections 3.3, 3.5 and Table 3.3: by his formulas, and (``.product``) by the product."""
     model, forces, total, static = analysed(TIMES, payload)
     motion = forces.motion.data.sel(member="actuator")
-    length = tuple(motion[name].values for name in ("length", "length_rate", "length_acceleration"))
+    length = motion["length"].values, motion["length_rate"].values, motion["length_acceleration"].values
     still, still_tube = outer_fibre(model, static, "follower", 3), outer_fibre(model, static, "actuator.tube", 0)
     own = (
         outer_fibre(model, total, "follower", 3),

@@ -12,13 +12,14 @@ from kinetruss.viewer.films.copies import Copies, copies, striped
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer.scenes.record import Scene
+    from kinetruss.viewer.moving import Scene
 
+
+if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Colours = NDArray[np.uint8]
     Owned = list[tuple[Copies, NDArray[np.int64]]]
 
-__all__ = ["Bars"]
 
 RIM = 0.35
 """Width of the rim of a bar over its radius; it keeps pale colours visible."""

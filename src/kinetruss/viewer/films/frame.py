@@ -13,14 +13,13 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from kinetruss.display import KINDS, MISSING, OVER, SKINS, THEMES, colours_of
-from kinetruss.viewer.pages.words import ends, heading, ticks
+from kinetruss.viewer.self_contained import ends, heading, ticks
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer.films.camera import Camera
+    from kinetruss.viewer.films.stage import Camera
 
-__all__ = ["Frame", "strips"]
 
 INK, QUIET = THEMES["light"]["ink"], THEMES["light"]["faint"]
 KIND_WORDS = {

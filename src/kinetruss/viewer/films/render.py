@@ -1,23 +1,25 @@
-"""Three-dimensional pictures and films, written without a display."""
+"""Three-dimensional pictures and films, written without a display to a file that appears completely or not at all."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+import shutil
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from PIL import Image
 
 from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, limits_of, number, quantity, rgb
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
-from kinetruss.viewer.films.camera import ANGLE, Camera, aimed
-from kinetruss.viewer.films.pace import usual_speed
+from kinetruss.results.zarr_files import whole_file
 from kinetruss.viewer.films.shown import Look, Subject
-from kinetruss.viewer.scenes.channels import CHANNELS
-from kinetruss.viewer.scenes.scene import scene
+from kinetruss.viewer.films.stage import ANGLE, Camera, aimed
+from kinetruss.viewer.moving import CHANNELS
+from kinetruss.viewer.scenes import scene
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,9 +27,123 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Result
     from kinetruss.runs import RunResult
-    from kinetruss.viewer.scenes.record import Mode, Scene
+    from kinetruss.viewer.moving import Mode, Scene
 
-__all__ = ["render"]
+
+ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
+SHORT, LONG = 5.0, 8.0
+"""Length, s, of a film whose speed is not given; as in the page (`usualSpeed`)."""
+
+
+def usual_speed(duration: float) -> float:
+    """The round speed at which a run of a duration, s, takes 5 to 8 s."""
+    if not 0 < duration < np.inf:
+        return 1.0
+    power = int(np.floor(np.log10(duration / LONG)))
+    several = [float(f"{one * tens:g}e{power}") for tens in (1, 10) for one in ROUND]
+    return next((one for one in several if SHORT <= duration / one <= LONG), 1.0)
+
+
+# Writes frames to a file that appears completely or not at all.
+
+if TYPE_CHECKING:
+    Frames = Iterable[NDArray[np.uint8]]
+
+
+def rate_of(suffix: str, fps: float) -> float:
+    """Possible frames per second: delays in a GIF are whole hundredths of a second, at least two."""
+    return fps if suffix == ".mp4" else 100.0 / max(2, round(100.0 / fps))
+
+
+def check_encoder(suffix: str) -> None:
+    """Raise an error for missing packages before anything is drawn.
+
+    Raises
+    ------
+    InputError : MP4 without imageio-ffmpeg, or without a program ffmpeg.
+    """
+    if suffix == ".mp4":
+        _ffmpeg()
+
+
+def write_picture(picture: NDArray[np.uint8], path: Path) -> None:
+    """Write one PNG file."""
+    with whole_file(path) as part:
+        Image.fromarray(picture).save(part, format="PNG", dpi=(300, 300))
+
+
+def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, colours: NDArray[np.uint8]) -> None:
+    """Write frames (height, width, 3), 0 to 255, as MP4 (H.264, plays everywhere) or as GIF (endless).
+
+    colours : (n, 3), all colours of the frames; a GIF has one table of 255 for all frames, to avoid flicker.
+
+    Raises
+    ------
+    StoreError : the file cannot be written.
+    """
+    with whole_file(path) as part:
+        if path.suffix.lower() == ".mp4":
+            _mp4(frames, part, size, fps)
+        else:
+            _gif(frames, part, fps, colours)
+
+
+def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:
+    part.touch()  # report here that the file cannot be written; ffmpeg takes twenty lines for it
+    writer = _ffmpeg().write_frames(
+        part,
+        size,
+        fps=fps,
+        codec="libx264",
+        macro_block_size=2,
+        output_params=["-preset", "veryfast", "-crf", "18", "-movflags", "+faststart"],
+        ffmpeg_log_level="error",
+    )
+    writer.send(None)
+    try:
+        for frame in frames:
+            writer.send(frame)
+    finally:
+        writer.close()
+
+
+def _gif(frames: Frames, part: Path, fps: float, colours: NDArray[np.uint8]) -> None:
+    pictures = (Image.fromarray(frame) for frame in frames)
+    first = next(pictures)
+    # half of the table for the shaded colours, half for the first frame
+    shades = (np.linspace(0.4, 1.0, 24)[:, None, None] * colours).astype(np.uint8)
+    swatches = Image.fromarray(shades).resize((first.width, first.height // 2), Image.Resampling.NEAREST)
+    sample = Image.new("RGB", (first.width, first.height + swatches.height))
+    sample.paste(first)
+    sample.paste(swatches, (0, first.height))
+    table = sample.quantize(255, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    begin = first.quantize(palette=table, dither=Image.Dither.NONE)
+    rest = (one.quantize(palette=table, dither=Image.Dither.NONE) for one in pictures)
+    with part.open("wb") as stream:
+        begin.save(stream, format="GIF", save_all=True, append_images=rest, duration=round(1000 / fps), loop=0, optimize=False)
+
+
+def _ffmpeg() -> Any:
+    try:
+        import imageio_ffmpeg
+    except ImportError as error:
+        raise InputError(
+            f"Films as MP4 need the package {error.name}. Install what they need: pip install 'kinetruss[render]' "
+            "(or write a .gif)"
+        ) from None
+    try:
+        program = shutil.which(imageio_ffmpeg.get_ffmpeg_exe())
+    except RuntimeError:
+        program = None
+    if program is None:
+        raise InputError(
+            "No program ffmpeg is found. Install it (apt-get install ffmpeg), or name it in IMAGEIO_FFMPEG_EXE; "
+            "or write a .gif, which needs none."
+        )
+    return imageio_ffmpeg
+
+
+# Three-dimensional pictures and films, written without a display.
 
 SUFFIXES = (".png", ".mp4", ".gif")
 SWINGING = 2.5
@@ -117,7 +233,7 @@ def render(
     job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare, pace=pace)
     pictures = job.pictures(shots, progress)
     first = next(pictures)  # all input errors are raised before a file is started
-    from kinetruss.viewer.films import film as files
+    from kinetruss.viewer.films import render as files
 
     if path.suffix == ".png":
         files.write_picture(first, path)
@@ -222,8 +338,6 @@ def _check(path: Path, size: tuple[int, int], fps: float, speed: float | None) -
     if speed is not None and not 0 < speed < np.inf:
         raise InputError(f"speed={speed:g}: give a positive number, e.g. 0.5 for half as fast.")
     if path.suffix != ".png":
-        from kinetruss.viewer.films.film import check_encoder
-
         check_encoder(path.suffix)
 
 
@@ -274,7 +388,6 @@ def _picture(shown: Scene, at: float | None, mode: int | None) -> list[_Shot]:
 
 
 def _film(shown: Scene, path: Path, at: float | None, mode: int | None, fps: float, speed: float) -> list[_Shot]:
-    from kinetruss.viewer.films.film import rate_of
 
     if at is not None:
         raise InputError("at=... goes with a picture (.png); a film shows the whole run.")

@@ -11,17 +11,17 @@ import numpy as np
 
 from kinetruss.display import DRIVEN, KINDS, LOAD, SKINS, THEMES, colours_of, rgb
 from kinetruss.viewer.films.bars import Bars
-from kinetruss.viewer.films.copies import Copies, copies
-from kinetruss.viewer.films.solids import across, plate, rounded
+from kinetruss.viewer.films.copies import Copies, across, copies, plate, rounded
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer.scenes.record import Scene
+    from kinetruss.viewer.moving import Scene
 
+
+if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
-__all__ = ["Look", "Subject"]
 
 PAPER = THEMES["light"]
 SUPPORT, BODY, TRACE, GHOST, NODE, GRID = PAPER["support"], "#3f4a55", PAPER["ink"], "#a8b0b9", PAPER["node"], PAPER["line"]

@@ -1,6 +1,0 @@
-"""Exit codes of the command line."""
-
-__all__ = ["INTERRUPTED"]
-
-INTERRUPTED = 130
-"""After Ctrl-C: 128 plus the number of the signal, as in shells."""

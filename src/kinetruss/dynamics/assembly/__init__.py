@@ -1,1 +1,0 @@
-"""A compiled model as equations of motion: mass, loads, prescribed motion, stiffness."""

@@ -1,0 +1,320 @@
+"""The equations of motion of a compiled model as arrays: free and prescribed coordinates, rows, forces of rows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from kinetruss.dynamics.motion_tables import Table, drive_tables, stack, table_of
+from kinetruss.errors import InputError
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
+from kinetruss.kernels.structure.equations import (
+    ANGLE_FORCE,
+    COORDINATE_FORCE,
+    LENGTH_FORCE,
+    SPARSE,
+    SUM_FORCE,
+    Equations,
+    Workspace,
+)
+from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kinematics.time_tables import check_support
+from kinetruss.mechanics import System
+from kinetruss.mechanics.coordinates import released
+from kinetruss.mechanics.elements import continua_arrays
+from kinetruss.mechanics.loads import Follower, case_loads, history_of, on_ground, unit_loads_of
+from kinetruss.mechanics.solvers import mark_dropped, solver_arrays, workspace_for
+from kinetruss.mechanics.tables import elements, pair_weights
+from kinetruss.model import (
+    TRAJECTORY_TASKS,
+    AngleDrive,
+    CoordinateDrive,
+    Free,
+    GivenForce,
+    Hold,
+    LengthDrive,
+    LoadCase,
+    NodalForce,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.simulation_problem import Problem
+
+
+NEARBY = 1e-3
+"""Distance from the start at which redundant rows are checked, as a fraction of the shortest bar."""
+
+
+def equations(
+    system: System,
+    load_case: str | None = None,
+    tasks: Mapping[str, Any] | None = None,
+    trajectory: Any = None,
+    solver: str = "auto",
+    t_end: float = 1.0,
+) -> tuple[Equations, Workspace]:
+    """Arrays of M(x) a + J^T N = f(t, x, v), J a = gamma, and the workspace to solve them.
+
+    Parameters
+    ----------
+    load_case : None takes all loads with factor 1. tasks : what each drive does; a drive without one follows `trajectory`
+        where that moves it, else it is held at its start. t_end : s, end of the tables of motions without a closed form.
+    solver : "auto", "dense", "sparse" or "sweep".
+
+    Returns
+    -------
+    Equations, whose rows are ``system.row_*[eq.row]`` (rows of released drives are left out), and a Workspace.
+    """
+    tasks = dict(tasks or {})
+    reduced = released(system, held_by_none(system, tasks))
+    tables, column = _motions(system, tasks, trajectory, t_end)
+    fields = _masses(system, load_case) | _held(reduced, column) | _forces(system, load_case, tasks)
+    fields |= continua_arrays(system)
+    fields |= stack(list(tables.values()))
+    eq, ws = _assembled(system, reduced, fields, column, solver, False)
+    if eq.solver == SPARSE and _some_dropped(system, eq, ws):
+        eq, ws = _assembled(system, reduced, fields, column, "sparse", True)
+        _some_dropped(system, eq, ws)
+    return eq, ws
+
+
+def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
+    """Mark rows that depend on others at the start and, if the structure can move, at a small distance from it as well."""
+    x, v = system.x0.reshape(-1).copy(), np.zeros(system.x0.size)
+    prepare_rows(eq, ws, 0.0, x, v)
+    factor(eq, ws, x)
+    if not mark_dropped(eq, ws):
+        return False
+    fewest, best = int(eq.redundant.sum()), x
+    # from a singular position few directions can be followed; that of least weighted change, with weights in a row, is one
+    ways = [system.velocity0.reshape(-1).copy(), np.random.default_rng(0).standard_normal(x.size)]
+    ways += [np.equal(np.arange(x.size) % 3, axis) * 1.0 for axis in range(system.dim)]
+    for v in ways:
+        v[eq.local < 0] = 0.0
+        project(eq, ws, 0.0, x, v, 1e-10)
+        if np.abs(v).max() < 1e-6:
+            continue
+        y = x + NEARBY * float(np.min(ws.target[0])) * v / np.abs(v).max()
+        if project(eq, ws, 0.0, y, np.zeros(y.size), 1e-10)[0]:
+            factor(eq, ws, y)
+            mark_dropped(eq, ws)
+            if eq.redundant.sum() < fewest:
+                fewest, best = int(eq.redundant.sum()), y
+        factor(eq, ws, x)
+    factor(eq, ws, best)
+    return mark_dropped(eq, ws)
+
+
+def _assembled(
+    system: System, reduced: System, fields: dict[str, Any], column: dict[str, int], solver: str, shared: bool
+) -> tuple[Equations, Workspace]:
+    """The records for a solver."""
+    solving, order = solver_arrays(reduced, fields, solver, shared=shared)
+    kept = np.flatnonzero(np.isin(system.row_drive, np.unique(reduced.row_drive)))
+    row = kept[order]
+    free = reduced.free.astype(np.int64)
+    local = np.full(system.x0.size, -1, np.int64)
+    local[free] = np.arange(len(free))
+    drive, member = system.row_drive[row], system.row_member[row]
+    start = np.concatenate([system.drive_start, np.zeros(1)])
+    rows = {
+        "free": free,
+        "local": local,
+        "row": row,
+        "kind": system.row_kind[row].astype(np.int64),
+        "A": 3 * system.p[member].astype(np.int64),
+        "B": 3 * system.q[member].astype(np.int64),
+        "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
+        "value": np.where(drive < 0, system.row_value[row], start[drive]),
+    }
+    eq = Equations.of(fields | solving | rows | _sums(system, row, fields))
+    return eq, workspace_for(eq)
+
+
+def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dict[str, Any]:
+    """Rows that are sums, with their terms; after these all terms of the system, for given torques."""
+    held = system.row_measure[row]
+    places = np.flatnonzero(held >= 0)
+    measures = held[places]
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in measures]
+    pushed = fields["force_kind"] == SUM_FORCE
+    ends = np.cumsum([0, *map(len, spans)]).astype(np.int64)
+    every = [np.arange(len(system.term_kind))] if pushed.any() else []
+    terms = np.concatenate([*spans, *every, np.zeros(0)]).astype(np.int64)
+    size = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
+    return {
+        "sum_row": places,
+        "sum_ptr": ends,
+        "term_kind": system.term_kind[terms],
+        "term_at": system.term_at[terms],
+        "term_data": system.term_data[terms],
+        "sum_scale": system.measure_scale[measures],
+        "sum_period": system.measure_period[measures],
+        "sum_size": np.full(len(places), size.mean() if len(size) else 1.0),
+        "force_A": fields["force_A"] + pushed * ends[-1],
+        "force_B": fields["force_B"] + pushed * ends[-1],
+    }
+
+
+def held_by_none(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
+    """Drives that prescribe nothing: released, under a given force, or driven by a motor."""
+    keeping = (Hold, *TRAJECTORY_TASKS)
+    return tuple(name for name in system.drives if name in tasks and not isinstance(tasks[name], keeping))
+
+
+def _motions(
+    system: System, tasks: Mapping[str, Any], trajectory: Any, t_end: float
+) -> tuple[dict[str, Table], dict[str, int]]:
+    """Motions of drives and of support coordinates by name, and the column of each."""
+    tables = {} if trajectory is None else drive_tables(system.model, trajectory, t_end)
+    for name, task in tasks.items():
+        tables.pop(name, None)
+        if isinstance(task, TRAJECTORY_TASKS):
+            tables[name] = drive_tables(system.model, task, t_end)[name]
+    for node, history in system.model.support_motion.items():
+        check_support(node, history, 0.0, t_end)
+        displacement = np.array(history.displacements)
+        for axis in system.model.fixed[node]:
+            k = "xyz".index(axis)
+            start = system.x0[system.node_index(node), k]
+            tables[f"{node}.{axis} support"] = table_of(np.array(history.times), start + displacement[:, k], history.shape)
+    return tables, {name: k for k, name in enumerate(tables)}
+
+
+def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
+    """Prescribed coordinates that move."""
+    pairs = [(int(flat), column[system.drives[d]]) for flat, d in system.coordinate_drive if system.drives[d] in column]
+    for node in system.model.support_motion:
+        base = 3 * system.node_index(node)
+        pairs += [(base + "xyz".index(axis), column[f"{node}.{axis} support"]) for axis in system.model.fixed[node]]
+    held = np.array(pairs, np.int64).reshape(-1, 2)
+    return {"held": held[:, 0].copy(), "held_motion": held[:, 1].copy()}
+
+
+def _masses(system: System, load_case: str | None) -> dict[str, Any]:
+    """Constant and changing masses, laws, and weight."""
+    loads, found = case_loads(system, np.zeros(1), load_case, rotating=True), elements(system)
+    g = loads.gravity
+    constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
+    weight = pair_weights(found["pair"], g)
+    np.add.at(constant, found["pair_A"] // 3, weight[:, 0])
+    np.add.at(constant, found["pair_B"] // 3, weight[:, 1])
+    return found | {"constant": constant.reshape(-1), "gravity": g, "lump_gravity": loads.lump_gravity}
+
+
+def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
+    """Nodal loads and given drive forces as tables in time; a constant force is a table of one entry."""
+    found: list[tuple[int, int, int, int, Any, Any]] = []
+    turning: list[tuple[Follower, Any, Any]] = []
+    model = system.model
+    case = LoadCase() if load_case is None else model.load_cases[load_case]
+    factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
+    for name, share in factors.items():
+        load = model.loads[name]
+        if not isinstance(load, NodalForce):
+            _on_body(system, name, share, found, turning)
+            continue
+        rows = [load.force] if load.forces is None else load.forces
+        for c, column in enumerate(zip(*rows, strict=True)):
+            if share and any(column):
+                flat = 3 * system.node_index(load.node) + c
+                found.append((-1, COORDINATE_FORCE, flat, flat, load.times or (0.0,), share * np.array(column)))
+    for name, task in tasks.items():
+        if isinstance(task, GivenForce):
+            times, amounts = ((0.0,), (task.constant,)) if task.times is None else (task.times, task.table)
+            found.append((system.drives.index(name), *_target(system, name), times, amounts))
+        elif not isinstance(task, (Free, Hold, *TRAJECTORY_TASKS)):
+            raise InputError(f"task {type(task).__name__} of drive {name!r} is not simulated with the truss. Give a force.")
+    columns: Any = zip(*found, strict=True) if found else ((), (), (), (), (), ())
+    drive, kind, A, B, times, values = columns
+    return {
+        "force_kind": np.array(kind, np.int64),
+        "force_A": np.array(A, np.int64),
+        "force_B": np.array(B, np.int64),
+        "force_drive": np.array(drive, np.int64),
+        "force_ptr": np.cumsum([0, *(len(column) for column in times)]).astype(np.int64),
+        "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
+        "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
+    } | _followers(turning)
+
+
+def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:
+    """A load on a body: constant forces on coordinates, else followers."""
+    load = system.model.loads[name]
+    if on_ground(system, name):
+        return
+    times = load.times or (0.0,)
+    for follower, amount in zip(unit_loads_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
+        if not np.any(amount):
+            continue
+        if not follower.constant:
+            turning.append((follower, times, amount))
+            continue
+        for node, force in zip(follower.nodes, follower.forces(np.zeros((len(follower.nodes), 3))), strict=True):
+            for c in np.flatnonzero(force):
+                flat = 3 * int(node) + int(c)
+                found.append((-1, COORDINATE_FORCE, flat, flat, times, force[c] * amount))
+
+
+def _followers(turning: list[tuple[Follower, Any, Any]]) -> dict[str, Any]:
+    """Arrays of the loads that turn with what they act on."""
+    followers = [follower for follower, _, _ in turning]
+    return {
+        "follower_mode": np.array([follower.mode for follower in followers], np.int64),
+        "follower_node_ptr": np.cumsum([0, *(len(follower.nodes) for follower in followers)]).astype(np.int64),
+        "follower_node": np.concatenate([*(3 * follower.nodes for follower in followers), np.zeros(0, np.int64)]).astype(
+            np.int64
+        ),
+        "follower_ptr": np.cumsum([0, *(len(times) for _, times, _ in turning)]).astype(np.int64),
+        "follower_time": np.concatenate([*(times for _, times, _ in turning), np.zeros(0)]).astype(float),
+        "follower_value": np.concatenate([*(amount for _, _, amount in turning), np.zeros(0)]).astype(float),
+        "follower_data": np.concatenate([*(follower.data for follower in followers), np.zeros((0, 4))]),
+        "follower_vector": np.concatenate([*(follower.vector[None] for follower in followers), np.zeros((0, 4))]),
+    }
+
+
+def _target(system: System, name: str) -> tuple[int, int, int]:
+    """Kind and coordinates of the coordinate that a drive acts on."""
+    drive = system.model.all_drives[name]
+    if isinstance(drive, CoordinateDrive):
+        flat = 3 * system.node_index(drive.node) + "xyz".index(drive.axis)
+        return COORDINATE_FORCE, flat, flat
+    if (m := system.drive_measure[system.drives.index(name)]) >= 0:
+        return SUM_FORCE, int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])
+    i = system.members.index(cast("LengthDrive | AngleDrive", drive).bar)  # all others are measured
+    return ANGLE_FORCE if isinstance(drive, AngleDrive) else LENGTH_FORCE, 3 * int(system.p[i]), 3 * int(system.q[i])
+
+
+# Forces of all rows of a system: those of the equations, and those of released drives.
+
+
+def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N: NDArray[np.float64]) -> NDArray[np.float64]:
+    """N (s, rows of the system) from N of the rows of the equations (s, rows), at times t (s,) and positions x (s, 3 n).
+
+    The row of a drive with a given force F has N = -F; of one with a given torque minus the torque over the length.
+    """
+    system, row = problem.system, problem.eq.row
+    found = np.zeros((len(N), len(system.row_member)))
+    found[:, row] = N
+    given = system.row_drive >= 0
+    given[row] = False
+    for r in np.flatnonzero(given):
+        task = problem.tasks[system.drives[system.row_drive[r]]]
+        if isinstance(task, GivenForce):
+            found[:, r] = -_amount(task, t)
+            if (m := system.row_measure[r]) >= 0:
+                found[:, r] /= system.measure_scale[m]
+            if system.row_kind[r] == ANGLE:
+                i, y = system.row_member[r], x.reshape(len(x), len(system.nodes), 3)
+                found[:, r] /= np.sqrt(((y[:, system.q[i]] - y[:, system.p[i]]) ** 2).sum(axis=1))
+    return found
+
+
+def _amount(task: GivenForce, t: NDArray[np.float64]) -> NDArray[np.float64]:
+    if task.times is None or task.table is None:
+        return np.full(len(t), task.constant)
+    return np.interp(t, task.times, task.table)

@@ -1,1 +1,0 @@
-"""Free bodies, joint reactions and the labelled equations of Newton and Euler."""

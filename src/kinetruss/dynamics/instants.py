@@ -1,0 +1,361 @@
+"""One instant of a motion and its forces, as small arrays: the input of free bodies and labelled systems."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.dynamics.actions import Action, CarriedBy
+from kinetruss.dynamics.bar_actions import acting_along
+from kinetruss.errors import InputError
+from kinetruss.kernels.structure.structure import States
+from kinetruss.kinematics.own_motion import check_motion
+from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
+from kinetruss.mechanics.beam_elements import mode_gradients
+from kinetruss.mechanics.elements import resting_forces
+from kinetruss.mechanics.loads import Loads, case_loads
+from kinetruss.mechanics.members import local_axes
+from kinetruss.mechanics.rotating_base import rates_in_space
+from kinetruss.mechanics.tables import body_masses, continua_mass
+from kinetruss.model import Model
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics import BeamElements
+    from kinetruss.results import Forces, Motion
+
+
+LEFT = 1e-12
+"""The part of a force that acts on no bar is round-off below this fraction of the force."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rod:
+    """A rod, or the planar body of a bar, at one instant.
+
+    start, length : where it begins, from end A of its member, and how long it is, m. mass : kg. acceleration : (dim,) of its
+    centre of mass, m/s^2. swing : (dim,) N m; u x swing is the rate of its angular momentum about its centre of mass.
+    place : of the centre of a body or of a rod with masses on it, along the bar from end A and to its left, m; None of a rod
+    whose centre is its middle.
+    """
+
+    name: str
+    start: float
+    length: float
+    mass: float
+    acceleration: NDArray[np.float64]
+    swing: NDArray[np.float64]
+    place: tuple[float, float] | None = None
+
+    @property
+    def centre(self) -> float:
+        """Distance of the centre of mass from end A, along the member, m."""
+        return self.start + self.length / 2 if self.place is None else self.place[0]
+
+    @property
+    def side(self) -> float:
+        """Distance of the centre of mass from the member's axis, along axis 2, m."""
+        return 0.0 if self.place is None else self.place[1]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OnBar:
+    """An action on a member: force (dim,) N and couple (turns,) N m about member axes 2, 3, `at` m from A.
+
+    worth (2, dim) N : the equivalent forces at the ends, which do not act on its nodes.
+    """
+
+    action: Action
+    at: float
+    force: NDArray[np.float64]
+    couple: NDArray[np.float64]
+    worth: NDArray[np.float64]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Kind and name of the source."""
+        return self.action.kind, self.action.source
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Instant:
+    """x, v, a (n, dim), v and a in space where the base rotates; rate (n, dim): velocities relative to it; gravity (dim,),
+    lump_gravity (n, dim); axes (m, dim, dim) member axes as rows; data: its forces.
+    """
+
+    system: System
+    time: float
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    rate: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    lump_gravity: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    loads: Loads
+    data: xr.Dataset
+
+    def length(self, i: int) -> float:
+        """Present length of member i, m."""
+        return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
+
+    def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
+        """Actions on members; `unit`: of 1 N or 1 N m of every drive, coupling and spring, `still`: without accelerations."""
+        system, dim = self.system, self.system.dim
+        moving = (self.x, self.rate, 0 * self.a if still else self.a)
+        states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in moving))
+        drive, coupling, spring = (
+            np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.springs)
+        )
+        if not unit:
+            drive = self.data["drive_force"].values[None]
+            coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
+            spring = self.data["spring_force"].values[None] if system.springs else spring
+        carried = None if unit else self._carried()
+        found, acting = acting_along(system, self.loads, states, drive, coupling, spring, carried)
+        made = []
+        for k, action in enumerate(found.actions):
+            worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
+            place = 0.5 if action.place is None else acting.place[0, k]
+            lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
+            made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
+        return tuple(made)
+
+    def _carried(self) -> CarriedBy | None:
+        """Forces of bars and supports, which load the arms of hubs."""
+        if not (self.system.model.hubs or self.system.model.bearings):
+            return None
+        couple = np.zeros((1, 0, 3))
+        if "bearing_couple" in self.data:
+            values = self.data["bearing_couple"].values
+            couple = np.pad(values, ((0, 0), (3 - values.shape[1], 0)))[None]
+        support = np.zeros((1, *self.system.x0.shape))
+        for name, force in zip(self.system.supports, self.data["reaction"].values, strict=True):
+            support[0, self.system.node_index(name), : self.system.dim] = force
+        return CarriedBy(self.data["member_force"].values[None], support, couple)
+
+    @cached_property
+    def on_bars(self) -> tuple[OnBar, ...]:
+        """Actions on members besides their weight and inertia."""
+        return self._on_bars(unit=False, still=False)
+
+    @cached_property
+    def on_bars_of_unit(self) -> tuple[OnBar, ...]:
+        """Actions of 1 N or 1 N m of every drive, coupling and spring."""
+        return self._on_bars(unit=True, still=False)
+
+    def taken(self, node: int, key: tuple[str, str], of: tuple[OnBar, ...]) -> NDArray[np.float64]:
+        """The part of the force of one source on a node that acts on members instead, (dim,) N."""
+        found, system = np.zeros(self.system.dim), self.system
+        for one in of:
+            if one.key == key and not one.action.counted:
+                for e, end in enumerate((system.p[one.action.member], system.q[one.action.member])):
+                    found += one.worth[e] * (end == node)
+        return found
+
+    def left_on(self, node: int, name: str) -> NDArray[np.float64]:
+        """Force (dim,) on a node of 1 N or 1 N m of a drive, coupling or spring, without the part that acts on members."""
+        force = self.several[name][1][node]
+        left = force - self.taken(node, (self.kind_of(name), name), self.on_bars_of_unit)
+        return np.where(np.abs(left) > LEFT * np.abs(self.several[name][1]).max(), left, 0.0)
+
+    def kind_of(self, name: str) -> str:
+        """Whose coordinate has this name: a drive, coupling or spring."""
+        model = self.system.model
+        return "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
+
+    def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
+        """Name and force (dim,), N, of every load on a node; one on a bar is not on its nodes, one on a hub at its centre."""
+        on_bars = {one.action.source for one in self.on_bars if one.action.kind == "load"}
+        found: dict[str, NDArray[np.float64]] = {}
+        for name, at, force in zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True):
+            if name not in on_bars and self._of_hubs.get(name, at) == node:
+                found[name] = found.get(name, 0.0) + force[: self.system.dim]
+        return list(found.items())
+
+    @cached_property
+    def _of_hubs(self) -> dict[str, int]:
+        """Loads on the bodies of hubs whose arms take them, with the node at the centre."""
+        taken = {one.action.source for one in self.on_bars if one.action.kind == "hub"}
+        centres = {f"{hub}.hub": self.system.node_index(hub) for hub in taken}
+        loads = ((name, getattr(load, "body", "")) for name, load in self.system.model.loads.items())
+        return {name: centres[body] for name, body in loads if body in centres}
+
+    def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """M a and M g of bodies at a node, (dim,) N each; a body on a bar does not act on its nodes."""
+        dim = self.system.dim
+        rows = body_masses(self.system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
+        inertia, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
+        for still, moving in zip(self._on_bars(unit=False, still=True), self.on_bars, strict=True):
+            if still.action.kind == "body":
+                on_bar = self.taken(node, still.key, (still,))
+                inertia, weight = inertia - (on_bar - self.taken(node, still.key, (moving,))), weight - on_bar
+        largest = max(float(np.abs(rows).sum()) * float(np.abs(y).max(initial=0.0)) for y in (self.a, self.gravity))
+        least = LEFT * largest  # smaller forces are round-off
+        return np.where(np.abs(inertia) > least, inertia, 0.0), np.where(np.abs(weight) > least, weight, 0.0)
+
+    @cached_property
+    def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:
+        """Force, N or N m, and nodal forces (n, dim) of its unit, by drive of hinges and angles in space, coupling, spring."""
+        x = np.pad(self.x, ((0, 0), (0, 3 - self.system.dim)))
+        found = {}
+        for m, name in enumerate(self.system.measures):
+            kind = self.kind_of(name)
+            amount = self.data[f"{kind}_force"].sel({kind: name})
+            force = measure_gradients(self.system, m, x[None])[0].reshape(-1, 3)[:, : self.system.dim]
+            found[name] = float(amount), force
+        return found
+
+    @cached_property
+    def elements(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None:
+        """Nodal forces (n, dim), N, of beams, membranes and solids: by their stress, M a, M g; None without them."""
+        found, dim = self.system.continua, self.system.dim
+        if found is None:
+            return None
+        x, a, g = (np.pad(y, ((0, 0), (0, 3 - dim))) for y in (self.x, self.a, np.tile(self.gravity, (len(self.x), 1))))
+        M = continua_mass(self.system)
+        stress = resting_forces(found, x)
+        if found.beams is not None:
+            stress += self._of_beams(found.beams, x)
+        parts = stress, (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)
+        return parts[0][:, :dim], parts[1][:, :dim], parts[2][:, :dim]
+
+    def _of_beams(self, beams: BeamElements, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Nodal forces (n, 3), N, of beams by small displacements from the positions x (n, 3), which those of x lack."""
+        if "displacement" not in self.data:
+            return np.zeros_like(x)
+        B, u = mode_gradients(beams, x), np.pad(self.data["displacement"].values, ((0, 0), (0, 3 - self.system.dim)))
+        return np.asarray(-(B.T @ (beams.rigidity.reshape(-1) * (B @ u.reshape(-1))))).reshape(-1, 3)
+
+    def elements_at(self, node: int) -> NDArray[np.float64] | None:
+        """(3, dim) N of `elements` at a node; None if it belongs to no element."""
+        found = self.system.continua
+        if self.elements is None or found is None or not np.any((found.p == node) | (found.q == node)):
+            return None
+        return np.stack([part[node] for part in self.elements])
+
+    def rods(self, i: int) -> tuple[Rod, ...]:
+        """The rod of member i; of an active member base and tube.
+
+        Along a bar the acceleration is linear between its ends (so a driven bar stretches evenly); along the base rod it is
+        a_A + s u'', along the tube a_B - s' u''.
+        """
+        system, name = self.system, self.system.members[i]
+        A, B = system.p[i], system.q[i]
+        L, bend = self.length(i), self._bend(i)
+        if system.is_body[i]:
+            return (self._body(i, bend),)
+        m, l, rotary, m_tube, l_tube, rotary_tube = system.rods[i]
+        own_base, own_tube = map(float, system.own_rods[i, [1, 4]])
+        if not system.two_rods[i]:
+            # int (s - L/2) a ds m/L = m L (a_B - a_A)/12
+            swing = m * L / 12 * (self.a[B] - self.a[A]) + rotary * bend
+            return (Rod(name=name, start=0.0, length=L, mass=m, acceleration=(self.a[A] + self.a[B]) / 2, swing=swing),)
+        base = Rod(
+            name=f"{name}.base",
+            start=0.0,
+            length=own_base,
+            place=(l / 2, 0.0),
+            mass=m,
+            acceleration=self.a[A] + l / 2 * bend,
+            swing=(m * l**2 / 12 + rotary) * bend,
+        )
+        tube = Rod(
+            name=f"{name}.tube",
+            start=L - own_tube,
+            length=own_tube,
+            place=(L - l_tube / 2, 0.0),
+            mass=m_tube,
+            acceleration=self.a[B] - l_tube / 2 * bend,
+            swing=(m_tube * l_tube**2 / 12 + rotary_tube) * bend,
+        )
+        return base, tube
+
+    def _body(self, i: int, bend: NDArray[np.float64]) -> Rod:
+        """The planar body of bar i: its centre is carried by the bar, a_A + e u'' + f n'' with n = u turned by 90 deg."""
+        system = self.system
+        mass, e, f, inertia = map(float, system.body[i])
+        acceleration = self.a[system.p[i]] + e * bend + f * np.array([-bend[1], bend[0]])
+        return Rod(
+            name=system.members[i],
+            start=0.0,
+            length=self.length(i),
+            mass=mass,
+            acceleration=acceleration,
+            swing=inertia * bend,
+            place=(e, f),
+        )
+
+    def _bend(self, i: int) -> NDArray[np.float64]:
+        """u'' of member i."""
+        A, B = self.system.p[i], self.system.q[i]
+        return direction_rates(*(y[B] - y[A] for y in (self.x, self.v, self.a)))[1][2]
+
+
+def turning(axes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(moments, dim): times a vector w it gives u x w about the member axes 2 and 3, in the plane about 3."""
+    return np.stack([axes[1]]) if len(axes) == 2 else np.stack([-axes[2], axes[1]])
+
+
+def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None) -> Instant:
+    """The sample of `forces` nearest to `time` (s); velocities and accelerations are zero for forces at rest.
+
+    Raises
+    ------
+    InputError : a motion or forces of another model, a time outside them, no time where there are several samples.
+    """
+    system, times = compile(model), forces.arrays["time"].values
+    names = list(motion.arrays["node"].values), list(forces.arrays["member"].values)
+    if names != (list(system.nodes), list(system.members)):
+        raise InputError("The motion or the forces are of a model with other nodes or members. Compute them for this model.")
+    check_motion(system, motion)
+    if not np.array_equal(times, motion.arrays["time"].values):
+        raise InputError("Motion and forces have different instants. Select the same ones of both.")
+    k = _nearest(times, time)
+    here = motion.data.isel(time=k)
+    still = bool(forces.data.attrs.get("at_rest", 0))
+    x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
+    v, a = (0 * v, 0 * a) if still else (v, a)
+    case = forces.load_case if forces.load_case in model.load_cases else None
+    loads = case_loads(system, times[k : k + 1], case, rotating=True)
+    given = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
+    loads = _turned(given)
+    change = loads.gravity - given.gravity
+    seen = rates_in_space(forces.attrs, times[k : k + 1], *(y[None] for y in (x, v, a)))
+    return Instant(
+        system=system,
+        time=float(times[k]),
+        x=x,
+        v=seen[0][0],
+        a=seen[1][0] + change[: model.dim],
+        rate=v,
+        gravity=loads.gravity[: model.dim],
+        lump_gravity=loads.lump_gravity[:, : model.dim],
+        axes=local_axes(system, x[None])[0, :, : model.dim, : model.dim],
+        loads=loads,
+        data=forces.data.isel(time=k),
+    )
+
+
+def _turned(loads: Loads) -> Loads:
+    """Loads of one instant with the gravity of that instant, where it turns as seen from the base."""
+    if loads.base is None:
+        return loads
+    change = loads.base.gravity_change(loads.t, loads.gravity)[0]
+    return replace(loads, gravity=loads.gravity + change, lump_gravity=loads.lump_gravity + change)
+
+
+def _nearest(times: NDArray[np.float64], time: float | None) -> int:
+    if time is None:
+        if len(times) == 1:
+            return 0
+        raise InputError(f"time is not given, and there are {len(times)} samples. Give time, s.")
+    slack = 1e-9 * max(abs(times[0]), abs(times[-1]), 1e-9)
+    if not times[0] - slack <= time <= times[-1] + slack:
+        raise InputError(f"time {time:g} s is outside the motion, {times[0]:g} s to {times[-1]:g} s. Choose one inside.")
+    return int(np.argmin(np.abs(times - time)))

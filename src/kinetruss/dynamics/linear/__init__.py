@@ -1,1 +1,0 @@
-"""Small motions: linearisation, reduction to chosen degrees of freedom, feedback."""

@@ -1,1 +1,0 @@
-"""Motors coupled with a structure: their modes, friction, histories."""

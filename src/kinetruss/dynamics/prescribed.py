@@ -1,0 +1,418 @@
+"""Forces of all members, reactions and drives along a given motion, with free degrees of freedom, with friction in bearings.
+
+There are more equations than bars, so J^T N = f - M a is solved by least squares (singular value decomposition) with the
+weights of the least-norm distribution. The residual is the force that would be needed in the free directions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, seats_of
+from kinetruss.dynamics.force_tables import Read, carried, force_arrays, solved_in_space
+from kinetruss.errors import AnalysisError
+from kinetruss.kernels.compiled.workspace import allocate
+from kinetruss.kernels.structure.plan import NONE
+from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.sweep.forces import applied, forces as sweep
+from kinetruss.kinematics.own_motion import check_motion
+from kinetruss.mechanics import (
+    RANK_TOLERANCE,
+    Arrangement,
+    System,
+    arrange,
+    compile,
+    jacobian,
+    kept,
+    measure_gradients,
+    not_unique_note,
+    rearrange,
+    row_directions,
+)
+from kinetruss.mechanics.beam_shapes import HeldShapes, held_shapes
+from kinetruss.mechanics.elements import material_stiffness, with_continua_forces
+from kinetruss.mechanics.loads import Loads, case_loads
+from kinetruss.mechanics.tables import nodal_loads, structure_of
+from kinetruss.model import Model
+from kinetruss.results import Forces, Motion, provenance
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+
+BALANCED = 1e-4
+"""Residual, as a fraction of the largest nodal load, up to which elastic parts are in balance."""
+ROUND_OFF = 1e-12
+"""Residual, as a fraction of the stiffness times the size of the structure, that is round-off."""
+
+
+def free_forces(
+    system: System, loads: Any, values: NDArray[np.float64], states: States, N: NDArray[np.float64], ends: EndForces
+) -> NDArray[np.bool_]:
+    """Fill N and ends like the kernel with the same arguments; returns the mask of constraints with a force not unique."""
+    x, (joint, rest) = states.x, ends
+    apply_loads(system, loads, states, ends)
+    arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
+    scale = np.sqrt(arrangement.weight)
+    p, q = system.p[system.row_member], system.q[system.row_member]
+    for i, place in enumerate(x.reshape(len(x), -1, 3)):
+        J = jacobian(system, place, values[i])
+        N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
+        tension = N[i][:, None] * row_directions(system, place, values[i])
+        np.add.at(rest[i].reshape(-1, 3), p, tension)
+        np.subtract.at(rest[i].reshape(-1, 3), q, tension)
+        np.subtract.at(joint[i, :, 0], system.row_member, tension)
+        np.add.at(joint[i, :, 1], system.row_member, tension)
+    take_sum_forces(system, x, N, rest)
+    return arrangement.not_unique
+
+
+def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDArray[np.float64]) -> float:
+    """Largest residual (times, 3 n) at free coordinates, N, where beams, membranes or solids are not in balance; else 0."""
+    if system.continua is None or not len(x):
+        return 0.0
+    largest = float(np.abs(with_continua_forces(system, loads, x).force).max(initial=0.0))
+    stiff = float(np.abs(material_stiffness(system, x[0].reshape(-1, 3)).diagonal()).max())
+    off = float(np.abs(rest[:, system.free]).max(initial=0.0))
+    return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
+
+
+def loose(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
+    """Largest residual (times, 3 n) at free coordinates, N, where elastic bars are not in balance; else 0.
+
+    joint (times, members, 2, 3) : forces at the ends of members, N. Without elastic bars there is none: what a mechanism needs
+    in its free directions is no fault of its positions.
+    """
+    if not len(rest) or not (system.law != NONE).any():
+        return 0.0
+    off = float(np.abs(rest[:, system.free]).max(initial=0.0))
+    size = float(np.abs(joint).max(initial=0.0))
+    stiff = float((system.spring * system.natural).max()) if (system.law != NONE).any() else 0.0
+    return off if off > BALANCED * size + ROUND_OFF * stiff else 0.0
+
+
+def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
+    """Subtract J^T N of the constraints on sums from `rest` (times, 3 n); x (times, 3 n), N (times, rows)."""
+    for r in system.sums:
+        m = system.row_measure[r]
+        g = measure_gradients(system, m, x.reshape(len(x), prod(x.shape[1:]) // 3, 3))
+        rest -= system.measure_scale[m] * N[:, [r]] * g
+
+
+def apply_loads(system: System, loads: Any, states: States, ends: EndForces) -> None:
+    """Fill `rest` of the ends with f - M a, N, and `joint` with inertia, weight and elastic forces of members."""
+    loads = with_continua_forces(system, loads, states.x, states.v)
+    applied(structure_of(system), nodal_loads(loads), states, ends)
+
+
+# Forces with friction that follows from the joint forces: solved again with it until both agree.
+
+CLOSE = 1e-12
+"""Change of the couples that counts as none, relative to the largest."""
+GROWN = 1e6
+"""Growth of the change at which the couples count as unbounded."""
+MOST = 200
+"""Rounds; they take about as many as -12/log10(mu r/l) with the lengths l of the members."""
+
+
+def with_friction(
+    system: System,
+    read: Read,
+    loads: Loads,
+    states: States,
+    solve: Callable[[Loads], dict[str, Any]],
+    *,
+    at_rest: bool = False,
+) -> dict[str, Any]:
+    """What `solve` finds under loads and friction: its result, and the couples (times, bearings, 3), N m, as ``bearing``.
+
+    Raises
+    ------
+    AnalysisError : the couples do not settle: the joints jam.
+
+    Notes
+    -----
+    Fixed point C = -mu r |R(C)| w/|w| over the samples together; its rate is mu r/l, far below 1 where joints turn at all.
+    """
+    solved = solve(loads)
+    seats = seats_of(system)
+    if at_rest or not seats:
+        return solved
+    x, ways = states.x.reshape(len(states.x), -1, 3), friction_directions(system, states)
+    couple, first = np.zeros_like(ways), None
+    for _ in range(MOST):
+        trial = solved | {"joint": solved["joint"].copy(), "bearing": couple}
+        joint = carried(system, read, loads, trial, False)[0].joint_force
+        force = np.stack([np.linalg.norm(joint[:, seat.member, seat.end], axis=1) for seat in seats], axis=1)
+        found = -(np.array([seat.arm for seat in seats]) * force)[:, :, None] * ways
+        change, couple = np.abs(found - couple).max(initial=0.0), found
+        first = change if first is None else first
+        if not change <= GROWN * first:
+            break
+        if change <= CLOSE * np.abs(found).max(initial=0.0):
+            return solved | {"bearing": couple}
+        solved = solve(rubbing(system, loads, x, couple))
+    worst = seats[int(np.argmax(np.abs(couple).max(axis=(0, 2))))].name
+    raise jammed(worst)
+
+
+def jammed(worst: str) -> AnalysisError:
+    """The error of couples that do not settle."""
+    return AnalysisError(
+        f"The friction of bearing {worst!r} does not settle: the joint jams. Give it less friction or a smaller radius, or "
+        "stay farther from positions in which its members line up."
+    )
+
+
+def rubbing(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
+    """Loads and the nodal forces of couples of friction."""
+    return with_friction_of(loads, *couples_on_ends(system, x, couple))
+
+
+def with_friction_of(loads: Loads, nodes: NDArray[np.int64], forces: NDArray[np.float64]) -> Loads:
+    """Loads and nodal forces (times, k, 3), N, of friction on nodes (k,)."""
+    return replace(
+        loads,
+        loads=(*loads.loads, *("friction" for _ in nodes)),
+        node=np.concatenate([loads.node, nodes]),
+        force=np.concatenate([loads.force, forces], axis=1),
+    )
+
+
+# Forces of all members, reactions and drives along a given motion.
+
+
+def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
+    """Inverse dynamics: the forces of all members, supports and drives along a motion.
+
+    Parameters
+    ----------
+    motion : from `kinematics.follow`, `inverse`, `from_arrays` or `from_csv` of the same model.
+    load_case : name of a load case; None takes all loads of the model with factor 1.
+    static : also find the forces of the same poses at rest (``forces.static``; ``forces.difference()`` is the rest).
+
+    Returns
+    -------
+    Forces. ``member_force`` (time, member): mean axial force over the length, N, tension positive; for an active member
+    the force between base and tube, which is the actuator's. ``end_force`` (time, member, end): axial tension at A and B.
+    ``joint_force`` (time, member, end, axis): force on the member from its joint. ``reaction`` (time, support, axis): force
+    on the structure. ``drive_force`` (time, drive): N, for angles N m; positive if it does positive work when the coordinate
+    grows; ``coupling_force`` (time, coupling) likewise, if there are couplings. ``interface_force``, ``interface_moment``:
+    between base and tube, on the base, in member axes, at the tube's free end. ``energy``, ``power``, ``energy_rate``,
+    ``energy_balance``: J and W. If anything other than weight, inertia and joints acts on a member (the couple of a drive or
+    coupling, a pin on it, a load, a body): ``action_force`` (time, action, end, axis) N, the equivalent forces at its ends;
+    ``action_couple`` (time, action, rotation) N m at ``action_place`` (time, action), a fraction from A, NaN if distributed
+    along the member; coordinates ``action_member`` and ``action_source``. ``joint_force``, ``end_force`` and ``member_force``
+    are without these actions. ``bearing_couple`` (time, bearing, rotation): of friction on the members of bearings, N m;
+    ``forces.static`` is without it.
+
+    Raises
+    ------
+    InputError : an unknown load case, or a motion of another model. AnalysisError : bearings that jam.
+
+    Notes
+    -----
+    J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. In redundant structures the
+    forces minimise sum N^2 l/(E A) if every bar of the state of self-stress has E and A, else sum N^2;
+    ``data.attrs["not_unique"]`` names the members, and ``message`` reports them.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> crank = kt.Model(
+    ...     nodes={"O": (0, 0), "A": kt.Node(at=(0.5, 0), mass=2.0)}, fixed=["O"],
+    ...     bars={"crank": kt.Bar(ends=("O", "A"), mass=0)}, drives={"motor": kt.AngleDrive("crank")},
+    ... )
+    >>> motion = kt.kinematics.follow(crank, kt.ConstantRate(rates={"motor": 10.0}, duration=0.1), samples=3)
+    >>> forces = kt.dynamics.inverse(crank, motion)
+    >>> forces.member_force.sel(member="crank").values.round(6).tolist()  # N: m r w^2
+    [100.0, 100.0, 100.0]
+    """
+    system = compile(model)
+    check_motion(system, motion, members=True)
+    states = States(*(flat(system, motion, name) for name in ("position", "velocity", "acceleration")))
+    loads = case_loads(system, motion.arrays["time"].values, load_case, rotating=True).at(states.x)
+    values = motion.arrays["drive_position"].values
+    solved = with_friction(system, Read.of(motion), loads, states, lambda pushed: solve(system, values, pushed, states))
+    still = None
+    if static:
+        still = _record(system, motion, loads, solve(system, values, loads, _at_rest(states)), None, at_rest=True)
+    return _record(system, motion, loads, solved, still, at_rest=False)
+
+
+def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
+    """Forces of the poses of a motion at rest, under given loads, as a separate record."""
+    check_motion(system, motion, members=True)
+    x = flat(system, motion, "position")
+    loads = loads.at(x)
+    solved = solve(system, motion.arrays["drive_position"].values, loads, _at_rest(States(x, x, x)))
+    return _record(system, motion, loads, solved, None, at_rest=True)
+
+
+def _at_rest(states: States) -> States:
+    """The same positions at rest; velocities and accelerations are one row of zeros for all samples."""
+    still = np.zeros((1, states.x.shape[1]))
+    return States(states.x, still, still)
+
+
+def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
+    """A node history as (times, 3 n), z = 0 in the plane."""
+    values = motion.arrays[name].values
+    if system.dim == 3:
+        return np.ascontiguousarray(values).reshape(len(values), -1)
+    full = np.zeros((len(values), len(system.nodes), 3))
+    full[:, :, : system.dim] = values
+    return full.reshape(len(values), -1)
+
+
+def solve(system: System, values: NDArray[np.float64], loads: Loads, states: States) -> dict[str, Any]:
+    """Constraint forces N (times, rows), joint forces (times, members, 2, 3), residuals at nodes (times, 3 n), N, and the
+    constraints whose force is not unique, at drive values (times, drives); with the states, in space if the base rotates.
+    """
+    return solved_in_space(system, loads, states, lambda pushed, space: _solve(system, values, pushed, space))
+
+
+def _solve(system: System, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
+    x, arrangement = states.x, arrange(system)
+    held = None if arrangement.plan is not None else held_shapes(system)
+    # beams that keep their shape carry what rigid ones would
+    if held is not None and held.undeformed(x.reshape(len(x), -1, 3)):
+        return _solve_held(held, values, loads, states)
+    values = np.ascontiguousarray(values)
+    count = len(x)
+    N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
+    ends = EndForces(joint, rest)
+    solved: dict[str, Any] = {"x": x, "v": states.v, "a": states.a, "N": N, "joint": joint, "rest": rest}
+    solved["not_unique"] = arrangement.not_unique
+    if arrangement.plan is None:
+        solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
+        solved["off"] = out_of_balance(system, loads, x, rest)
+        solved["loose"] = 0.0 if solved["off"] else loose(system, rest, joint)
+        return solved
+    loads = with_continua_forces(system, loads, x, states.v)
+    for part, used in _pieces(system, arrangement, x, values):
+        given = nodal_loads(loads)._replace(force=loads.force[part])
+        plan: Any = used.plan
+        sweep(
+            plan,
+            used.weight[plan.row],
+            structure_of(system),
+            given,
+            values[part],
+            _cut(states, part),
+            N[part],
+            EndForces(joint[part], rest[part]),
+        )
+        solved["not_unique"] = solved["not_unique"] | used.not_unique
+    return solved
+
+
+def _solve_held(held: HeldShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
+    """`solve` of beams that keep their shape, with the forces of their modes, ``mode_force`` (times, beams, s), N m; or, where
+    balance alone does not decide these, with the names of the beams, ``undecided``.
+    """
+    solved = solve(held.system, values, loads, states)
+    own = {"N": solved["N"][:, held.rows], "joint": np.ascontiguousarray(solved["joint"][:, held.members])}
+    if undecided := held.undecided(solved["not_unique"]):
+        own["undecided"] = undecided
+    else:
+        own["mode_force"] = held.mode_forces(states.x.reshape(len(states.x), -1, 3), solved["N"], values)
+    return solved | own | {"not_unique": solved["not_unique"][held.rows]}
+
+
+def _pieces(
+    system: System, arrangement: Arrangement, x: NDArray[np.float64], values: NDArray[np.float64]
+) -> list[tuple[slice, Arrangement]]:
+    """Ranges of samples, each with the arrangement that is regular in it; one range unless the structure is redundant.
+
+    A new set of independent constraints is chosen when the smallest singular value of the present one falls to a tenth.
+    """
+    count = len(x)
+    if not len(arrangement.redundant):
+        return [(slice(0, count), arrangement)]
+    pieces: list[tuple[int, Arrangement]] = []
+    kept, best = np.zeros(0, np.int64), np.inf
+    for i in range(count):
+        if pieces and _least(jacobian(system, x[i].reshape(-1, 3), values[i])[kept]) >= 0.1 * best:
+            continue
+        found = _chosen(system, x[i].tobytes(), values[i].tobytes())
+        pieces.append((i, found))
+        if i + 1 < count:
+            kept, best = _conditioned(system, x[i].tobytes(), values[i].tobytes())
+    ends = [*(i for i, _ in pieces[1:]), count]
+    return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
+
+
+@kept(16)
+def _chosen(system: System, x: bytes, values: bytes) -> Arrangement:
+    """Arrangement at one sample; equal for all load cases."""
+    place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
+    start = np.array_equal(place, system.x0) and np.array_equal(drives, system.drive_start)
+    found = arrange(system) if start else rearrange(system, place, drives)
+    return found if found.plan is not None else arrange(system)
+
+
+@kept(16)
+def _conditioned(system: System, x: bytes, values: bytes) -> tuple[NDArray[np.int64], float]:
+    """The independent constraints at one sample, and their smallest singular value."""
+    J = jacobian(system, np.frombuffer(x).reshape(-1, 3), np.frombuffer(values))
+    kept = np.setdiff1d(np.arange(len(J)), _chosen(system, x, values).redundant)
+    return kept, _least(J[kept])
+
+
+def _least(J: NDArray[np.float64]) -> float:
+    """Smallest singular value; infinite if nothing can move or there are no constraints."""
+    return float(np.linalg.svd(J, compute_uv=False)[-1]) if J.size else np.inf
+
+
+def _cut(states: States, part: slice) -> States:
+    """A range of histories; at rest velocities and accelerations are one row for all samples."""
+    still = len(states.v) == 1
+    return States(states.x[part], states.v if still else states.v[part], states.a if still else states.a[part])
+
+
+def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
+    """The Forces record of one solution."""
+    data = force_arrays(system, motion, loads, solved, at_rest)
+    names = system.parts_of(np.flatnonzero(solved["not_unique"]))
+    data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
+    message = motion.message
+    if off := solved.get("off", 0.0):
+        data.attrs["not_balanced"] = off
+        message = f"{message} {unbalanced(off, at_rest)}".strip()
+    if off := solved.get("loose", 0.0):
+        message = f"{message} {unbalanced(off, at_rest, 'elastic bars')}".strip()
+    if undecided := solved.get("undecided", ()):
+        data.attrs["undecided"] = list(undecided)
+        message = (
+            f"{message} Balance alone does not decide the forces of the beams {', '.join(undecided[:8])}, nor those of "
+            "supports that they stand on (statics.equilibrium, dynamics.simulate)."
+        ).strip()
+    if (note := not_unique_note(names)) not in message:  # the equilibrium of a run says it already
+        message = f"{message} {note}".strip()
+    return Forces(
+        data=data.later,
+        status=motion.status,
+        message=message,
+        provenance=provenance(system.model, load_case=loads.name),
+        motion=motion,
+        static=static,
+        load_case=loads.name,
+    )
+
+
+def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or solids") -> str:
+    """The message on positions that the elastic parts do not have under these loads."""
+    why = "at rest they have another shape (statics.equilibrium)"
+    if not at_rest:
+        why = "the motion is not one that these loads make"
+    return (
+        f"Not in balance: {parts} in these positions leave up to {off:.2g} N at free nodes; {why}. "
+        "Reactions and member forces are without these."
+    )

@@ -1,0 +1,179 @@
+"""Creates the records of a simulation from the arrays of the integration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.actuators.modes import unwrapped
+from kinetruss.dynamics.force_tables import force_arrays, solved_in_space
+from kinetruss.dynamics.motors import motor_histories, motor_names
+from kinetruss.dynamics.prescribed import rubbing
+from kinetruss.dynamics.remarks import energy_kept
+from kinetruss.dynamics.simulated_bearings import Rubbing, solved_along, with_forces
+from kinetruss.kernels.solve.balance import balance
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import States
+from kinetruss.kinematics.motions import Course, motion_of
+from kinetruss.kinematics.turns import refined
+from kinetruss.mechanics.loads import Loads, case_loads
+from kinetruss.mechanics.positions import drive_places, drive_values
+from kinetruss.results import Arrays, Axes, Forces, Motion, Simulation, provenance, variable
+from kinetruss.results.dynamic_records import happened
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.dynamics.simulation_problem import Problem
+    from kinetruss.dynamics.stepping import Integration
+
+
+TURN = 2 * np.pi
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Trace:
+    """Good samples: t (s,); x, v, a (s, 3 n); N (s, rows of the system); extra (s, k); diagnostics (s, 6)."""
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    v: NDArray[np.float64]
+    a: NDArray[np.float64]
+    N: NDArray[np.float64]
+    extra: NDArray[np.float64]
+    diagnostics: NDArray[np.float64]
+
+
+def simulation_of(work: Integration, trace: Trace) -> Simulation:
+    """The record of consecutive samples of a simulation, with its status and message so far."""
+    problem, system, status = work.problem, work.problem.system, work.status
+    data = _histories(work, trace)
+    kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
+    message = f"{work.message} {kept}".strip() if work.ended else work.message
+    passed = work.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
+    course = Course(t=trace.t, x=trace.x, v=trace.v, a=trace.a, drive=_turned(work, trace), passed=passed)
+    motion = motion_of(system, course, "simulated", status, message)
+    forces = _forces(work, motion, trace)
+    data |= happened(work.happened())
+    method = problem.method
+    attrs = {
+        "kind": "simulation",
+        "method": method.kind,
+        "method_options": method.model_dump_json(),
+        "solver": problem.solver,
+        **problem.start_attrs,
+    }
+    axes: dict[str, Any] = {"axis": ["x", "y", "z"][: system.dim]}
+    if problem.motors is not None:
+        axes |= motor_names(problem.motors)
+        data |= motor_histories(problem.motors, trace.extra)
+    options = {"t_end": work.t_end, "method": method.model_dump(), "load_case": forces.load_case}
+    return Simulation(
+        data=Arrays(Axes(axes), trace.t, data, attrs).later,
+        status=status,
+        message=motion.message,
+        provenance=provenance(system.model, **options),
+        motion=motion,
+        forces=forces,
+    )
+
+
+def _turned(work: Integration, trace: Trace) -> tuple[NDArray[np.float64], ...]:
+    """Drive histories. Their angles continue those of earlier samples; whole turns are counted from the states between samples.
+
+    The angles of drives with motors are part of the state.
+    """
+    system, motors, since = work.problem.system, work.problem.motors, work.angles[2]
+    begin = float(since[np.isfinite(since)].max(initial=-np.inf))
+    whole = refined(trace.t, trace.x, trace.v, trace.a, work.passed, begin)
+    t, shape = whole.t, (len(whole.t), len(system.nodes), 3)
+    value, rate, second = drive_values(system, whole.x.reshape(shape), whole.v.reshape(shape), whole.a.reshape(shape))
+    if not len(t):
+        return value, rate, second
+    # of each state by itself: turns counted within a block and taken off again would leave round-off
+    before, at, angles = work.angles[1], work.angles[2], drive_places(system, whole.x.reshape(shape))
+    for r in np.flatnonzero((system.row_kind != LENGTH) & (system.row_drive >= 0)):
+        d = system.row_drive[r]
+        principal = np.remainder(angles[:, d] + np.pi, TURN) - np.pi
+        rates = np.concatenate([[before[d] if np.isfinite(at[d]) else rate[0, d]], rate[:, d]])
+        ahead = 0.5 * (rates[1:] + rates[:-1]) * np.diff(np.concatenate([[at[d] if np.isfinite(at[d]) else t[0]], t]))
+        steps = np.diff(np.concatenate([[work.angles[0, d]], principal])) - ahead
+        turns = np.cumsum(-np.rint(steps / TURN).astype(np.int64))
+        value[:, d] = principal + TURN * turns
+        work.angles[:, d] = value[-1, d], rate[-1, d], t[-1]
+    value, rate, second = value[whole.samples], rate[whole.samples], second[whole.samples]
+    if motors is not None:
+        own = [system.drives.index(name) for name in motors.names]
+        value[:, own] = unwrapped(value[:, own], motors.values(trace.extra), motors.period)
+        work.angles[0, own] = value[-1, own]
+    return value, rate, second
+
+
+def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
+    system = work.problem.system
+    loads = case_loads(system, trace.t, work.problem.load_case, rotating=True).at(trace.x)
+    loads = _with_user(work.problem, loads, trace)
+    states, user = States(trace.x, trace.v, trace.a), work.problem.user
+    if isinstance(user, Rubbing):
+        each = [user.couples(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)]
+        couple = np.array(each).reshape(len(trace.t), -1, 3)
+        rubbed = rubbing(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
+        solved = solved_along(system, rubbed, states, trace.N) | {"bearing": couple}
+    else:
+        solved = solved_in_space(system, loads, states, lambda pushed, space: solved_along(system, pushed, space, trace.N))
+    data = force_arrays(system, motion, loads, solved, at_rest=False)
+    unsure = list(work.problem.not_unique)
+    data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
+    return Forces(
+        data=data.later,
+        status=motion.status,
+        message=motion.message,
+        provenance=provenance(system.model, load_case=loads.name),
+        motion=motion,
+        load_case=loads.name,
+    )
+
+
+def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
+    """The loads, with the user's force as one more load at each node on which it acts."""
+    user = problem.user.own
+    if not user.given:
+        return loads
+    push = np.array([user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
+    return with_forces(problem.system, loads, push.reshape(len(trace.t), -1))
+
+
+def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
+    """Energies, momenta, extra states and diagnostics of the integration."""
+    books = np.empty((len(trace.t), 8))
+    balance(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
+    kinetic, potential, momentum, spin = books[:, 0], books[:, 1], books[:, 2:5], books[:, 5:]
+    time, dim = ("time",), work.problem.system.dim
+    found = {
+        "energy": variable(time, kinetic + potential, "J", "kinetic and potential energy"),
+        "kinetic_energy": variable(time, kinetic, "J", "kinetic energy"),
+        "potential_energy": variable(
+            time, potential, "J", "potential energy of weight, of elastic bars, springs, membranes and solids"
+        ),
+        "momentum": variable((*time, "axis"), momentum[:, :dim], "kg m/s", "linear momentum"),
+    }
+    about = ("time",) if dim == 2 else ("time", "axis")
+    turning = spin[:, 2] if dim == 2 else spin
+    found["angular_momentum"] = variable(about, turning, "kg m^2/s", "moment of momentum about the origin")
+    for k, (name, unit, words) in enumerate(work.problem.extra):
+        found[name] = variable(time, trace.extra[:, k], unit, words)
+    for k, (name, unit, words) in enumerate(DIAGNOSTICS):
+        found[name] = variable(time, trace.diagnostics[:, k], unit, words)
+    return found
+
+
+DIAGNOSTICS = (
+    ("step_size", "s", "size of the step at the sample"),
+    ("smallest_pivot", "", "smallest scaled pivot of the equations (0 is singular)"),
+    ("constraint_error", "", "largest error of a length before the projection of the last step, share of it"),
+    ("steps", "", "steps so far"),
+    ("rejected", "", "rejected steps so far"),
+    ("evaluations", "", "evaluations of the equations so far"),
+)

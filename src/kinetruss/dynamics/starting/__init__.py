@@ -1,1 +1,0 @@
-"""Starts of a simulation, and the way through singular positions."""

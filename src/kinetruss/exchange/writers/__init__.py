@@ -1,1 +1,0 @@
-"""Writers of files of other programs, by suffix."""

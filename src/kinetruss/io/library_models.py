@@ -1,0 +1,180 @@
+"""Library models and cells in model files, and the keys of a file that are merged into them."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io.part_tables import read_parts
+from kinetruss.io.yaml_text import MAX_SIZE
+from kinetruss.model import GROUND, Model, Record
+
+if TYPE_CHECKING:
+    from kinetruss.library.cells import Cell
+
+
+AXES = "xyz"
+
+
+def fields(record: Record) -> dict[str, Any]:
+    """The given fields of a record by name, including its kind; values are not converted."""
+    given = {name: getattr(record, name) for name in type(record).model_fields if name in record.model_fields_set}
+    return {"kind": record.kind, **given} if "kind" in type(record).model_fields else given  # type: ignore[attr-defined]
+
+
+def merged(model: Model, over: Mapping[str, Any]) -> dict[str, Any]:
+    """Data of `model`, changed by `over`.
+
+    Tables merge name by name and records field by field, to any depth; the value ~ removes an entry. Any other value
+    replaces the old one, and so does a record of another kind. A list under ``fixed`` or ``clamped`` adds its nodes.
+    """
+    over = dict(over)
+    fixed = over.get("fixed")
+    if isinstance(fixed, list) and all(isinstance(name, str) for name in fixed):
+        over["fixed"] = dict.fromkeys(fixed, AXES[: model.dim])
+    clamped = over.get("clamped")
+    if isinstance(clamped, list) and all(isinstance(name, str) for name in clamped):
+        over["clamped"] = dict.fromkeys(clamped, GROUND)
+    base = fields(model)
+    return base | {key: _laid(base.get(key), value) for key, value in over.items()}
+
+
+def _laid(base: Any, over: Any) -> Any:
+    if not isinstance(over, Mapping) or base is None:
+        return over
+    if isinstance(base, Record):
+        known = fields(base)
+        if over.get("kind", known.get("kind")) != known.get("kind"):
+            return over
+        return known | {key: _laid(known.get(key), value) for key, value in over.items()}
+    if isinstance(base, Mapping):
+        laid = {**base, **{key: _laid(base.get(key), value) for key, value in over.items()}}
+        return {key: value for key, value in laid.items() if value is not None}
+    return over
+
+
+# Library models in model files: a whole model with parameters.
+
+
+def on_library_model(data: dict[str, Any], folder: Path, max_size: int) -> dict[str, Any]:
+    """The data of the library model named under ``library``, changed by the data of the file.
+
+    folder : of the file, where the tables of its cells are. max_size : of a table, bytes.
+
+    Raises
+    ------
+    ModelError : unknown library model or parameter; paths start with ``library``.
+    """
+    wanted = data["library"]
+    own = {key: value for key, value in data.items() if key != "library"}
+    if isinstance(wanted, str):
+        wanted = {"name": wanted}
+    if not isinstance(wanted, Mapping) or not isinstance(wanted.get("name"), str):
+        mend = "Write for example library: {name: vgt.double_octahedral, bays: 3}."
+        raise ModelError([Fault(("library",), "does not name a library model.", mend)])
+    library = importlib.import_module("kinetruss.library")
+    try:
+        given = with_parts({key: value for key, value in wanted.items() if key != "name"}, folder, max_size)
+        model = library.build(wanted["name"], given)
+    except ModelError as error:
+        raise ModelError([_in_library(fault, wanted["name"]) for fault in error.faults]) from None
+    return merged(model, own)
+
+
+def with_parameters(data: dict[str, Any], parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """The data of a file with other parameters of its library model; a dotted name is a path into a parameter given as a table.
+
+    Raises
+    ------
+    ModelError : the file names no library model, or the parameter before a dot is not a table in it.
+    """
+    wanted = data.get("library")
+    if wanted is None:
+        mend = "Set a value of the model itself, e.g. nodes.B.mass."
+        raise ModelError([Fault(("library",), "the file names no library model.", mend)])
+    changed: dict[str, Any] = {"name": wanted} if isinstance(wanted, str) else dict(wanted)
+    for name, value in parameters.items():
+        *tables, last = name.split(".")
+        here = changed
+        for k, table in enumerate(tables):
+            if not isinstance(here.get(table), Mapping):
+                path = ("library", *tables[: k + 1])
+                raise ModelError([Fault(path, "is not a table in the file.", f"Set it as a whole: {'.'.join(path)}={{...}}.")])
+            here[table] = dict(here[table])
+            here = here[table]
+        here[last] = value
+    return data | {"library": changed}
+
+
+def _in_library(fault: Fault, name: str) -> Fault:
+    """The path of a parameter's fault, below ``library``; the record of the parameters has the function's name."""
+    path = fault.path[1:] if fault.path[:1] == (name.rpartition(".")[2],) else fault.path
+    return replace(fault, path=("library", *path))
+
+
+# Cells from tables: in Python, and in model files.
+
+
+def read_cell(nodes: str | Path, members: str | Path, *, max_size: int = MAX_SIZE, **fittings: Any) -> Cell:
+    r"""A cell of `library.cells` from two CSV files.
+
+    Parameters
+    ----------
+    nodes : columns ``node``, ``x [mm]``, ``y [mm]``[, ``z [mm]``]; optional ``mass [kg]`` and ``face.base``, ``face.top``,
+        ``face.NAME``: the number of the node among the corners of that face, else empty.
+    members : columns ``member``, ``from``, ``to``; optional ``kind`` (rigid, active, elastic, cable, free), ``section`` and
+        ``material`` (names of the library), ``mass [kg]``.
+    max_size : bytes; a larger file is refused before it is read. fittings : as of `library.cells.cell`.
+
+    Raises
+    ------
+    ModelError : all faults of both tables, each with file and line: columns or units that are missing, cells that are no
+        number; faults of the cell.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     nodes, members = Path(folder, "nodes.csv"), Path(folder, "members.csv")
+    ...     _ = nodes.write_text("node,x [mm],y [mm]\nA,0,0\nB,1000,0\nC,0,800\n")
+    ...     _ = members.write_text("member,from,to,kind\nside,A,C,\nbrace,B,C,active\n")
+    ...     cell = kt.io.read_cell(nodes, members)
+    >>> cell.nodes["C"].at, cell.bars["brace"].kind
+    ((0.0, 0.8), 'driven')
+    """
+    cells = importlib.import_module("kinetruss.library.cells")
+    found: Cell = cells.cell(**_joined(read_parts(Path(nodes), Path(members), max_size), fittings))
+    return found
+
+
+def with_parts(value: Any, folder: Path, max_size: int) -> Any:
+    """Parameters of a library model; where ``nodes`` and ``bars`` of a cell are paths from the folder, the tables are read."""
+    if isinstance(value, list):
+        return [with_parts(one, folder, max_size) for one in value]
+    if not isinstance(value, Mapping):
+        return value
+    nodes, bars = value.get("nodes"), value.get("bars")
+    if isinstance(nodes, str) and isinstance(bars, str):
+        rest = {key: one for key, one in value.items() if key not in ("nodes", "bars")}
+        return _joined(read_parts(folder / nodes, folder / bars, max_size), rest)
+    return {key: with_parts(one, folder, max_size) for key, one in value.items()}
+
+
+def _joined(parts: Mapping[str, Any], more: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of a cell: those of its tables, and more faces and active members. What is no table is left to the checks."""
+    found = {**parts, **more}
+    if isinstance(faces := more.get("faces") or {}, Mapping):
+        found["faces"] = {**parts["faces"], **faces}
+    given = more.get("active") or {}
+    given = [given] if isinstance(given, str) else given
+    if isinstance(given, (list, tuple)) and all(isinstance(one, str) for one in given):
+        given = {one: {} for one in given}
+    if isinstance(given, Mapping):
+        found["active"] = {**{name: {} for name in parts["active"]}, **given}
+    return found

@@ -1,0 +1,163 @@
+"""A model with changed values, named by their paths."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from kinetruss.errors import Fault, ModelError
+from kinetruss.io.library_models import fields
+from kinetruss.io.yaml_text import parse_yaml, plain
+from kinetruss.model import Model, Record, nearest
+
+Keys = tuple[str | int, ...]
+
+_TABLES = {
+    "section": "sections",
+    "material": "materials",
+    "screw": "screws",
+    "gear": "gears",
+    "motor": "motors",
+    "amplifier": "amplifiers",
+    "trajectory": "trajectories",
+}
+"""Fields that may hold a name -> the table of that name."""
+
+
+def set_value(model: Model, path: str, value: Any) -> Model:
+    """A new model with the value at a dotted path changed; all checks run again.
+
+    Parameters
+    ----------
+    model : the model; it is not changed.
+    path : e.g. ``runs.extend.trajectory.duration`` or ``nodes.N4.at.0``. Names may contain dots; the longest match
+    is used. If a path continues after the name of a record in another table (here a trajectory), that record is changed.
+    value : as in a model file; text with units, and lists in brackets, are read as in a file. ``~`` removes the value.
+
+    Raises
+    ------
+    ModelError : an unknown path (the message offers the nearest names); faults of the changed model.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> one = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"])
+    >>> set_value(one, "nodes.B.at", "[36 in, 0]").nodes["B"].at
+    (0.9144, 0.0)
+    """
+    return set_values(model, {path: value})
+
+
+def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
+    """A new model with several values changed at once; only the final model is checked.
+
+    Parameters
+    ----------
+    settings : dotted path -> value, as for `set_value`.
+
+    Raises
+    ------
+    ModelError : as for `set_value`; two paths of which one is inside the other.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> heavier = kt.io.set_values(model, {"nodes.B.mass": "20 kg", "title": "Heavier"})
+    >>> heavier.nodes["B"].mass, heavier.title
+    (20.0, 'Heavier')
+    """
+    changes: dict[str | int, Any] = {}
+    for path, value in settings.items():
+        _noted(changes, resolved(model, path), _New(given(value)), path)
+    return Model(**_changed(model, changes))
+
+
+@dataclass(frozen=True, slots=True)
+class _New:
+    """A new value for a place in the data."""
+
+    value: Any
+
+
+def _noted(changes: dict[str | int, Any], keys: Keys, new: _New, path: str) -> None:
+    *before, last = keys
+    here: Any = changes
+    for key in before:
+        here = here if isinstance(here, _New) else here.setdefault(key, {})
+    if isinstance(here, _New) or last in here:
+        raise ModelError([Fault(keys, f"{path!r} sets what another path sets too.", "Leave one of them out.")])
+    here[last] = new
+
+
+def given(value: Any) -> Any:
+    """A value as read from a file."""
+    if not isinstance(value, str):
+        return value
+    if value.strip() in ("~", "null"):
+        return None
+    if value.lstrip()[:1] in ("[", "{"):
+        tree, _ = parse_yaml(value)
+        return plain(tree) if tree is not None else None
+    return value
+
+
+def resolved(model: Model, path: str) -> Keys:
+    """The keys of a path, with names that contain dots joined, and names of other tables resolved."""
+    here: Any = model
+    keys: list[str | int] = []
+    rest = path.split(".")
+    while rest:
+        if isinstance(here, str) and keys and keys[-1] in _TABLES:
+            table = _TABLES[str(keys[-1])]
+            keys, here = [table, here], getattr(model, table).get(here)
+        key, rest = _next(here, rest, keys)
+        keys.append(key)
+        here = getattr(here, str(key)) if isinstance(here, Record) else here[key]
+    return tuple(keys)
+
+
+def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str | int, list[str]]:
+    """The longest known name at the start of the rest of a path, and the remaining parts."""
+    if isinstance(here, Sequence) and not isinstance(here, str):
+        if rest[0].isdecimal() and int(rest[0]) < len(here):
+            return int(rest[0]), rest[1:]
+        known: Any = range(len(here))
+    elif isinstance(here, Record):
+        known = type(here).model_fields
+    elif isinstance(here, Mapping):
+        known = here
+    else:
+        message = "is not set." if here is None else "has no parts."
+        mend = "Set it as a whole, e.g. '{...}'." if here is None else f"End the path at {'.'.join(map(str, before))}."
+        raise ModelError([Fault(tuple(before), message, mend)])
+    for count in range(len(rest), 0, -1):
+        name = ".".join(rest[:count])
+        if name in known:
+            return name, rest[count:]
+    places = [] if before else list(_places(here, ".".join(rest)))
+    mend = f"Did you mean {', '.join(places[:3])}?" if places else nearest(rest[0], known)
+    raise ModelError([Fault((*before, rest[0]), f"{rest[0]!r} is not known here.", mend)])
+
+
+def _places(here: Any, end: str, path: str = "") -> Iterator[str]:
+    """Paths in a model that end with a text."""
+    entries = {name: getattr(here, name) for name in type(here).model_fields} if isinstance(here, Record) else here
+    if isinstance(entries, Mapping):
+        for name, one in entries.items():
+            whole = f"{path}.{name}".lstrip(".")
+            if whole.endswith(f".{end}"):
+                yield whole
+            yield from _places(one, end, whole)
+
+
+def _changed(here: Any, changes: Any) -> Any:
+    """The data of a record, table or list with the changes."""
+    if isinstance(changes, _New):
+        return changes.value
+    if isinstance(here, Record):
+        return fields(here) | {str(key): _changed(getattr(here, str(key)), below) for key, below in changes.items()}
+    if isinstance(here, Mapping):
+        return {**here, **{key: _changed(here[key], below) for key, below in changes.items()}}
+    return [_changed(item, changes[index]) if index in changes else item for index, item in enumerate(here)]

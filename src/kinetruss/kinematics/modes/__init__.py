@@ -1,1 +1,0 @@
-"""Assembly modes: all ways to put a structure together."""

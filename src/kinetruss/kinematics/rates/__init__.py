@@ -1,1 +1,0 @@
-"""First and second derivatives: Jacobians, transfer functions, conditioning; degrees of freedom along a motion."""

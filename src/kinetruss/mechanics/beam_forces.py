@@ -1,0 +1,246 @@
+"""Forces and moments at the ends and along beams, and their axes as curves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.mechanics.beam_elements import MODES, BeamElements, hermite, hermite_slopes, mode_rates
+from kinetruss.mechanics.keeping import kept
+from kinetruss.model.bracing import CHORD
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics.system import System
+
+
+PIECES, FEW, MANY = 12, 4, 100
+"""Straight pieces that show a beam, and those of each beam where there are more than `MANY`."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BeamCurves:
+    """The curves of k beams at g places each.
+
+    member (k,) indices of their chords among the members; nodes (k, v) of both ends; along (k, g, v) coefficients of these
+    nodes that give the axis, by Hermite's polynomials as in `BeamElements.fields`; across (k, g, v) the same of local axis 2.
+    """
+
+    member: NDArray[np.int64]
+    nodes: NDArray[np.int64]
+    along: NDArray[np.float64]
+    across: NDArray[np.float64]
+
+    def at(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Points (.., k, g, dim), m, of nodes at x (.., n, dim)."""
+        found: NDArray[np.float64] = np.einsum("kgv,...kvc->...kgc", self.along, x[..., self.nodes, :])
+        return found
+
+
+@kept()
+def beam_curves(system: System) -> BeamCurves | None:
+    """The curves of the elastic beams of a model; None if it has none."""
+    beams = None if system.continua is None else system.continua.beams
+    if beams is None:
+        return None
+    index = {name: k for k, name in enumerate(system.model.members)}
+    xi = np.linspace(0.0, 1.0, (PIECES if len(beams.names) <= MANY else FEW) + 1)
+    across = (1 - xi)[:, None] * beams.axes[:, None, 1] + xi[:, None] * beams.ends[:, None, 1]
+    member = np.array([index[f"{name}{CHORD}"] for name in beams.names], np.int64)
+    return BeamCurves(member=member, nodes=beams.nodes, along=beams.fields(xi), across=across)
+
+
+# Forces and moments at the ends and along beams, in closed form from the deformation modes and the load along the beam.
+#
+# With the stresses S = rigidity x mode of each mode, the nodes of an end exert on the beam the force sum S B of their gradients
+# B
+# and its moment about the end: the same forces that balance the nodes, so that every beam is in balance with its neighbours,
+# its
+# supports and its loads however far it turns. For small deformations these are N = S_e/l; M_3 = S_D - S_S at the first end,
+# S_D + S_S at the second; M_2 the same; M_1 = S_t, in the axes of the deformed beam (1 along the chord).
+#
+# The load along the beam, q = line (g - r''), is carried to the nodes by Hermite's polynomials, as its mass is; what the nodes
+# exert on the beam is the force of the modes less that, and sections between follow from equilibrium of the part before them,
+# on the deflected axis w = l (H2 f_p + H4 f_q) from the chord and in the axes of the section, which turn with its slope. Rotary
+# inertia is a couple along the beam, linear in s. All are exerted by the part behind the section on the part before it, as
+# those
+# of bars: N > 0 is tension, dM_3/ds = -V_2, dM_2/ds = V_3.
+
+Floats = Any
+POINTS = 0.5 - 0.5 * np.cos(np.pi * (np.arange(4) + 0.5) / 4)
+"""Places at which a cubic is read."""
+
+
+def beam_forces(
+    found: BeamElements, x: NDArray[np.float64], x0: NDArray[np.float64], linear: bool = False
+) -> dict[str, NDArray[np.float64]]:
+    """Stress of each mode (times, k), N m, at positions x (times, n, 3). linear : to first order in x - x0."""
+    i, j = np.triu_indices(found.nodes.shape[1], 1)
+    p, q = found.nodes[:, i], found.nodes[:, j]
+    d0 = x0[q] - x0[p]
+    u = (x - x0)[:, q] - (x - x0)[:, p]
+    # change of the squared distances
+    change = 2 * np.einsum("kwc,tkwc->tkw", d0, u)
+    if not linear:
+        change = change + np.einsum("tkwc,tkwc->tkw", u, u)
+    stress = np.einsum("ks,ksw,tkw->tks", found.rigidity, found.modes, change)
+    return {name: stress[..., s] for s, name in enumerate(MODES[found.axes.shape[1]])}
+
+
+def section_forces(
+    found: BeamElements,
+    x: NDArray[np.float64],
+    x0: NDArray[np.float64],
+    load: Floats,
+    xi: Floats,
+    *,
+    linear: bool = False,
+    given: Floats = None,
+    v: Floats = None,
+) -> dict[str, NDArray[np.float64]]:
+    """Section forces at the shares xi (s,) of beams, along x (times, n, 3); load (times, n, 3) m/s^2 is g - x''.
+
+    given : (times, k, modes) forces of the modes of beams that keep their shape, N m, NaN of the others. v : velocities
+    (times, n, 3), m/s, of which beams with damping have further forces.
+
+    force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
+    (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
+    """
+    stress, slope = _deformed(found, x, x0, linear, given, v)
+    l = found.length[:, None]
+    frame = _frames(found, x0[None] if linear else x)
+    frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
+    # load along the beam in its axes as a cubic: coefficients c_m of xi^m
+    read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
+    q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
+    place = x0[None] if linear else x
+    ends = _by_nodes(found, stress, place, load, frame)
+    force_p, moment_p = ends[0][:, :, 0], ends[1][:, :, 0]
+    # the chord of a bent beam is shorter than the beam
+    at = place[:, found.nodes]
+    chord = np.linalg.norm(at[:, :, at.shape[2] // 2] - at[:, :, 0], axis=-1)[:, :, None, None]
+    every = np.append(xi, 1.0)[:, None]
+    once, twice = _integrals(q, every[:, 0])
+    once, twice = once * l[:, :, None], twice * l[:, :, None] * chord
+    force = -force_p[:, :, None] - once
+    turn_p, turn_q = _turning(found, load, frame)
+    grown = every**2 / 2
+    moment = l[:, :, None] * ((every - grown) * turn_p[:, :, None] + grown * turn_q[:, :, None]) - moment_p[:, :, None]
+    # equilibrium of the part before the section
+    arm = chord * every * force_p[:, :, None] + twice
+    moment += np.stack([np.zeros_like(arm[..., 0]), -arm[..., 2], arm[..., 1]], axis=-1)
+    # the second end is exact as well; what a load on a bent axis changes between them is spread evenly
+    moment += every * (ends[1][:, :, 1, None] - moment[:, :, -1:])
+    force, moment = force[:, :, :-1], moment[:, :, :-1]
+    if not linear:
+        force, moment = _on_the_curve(l, xi, slope, force_p, force, moment)
+    signs = np.array([-1.0, 1.0])[:, None]
+    return {
+        "force": force,
+        "moment": moment,
+        "frame": np.array(frame),
+        "force_ends": ends[0] * signs,
+        "moment_ends": ends[1] * signs,
+    }
+
+
+def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the rotations (times, k) of both ends from the chord; 0 of
+    beams that keep their shape, whose stresses are given.
+    """
+    stress = beam_forces(found, x, x0, linear)
+    EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
+    # rotations from the chord, f_p and f_q
+    none = np.zeros(stress["axial"].shape)
+    slope = {}
+    for axis, EI in ((2, EI2), (3, EI3)):
+        D, S = (stress.get(f"{name}{axis}", none) / EI for name in "DS")
+        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D)
+    if v is not None and found.damping.any():
+        lag = found.damping[:, None] * found.rigidity * mode_rates(found, x0[None] if linear else x, v)
+        stress = {name: own + lag[..., s] for s, (name, own) in enumerate(stress.items())}
+    bent = np.ones(stress["axial"].shape)
+    if given is not None:
+        stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
+        bent = np.isnan(given[..., 0]).astype(float)
+    turned = {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}
+    return np.stack(list(stress.values()), axis=-1), turned
+
+
+def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats) -> tuple[Floats, Floats]:
+    """Forces and moments of both ends on beams, (times, k, 2, 3), in their axes `frame`: forces sum S B of the stresses (times,
+    k, modes) at positions x, less what mass times load, m/s^2, puts on the same nodes.
+    """
+    v = found.nodes.shape[1]
+    i, j = np.triu_indices(v, 1)
+    at = x[:, found.nodes]
+    pair = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
+    nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
+    nodal += np.einsum("tkwc,wv->tkvc", pair, np.eye(v)[j] - np.eye(v)[i])
+    forces, moments = [], []
+    for first in (0, v // 2):
+        own = slice(first, first + v // 2)
+        forces.append(nodal[:, :, own].sum(axis=2))
+        moments.append(np.cross(at[:, :, own] - at[:, :, first : first + 1], nodal[:, :, own]).sum(axis=2))
+    one, two = (np.einsum("tkac,tkec->tkea", frame, np.stack(values, axis=2)) for values in (forces, moments))
+    return one, two
+
+
+def _on_the_curve(l: Floats, xi: Floats, slope: Floats, push: Floats, force: Floats, moment: Floats) -> tuple[Floats, Floats]:
+    """Section forces of the chord, of the deflected axis in the axes of its sections; slope : rotations of the ends from the
+    chord about 2 and 3, (times, k) each; push (times, k, 3) : force on the first end.
+    """
+    _, h2, _, h4 = hermite(xi)
+    _, g2, _, g4 = hermite_slopes(xi)
+    (p2, q2), (p3, q3) = ([f[..., None] for f in slope[axis]] for axis in (2, 3))
+    # w_2 rises with a rotation about 3, w_3 falls with one about 2
+    w2, w3 = l * (h2 * p3 + h4 * q3), -l * (h2 * p2 + h4 * q2)
+    at = np.stack([np.zeros_like(w2), w2, w3], axis=-1)
+    turned = _turned(g2 * p3 + g4 * q3, -(g2 * p2 + g4 * q2))
+    moment = moment + np.cross(at, np.broadcast_to(push[:, :, None], at.shape))
+    along, about = (np.einsum("tksac,tksc->tksa", turned, one) for one in (force, moment))
+    return along, about
+
+
+def _turned(slope2: Floats, slope3: Floats) -> Floats:
+    """Axes (.., 3, 3) as rows, of an axis with slopes along 2 and 3 to the chord: 1 along it, 2 nearest to that of the beam."""
+    one = np.stack([np.ones_like(slope2), slope2, slope3], axis=-1)
+    one = one / np.linalg.norm(one, axis=-1, keepdims=True)
+    two = np.array([0.0, 1.0, 0.0]) - one * one[..., 1:2]
+    two = two / np.linalg.norm(two, axis=-1, keepdims=True)
+    return np.stack([one, two, np.cross(one, two)], axis=-2)
+
+
+def _turning(found: BeamElements, load: Floats, frame: Floats) -> tuple[Floats, Floats]:
+    """Couples a length, N, that turn the sections at both ends: rotary inertia times angular acceleration, (times, k, 3)."""
+    ends = []
+    for axes in (found.axes, found.ends):
+        # second rates of the axes y, z of the section along those of the beam
+        rates = -np.einsum("kcv,tkvi,tkai->tkca", axes, load[:, found.nodes], frame)
+        I3, I2 = found.rotary.T
+        y, z = rates[:, :, 1], rates[:, :, 2] if rates.shape[2] == 3 else np.zeros_like(rates[:, :, 1])
+        ends.append(np.stack([I3 * y[..., 2] - I2 * z[..., 1], I2 * z[..., 0], -I3 * y[..., 0]], axis=-1))
+    return ends[0], ends[1]
+
+
+def _integrals(q: Floats, xi: Floats) -> tuple[Floats, Floats]:
+    """int q and int (xi - t) q from 0 to the shares xi, (times, k, s, 3)."""
+    m = np.arange(4)
+    power = xi[:, None] ** (m + 1)
+    once = np.einsum("sm,tkma->tksa", power / (m + 1), q)
+    twice = np.einsum("sm,tkma->tksa", power * xi[:, None] / ((m + 1) * (m + 2)), q)
+    return once, twice
+
+
+def _frames(found: BeamElements, x: Floats) -> Floats:
+    """Axes (times, k, 3, 3) of deformed beams: 1 along the chord, 2 nearest to those of both ends."""
+    at, v = x[:, found.nodes], found.nodes.shape[1]
+    one = at[:, :, v // 2] - at[:, :, 0]
+    one = one / np.linalg.norm(one, axis=-1, keepdims=True)
+    two = np.einsum("kv,tkvc->tkc", found.axes[:, 1] + found.ends[:, 1], at)
+    two = two - one * np.sum(one * two, axis=-1, keepdims=True)
+    two = two / np.linalg.norm(two, axis=-1, keepdims=True)
+    return np.stack([one, two, np.cross(one, two)], axis=-2)

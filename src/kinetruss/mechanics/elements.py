@@ -1,0 +1,270 @@
+"""Springs, membranes, solids and beams in the equations: forces, energies and tangent stiffness at given positions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array
+
+from kinetruss.errors import AnalysisError
+from kinetruss.kernels.constraints.springs import add_spring_forces, spring_blocks, spring_histories, spring_slopes
+from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
+from kinetruss.mechanics.beam_elements import damping_forces, mode_rates
+from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.tables import elements, structure_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics.continua import Continua
+    from kinetruss.mechanics.loads import Loads
+    from kinetruss.mechanics.system import System
+
+
+class SpringHistories(NamedTuple):
+    """value and rate of the coordinate (m or rad, m/s or rad/s), force on it (N or N m), energy (J), all (times, springs).
+
+    An angle is known within half a turn of the rest.
+    """
+
+    value: NDArray[np.float64]
+    rate: NDArray[np.float64]
+    force: NDArray[np.float64]
+    energy: NDArray[np.float64]
+
+
+def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
+    """The springs along x, v (times, n, 3) or flat; without v at rest. A positive force raises the coordinate."""
+    place, rate = (
+        np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros(system.x0.size) if v is None else v)
+    )
+    found = np.empty((4, len(place), len(system.springs)))
+    spring_histories(structure_of(system), place, rate, found)
+    return SpringHistories(found[0] + system.spring_law[:, 1], *found[1:])
+
+
+def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
+    """Refuse motions x, v (times, 3 n) of angles beyond half a turn from the rest of a spring, where its law would jump.
+
+    Of two samples on both sides of the jump, the rates distinguish the way over it from that through the rest.
+
+    Raises
+    ------
+    AnalysisError : the spring and the time.
+    """
+    period = system.measure_period[system.spring_measure]
+    if not np.any(period):
+        return
+    found = spring_motions(system, x, v)
+    change, ahead = np.diff(found.value, axis=0), 0.5 * (found.rate[1:] + found.rate[:-1]) * np.diff(t)[:, None]
+    over = (np.abs(change) > 0.5 * period) & (np.abs(change - np.sign(change) * period - ahead) < 0.25 * period)
+    for i, k in np.argwhere(over & (period > 0.0))[:1]:
+        raise AnalysisError(
+            f"Spring {system.springs[k]!r} passes half a turn from its rest between t = {t[i]:.6g} and {t[i + 1]:.6g} s, where "
+            "its law would jump. Give another rest, or the moment of a spring wound up by more as its preload."
+        )
+
+
+def spring_forces(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Forces of springs on the nodes (3 n,), N, at x, v (n, 3); without v at rest."""
+    found = np.zeros(system.x0.size)
+    if system.springs:
+        place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros_like(found) if v is None else v))
+        add_spring_forces(structure_of(system), place, rate, found)
+    return found
+
+
+def spring_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Resistance F, dF/dc and dF/dc' of each spring (springs, 3) at x, v (n, 3)."""
+    found = np.zeros((len(system.springs), 3))
+    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(system.x0.size) if v is None else v))
+    spring_slopes(structure_of(system), place, rate, found)
+    return found
+
+
+def spring_tangents(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, law: NDArray[np.float64]
+) -> tuple[Any, Any]:
+    """K and C (3 n, 3 n), N/m and N s/m: minus the derivatives of the forces -F g by x and by v, both (n, 3).
+
+    law (springs, 3) : F, dF/dc and dF/dc'. g, H : gradient and Hessian of c, so that C = dF/dc' g g^T and
+    K = dF/dc g g^T + F H + dF/dc' g (H v)^T.
+    """
+    places = _places(system)
+    count, width = places.shape
+    blocks = np.empty((2, count, width, width))
+    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(x.size) if v is None else v))
+    spring_blocks(structure_of(system), places, place, rate, law, *blocks)
+    rows, columns = np.repeat(places, width, axis=1).reshape(-1), np.tile(places, (1, width)).reshape(-1)
+    own = (rows >= 0) & (columns >= 0)
+    at, shape = (rows[own], columns[own]), (x.size, x.size)
+    K, C = (csr_array(coo_array((one.reshape(-1)[own], at), shape=shape)) for one in blocks)
+    return K, C
+
+
+@kept()
+def _places(system: System) -> NDArray[np.int64]:
+    """Coordinates (springs, w) of the nodes of springs, ascending; those that have fewer end with -1."""
+    found = elements(system)
+    ptr, at = found["spring_ptr"], found["spring_at"]
+    nodes = [np.unique(at[first:last, :3]) for first, last in pairwise(ptr)]
+    places = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
+    for one, own in zip(places, nodes, strict=True):
+        one[: len(own)] = own[:, None] + np.arange(3)
+    return places.reshape(len(nodes), places.shape[1] * 3)
+
+
+# Membranes and solids in the equations: forces, energy and tangent stiffness at given positions, consistent masses.
+
+DAMPED = ["damp_six_edge", "damp_six", "damp_eight_edge", "damp_eight"]
+"""Arrays of beams with damping."""
+
+
+def _ends(found: Continua) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    return 3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64)
+
+
+def squared_changes(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Squared lengths of the edges minus their stress-free values, (e,), m^2, at positions x (n, 3)."""
+    d = x[found.q] - x[found.p]
+    return np.asarray(np.einsum("ec,ec->e", d, d) - found.rest)
+
+
+def densities(found: Continua, s: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Force densities of the edges (e,), N/m, from changes s (e,), m^2, of their squared lengths."""
+    q = np.empty(len(s))
+    edge_densities(found.tables, s, q)
+    return q
+
+
+def continua_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces on the nodes (times, 3 n), N, at positions x (times, 3 n)."""
+    A, B = _ends(found)
+    s, q, out = np.empty(len(A)), np.empty(len(A)), np.zeros_like(x)
+    for i in range(len(x)):
+        edge_forces(A, B, found.rest, found.tables, x[i], s, q, out[i])
+    return out
+
+
+def resting_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces on the nodes (n, 3), N, at positions x (n, 3); exactly 0 in the stress-free configuration."""
+    # q d of each edge
+    force = densities(found, squared_changes(found, x))[:, None] * (x[found.q] - x[found.p])
+    out = np.zeros_like(x)
+    np.add.at(out, found.p, force)
+    np.subtract.at(out, found.q, force)
+    return out
+
+
+def continua_energy(found: Continua, x: NDArray[np.float64]) -> float:
+    """Energy stored, J, at positions x (n, 3)."""
+    s = squared_changes(found, x)
+    return float(0.25 * s @ densities(found, s))
+
+
+def continua_stiffness(
+    found: Continua, x: NDArray[np.float64], q: NDArray[np.float64] | None = None, *, material: bool = True
+) -> Any:
+    """Tangent stiffness (3 n, 3 n), N/m, at positions x (n, 3).
+
+    q (e,) : force densities of the geometric part, by default those at x. material : include the material part as well.
+    """
+    A, B = _ends(found)
+    density = densities(found, squared_changes(found, x)) if q is None else q
+    blocks = np.empty((len(A), 9))
+    tables = found.tables if material else tuple(part[:0] for part in found.tables)
+    edge_blocks(A, B, density, tables, np.ascontiguousarray(x, float).reshape(-1), blocks)
+    n = x.shape[0]
+    # K_pp = -sum of K_pq over the neighbours q, symmetric but for round-off
+    own = np.zeros((n, 9))
+    np.subtract.at(own, found.p, blocks)
+    np.subtract.at(own, found.q, blocks[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
+    own = 0.5 * (own + own[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
+    every = 3 * np.arange(n)
+    row, column = np.divmod(np.arange(9), 3)
+    # blocks pq, qp and pp
+    i = np.concatenate([(A[:, None] + row).reshape(-1), (B[:, None] + column).reshape(-1), (every[:, None] + row).reshape(-1)])
+    j = np.concatenate(
+        [(B[:, None] + column).reshape(-1), (A[:, None] + row).reshape(-1), (every[:, None] + column).reshape(-1)]
+    )
+    value = np.concatenate([blocks.reshape(-1), blocks.reshape(-1), own.reshape(-1)])
+    return csr_array((value, (i, j)), shape=(3 * n, 3 * n))
+
+
+def material_stiffness(system: System, x: NDArray[np.float64]) -> Any:
+    """Stiffness (3 n, 3 n), N/m, of membranes, solids and beams at x (n, 3), without that of their stresses there."""
+    if system.continua is None:
+        return csr_array((x.size, x.size))
+    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
+
+
+def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:
+    """Geometric stiffness (3 n, 3 n), N/m, of the stresses that small displacements u (n, 3) from x (n, 3) add."""
+    d = x[found.q] - x[found.p]
+    # squared_changes to first order in u: 2 d . (u_q - u_p)
+    added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
+    return continua_stiffness(found, x, added, material=False)
+
+
+def continua_arrays(system: System) -> dict[str, Any]:
+    """Arrays of the equations of motion (kernels.structure.equations); empty without membranes and solids."""
+    names = [f"{one}_{part}" for one in ("triangle", "tetrahedron", "six", "eight") for part in ("edge", "stiffness")]
+    found = system.continua
+    if found is None:
+        whole = np.zeros((0, 1), np.int64)
+        names += DAMPED
+        empty = {name: whole if name.endswith("edge") else np.zeros((0, 1)) for name in names}
+        return {"edge_A": whole[:, 0], "edge_B": whole[:, 0], "edge_rest": np.zeros(0)} | empty
+    A, B = _ends(found)
+    tables = dict(zip(names, found.tables, strict=True))
+    return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | tables | _damped(found)
+
+
+def beam_losses(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Power (times,), W, that the damping of beams takes, sum b R m'^2, along x, v (times, 3 n)."""
+    if found.beams is None or not found.beams.damping.any():
+        return np.zeros(len(x))
+    rates = mode_rates(found.beams, x.reshape(len(x), -1, 3), np.broadcast_to(v, x.shape).reshape(len(x), -1, 3))
+    return np.asarray(np.einsum("k,ks,tks->t", found.beams.damping, found.beams.rigidity, rates**2))
+
+
+def _damped(found: Continua) -> dict[str, Any]:
+    """Edges, and the damping b 2 G, of beams with a damping time b."""
+    arrays: list[Any] = []
+    for v in (6, 8):
+        edge, stiff = found.tables[4:6] if v == 6 else found.tables[6:]
+        delay = np.zeros(len(edge))
+        if found.beams is not None and found.beams.nodes.shape[1] == v:
+            delay[len(edge) - len(found.beams.names) :] = found.beams.damping  # beams are the last elements
+        chosen = delay > 0
+        arrays += [edge[chosen], stiff[chosen] * delay[chosen, None]]
+    return dict(zip(DAMPED, arrays, strict=True))
+
+
+def strain_balance(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Strain energy (J) and its rate (W), (times, 2), along x, v (times, 3 n)."""
+    energy = [continua_energy(found, one.reshape(-1, 3)) for one in x]
+    return np.stack([energy, -np.einsum("tc,tc->t", v, continua_forces(found, x))], axis=1)
+
+
+def with_continua_forces(system: System, loads: Loads, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> Loads:
+    """The loads plus the forces of membranes, solids and beams along x, v (times, 3 n), one more load at each of their nodes;
+    v : at rest if it is not given, or one row for all times.
+    """
+    found = system.continua
+    if found is None:
+        return loads
+    n = len(system.nodes)
+    push = continua_forces(found, x).reshape(len(x), n, 3)
+    if found.beams is not None and found.beams.damping.any() and v is not None and np.any(v):
+        push += damping_forces(found.beams, x.reshape(push.shape), np.broadcast_to(v, x.shape).reshape(push.shape))
+    nodes = np.union1d(found.p, found.q)
+    return replace(
+        loads,
+        loads=(*loads.loads, *(f"continua on {system.nodes[i]}" for i in nodes)),
+        node=np.concatenate([loads.node, nodes]).astype(loads.node.dtype),
+        force=np.concatenate([np.broadcast_to(loads.force, (len(x), *loads.force.shape[1:])), push[:, nodes]], axis=1),
+    )

@@ -1,0 +1,185 @@
+"""Rigid parts: nodes whose distances rigid bars keep, and what of them counts in the singularity measure.
+
+A part grows from a triangle of rigid bars, or from the supports, by nodes that rigid bars join to two of its nodes (three in
+space). Its shape is constant, so that how slim it is says nothing about the motion: in the measure a part has one length, its
+size, as a bar has.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.kernels.structure.plan import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
+from kinetruss.mechanics.keeping import kept
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics.system import System
+
+
+FLAT = 1e-9
+"""Height of a triangle or a tetrahedron over its longest side below which rounding does not let it hold its apex."""
+
+
+@dataclass(frozen=True, eq=False)
+class RigidPart:
+    """Nodes of one rigid part; used : those that anything else depends on; ground : it does not move.
+
+    hands : nodes (a, b, c) or, in space, (a, b, c, d): the last one keeps its side of the line or plane of the others.
+    """
+
+    nodes: frozenset[int]
+    used: frozenset[int]
+    ground: bool
+    hands: tuple[tuple[int, ...], ...]
+
+
+@kept()
+def rigid_parts(system: System) -> tuple[RigidPart, ...]:
+    """The rigid parts of three nodes or more, and the supports with what rigid bars fix to them."""
+    near = _joined(system)
+    ground = {n for n in range(len(system.nodes)) if _stands(system, n)}
+    found = [_grown(system, near, ground)] if len(ground) >= system.dim else []
+    for i, around in enumerate(near):
+        for j, k in combinations(sorted(n for n in around if n > i), 2):
+            if k in near[j] and not any({i, j, k} <= nodes for nodes, _ in found) and _height(system, (i, j), k) > FLAT:
+                start = _grown(system, near, {i, j, k})
+                found.append((start[0], [*([(i, j, k)] if system.dim == 2 else []), *start[1]]))
+    found = _merged(found, system.dim)
+    parts = []
+    for (nodes, hands), used in zip(found, _used(system, found), strict=True):
+        if len(nodes) > 2:
+            seen = frozenset(used if len(used) >= system.dim else nodes)
+            parts.append(RigidPart(frozenset(nodes), seen, bool(ground) and ground <= nodes, tuple(hands)))
+    return tuple(parts)
+
+
+Grown = tuple[set[int], list[tuple[int, ...]]]
+
+
+def _joined(system: System) -> list[set[int]]:
+    """The nodes that a bar of constant length joins to each node."""
+    near: list[set[int]] = [set() for _ in system.nodes]
+    for m in system.row_member[_constant(system)]:
+        near[system.p[m]].add(int(system.q[m]))
+        near[system.q[m]].add(int(system.p[m]))
+    return near
+
+
+def _constant(system: System) -> NDArray[np.bool_]:
+    return np.asarray((system.row_kind == LENGTH) & (system.row_drive < 0))
+
+
+def _stands(system: System, node: int) -> bool:
+    """Whether no coordinate of a node moves."""
+    flats = range(3 * node, 3 * node + 3)
+    if system.nodes[node] in system.model.support_motion or not system.prescribed[flats.start : flats.stop].all():
+        return False
+    return set(system.coordinate_drive[:, 0].tolist()).isdisjoint(flats)
+
+
+def _grown(system: System, near: list[set[int]], start: set[int]) -> Grown:
+    """The nodes with all that rigid bars join to `dim` of them, and the sides on which these stand."""
+    nodes, hands = set(start), []
+    ahead = deque(sorted({n for one in nodes for n in near[one]} - nodes))
+    while ahead:
+        n = ahead.popleft()
+        held = sorted(near[n] & nodes)
+        if n in nodes or len(held) < system.dim:
+            continue
+        bases = list(combinations(held[:8], system.dim))
+        base = max(bases, key=lambda some: _height(system, some, n))
+        if _height(system, base, n) > FLAT:
+            nodes.add(n)
+            hands.append((*base, n))
+            ahead.extend(sorted(near[n] - nodes))
+    return nodes, hands
+
+
+def _height(system: System, base: tuple[int, ...], node: int) -> float:
+    """Least singular value of the edges from a node to a base, over the largest: 0 on its line or plane."""
+    edges = system.x0[list(base)] - system.x0[node]
+    values = np.linalg.svd(edges, compute_uv=False)
+    return float(values[-1] / max(values[0], 1e-300))
+
+
+def _merged(found: list[Grown], shared: int) -> list[Grown]:
+    """Parts that share two nodes (three in space) are one."""
+    merged: list[Grown] = []
+    for nodes, hands in found:
+        while same := next((one for one in merged if len(one[0] & nodes) >= shared), None):
+            merged.remove(same)
+            nodes, hands = nodes | same[0], [*same[1], *hands]
+        merged.append((nodes, hands))
+    return merged
+
+
+def _used(system: System, found: list[Grown]) -> list[set[int]]:
+    """The nodes of each part that supports, or rows other than its own bars, depend on."""
+    used: list[set[int]] = [set() for _ in found]
+    of: dict[int, list[int]] = {}
+    for k, (nodes, _) in enumerate(found):
+        for n in nodes:
+            of.setdefault(n, []).append(k)
+            if system.prescribed[3 * n : 3 * n + system.dim].any():
+                used[k].add(n)
+    constant = _constant(system)
+    for r in range(len(system.row_member)):
+        touched = _touched(system, r)
+        for n in touched:
+            for k in of.get(n, ()):
+                if not (constant[r] and found[k][0] >= touched):
+                    used[k].add(n)
+    return used
+
+
+def _touched(system: System, r: int) -> set[int]:
+    if system.row_kind[r] == SUM:
+        first, last = system.measure_ptr[system.row_measure[r] : system.row_measure[r] + 2]
+        return {int(flat) // 3 for flat in system.term_at[first:last, :3].ravel()}
+    return {int(system.p[system.row_member[r]]), int(system.q[system.row_member[r]])}
+
+
+def part_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], col: NDArray[np.int64]) -> dict[str, Any]:
+    """The fields of a `Plan` for rigid parts, from rows in the order of the plan, pointers of its blocks and their columns."""
+    parts, constant = rigid_parts(system), _constant(system)
+    counts, seen = np.full(len(row), ALONE, np.int64), np.ones(len(col))
+    hidden = {n for one in parts for n in one.nodes - one.used}
+    seen[[k for k, flat in enumerate(col) if int(flat) // 3 in hidden]] = 0.0
+    ends = [_touched(system, int(r)) if constant[r] else set() for r in row]
+    sizes, size_ptr, hands, hand_ptr = list[tuple[int, int]](), [0], list[tuple[int, ...]](), [0]
+    block_ptr = [0]
+    for b in range(len(ptr) - 1):
+        own = set(col[ptr[b] : ptr[b + 1]].tolist())
+        for part in parts:
+            mine = [k for k in range(ptr[b], ptr[b + 1]) if ends[k] and ends[k] <= part.nodes]
+            outside = sum(3 * n + axis not in own for n in part.nodes for axis in range(system.dim))
+            # a part of which more is known than all but one of the freedoms of a similarity keeps its size
+            free = bool(mine) and not part.ground and outside < (4 if system.dim == 2 else 7)
+            counts[mine] = SIZE if free else RIGID_SHAPE
+            if free:
+                scale = [k for k in mine if ends[k] <= part.used] or mine
+                sizes += [(k, int(k in scale)) for k in mine]
+                size_ptr.append(len(sizes))
+            hands += [
+                (*(3 * n for n in hand), *[-1] * (4 - len(hand)))
+                for hand in part.hands
+                if all(3 * hand[-1] + axis in own for axis in range(system.dim))
+            ]
+        block_ptr.append(len(size_ptr) - 1)
+        hand_ptr.append(len(hands))
+    return {
+        "counts": counts,
+        "seen": seen,
+        "sized_ptr": np.array(block_ptr, np.int64),
+        "size_ptr": np.array(size_ptr, np.int64),
+        "size_row": np.array(sizes, np.int64).reshape(-1, 2),
+        "hand_ptr": np.array(hand_ptr, np.int64),
+        "hand": np.array(hands, np.int64).reshape(-1, 4),
+    }

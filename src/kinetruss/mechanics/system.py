@@ -1,0 +1,337 @@
+"""A model compiled to flat arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from itertools import chain
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, shown
+from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
+from kinetruss.mechanics.continua import Continua, compiled_continua, pair_arrays
+from kinetruss.mechanics.measures import measure_arrays
+from kinetruss.mechanics.members import DRIVEN, RIGID, member_arrays
+from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, inner_parts
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+_AXIS = {"x": 0, "y": 1, "z": 2}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class System:
+    """Arrays of a model. All vectors have three components; planar models keep z = 0. Coordinates are flat: 3 node + axis.
+
+    x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
+    two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
+    tube, each the uniform rod with the same moments as that with its masses; own_rods (m, 6): likewise, without the masses, and
+    clamped (c, 3) these: 2 member for one on its base, 2 member + 1 on its tube; fraction from the end towards A; kg;
+    law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.plan), with spring (m,) k, N/m, else 0, natural (m,) l0,
+    m, and damping (m,) c, N s/m; friction (m, 2) of the bearings at its ends, N m s; compliance (m,) 1/(E A), or 1/(k l0), 1/N,
+    NaN unknown, and yielding (m,) m/N, which adds to compliance times length;
+    is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
+    pair_p, pair_q (k,) nodes, pair_mass (k,), pair_skew (k,) kg: mass of bodies, m times the unit matrix between two nodes
+    (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
+    lump (n,) kg; own_gravity (n, 3) NaN where a mass has none of its own; gravity (3,) m/s^2;
+    velocity0 (n, 3) velocities given for the start of a simulation, m/s.
+    row_* : prescribed lengths, angles and sums; row_member (of a sum any), row_kind, row_drive (-1 none), row_value,
+    row_measure (-1 none).
+    Measures (kernels.constraints.terms), of drives first, then of couplings, then of springs: measures (k,) names, measure_ptr
+    (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
+    those of lengths,
+    measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
+    Springs (kernels.constraints.springs): springs (s,) names, spring_measure (s,), spring_law (s, 7) : stiffness, rest,
+    damping, friction, slip, play, preload; spring_table_ptr (s + 1,), spring_table (p, 4) points: deflection, force, slope,
+    energy.
+    prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
+    continua : membranes and solids, or None.
+    """
+
+    model: Model
+    dim: int
+    nodes: tuple[str, ...]
+    members: tuple[str, ...]
+    drives: tuple[str, ...]
+    supports: tuple[str, ...]
+    x0: NDArray[np.float64]
+    p: NDArray[np.int32]
+    q: NDArray[np.int32]
+    kind: NDArray[np.int8]
+    length0: NDArray[np.float64]
+    two_rods: NDArray[np.bool_]
+    rods: NDArray[np.float64]
+    own_rods: NDArray[np.float64]
+    clamped: NDArray[np.float64]
+    law: NDArray[np.int8]
+    spring: NDArray[np.float64]
+    natural: NDArray[np.float64]
+    damping: NDArray[np.float64]
+    friction: NDArray[np.float64]
+    compliance: NDArray[np.float64]
+    yielding: NDArray[np.float64]
+    body: NDArray[np.float64]
+    is_body: NDArray[np.bool_]
+    pair_p: NDArray[np.int32]
+    pair_q: NDArray[np.int32]
+    pair_mass: NDArray[np.float64]
+    pair_skew: NDArray[np.float64]
+    thin: NDArray[np.bool_]
+    lump: NDArray[np.float64]
+    own_gravity: NDArray[np.float64]
+    gravity: NDArray[np.float64]
+    velocity0: NDArray[np.float64]
+    row_member: NDArray[np.int32]
+    row_kind: NDArray[np.int8]
+    row_drive: NDArray[np.int32]
+    row_value: NDArray[np.float64]
+    row_measure: NDArray[np.int64]
+    measures: tuple[str, ...]
+    measure_ptr: NDArray[np.int64]
+    term_kind: NDArray[np.int64]
+    term_at: NDArray[np.int64]
+    term_data: NDArray[np.float64]
+    measure_scale: NDArray[np.float64]
+    measure_period: NDArray[np.float64]
+    measure_start: NDArray[np.float64]
+    drive_measure: NDArray[np.int64]
+    springs: tuple[str, ...]
+    spring_measure: NDArray[np.int64]
+    spring_law: NDArray[np.float64]
+    spring_table_ptr: NDArray[np.int64]
+    spring_table: NDArray[np.float64]
+    prescribed: NDArray[np.bool_]
+    coordinate_drive: NDArray[np.int32]
+    drive_start: NDArray[np.float64]
+    continua: Continua | None = None
+
+    @cached_property
+    def memory(self) -> dict[Any, Any]:
+        """What `kept` keeps."""
+        return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "memory"}
+
+    @property
+    def free(self) -> NDArray[np.int64]:
+        """Flat indices of the free coordinates."""
+        return np.flatnonzero(~self.prescribed)
+
+    @property
+    def bodies(self) -> NDArray[np.int64]:
+        """Indices of the members that stand for a planar body."""
+        return np.flatnonzero(self.is_body)
+
+    @cached_property
+    def node_mass(self) -> NDArray[np.float64]:
+        """Lumped masses plus the mass of bodies at single nodes, (n,) kg."""
+        own = self.pair_p == self.pair_q
+        return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
+
+    @cached_property
+    def sums(self) -> NDArray[np.int64]:
+        """Indices of the rows that hold a sum of terms."""
+        return np.flatnonzero(self.row_measure >= 0)
+
+    def with_rows(self, rows: Any, **changes: Any) -> System:
+        """The system with these of its rows (indices or a mask), in their order."""
+        names = ("row_member", "row_kind", "row_drive", "row_value", "row_measure")
+        return replace(self, **({name: getattr(self, name)[rows] for name in names} | changes))
+
+    @cached_property
+    def inner(self) -> Inner:
+        """The inner parts of the model."""
+        return inner_parts(self.model)
+
+    def _part(self, name: str) -> str:
+        """The user's part that a member or coupling belongs to: itself, or of an inner one that of its owner."""
+        owner = self.inner.bars.get(name) or self.inner.couplings.get(name)
+        return name if owner is None else owner.text
+
+    def row_name(self, r: Any) -> str:
+        """The name of what row r prescribes: a member, ``angle of`` one, a drive or a coupling."""
+        return f"angle of {self._of(r)}" if self._turns(r) else self._of(r)
+
+    def part_of(self, r: Any) -> str:
+        """The same, of an inner part its owner."""
+        part = self._part(self._of(r))
+        return f"angle of {part}" if self._turns(r) and part == self._of(r) else part
+
+    def parts_of(self, rows: Any) -> list[str]:
+        """The user's parts to which some rows belong, each once."""
+        return list(dict.fromkeys(self._part(self._of(r)) for r in rows))
+
+    def _of(self, r: Any) -> str:
+        """The member, drive or coupling of a row."""
+        return str(self.members[self.row_member[r]] if self.row_measure[r] < 0 else self.measures[self.row_measure[r]])
+
+    def _turns(self, r: Any) -> bool:
+        return bool(self.row_measure[r] < 0 and self.row_kind[r] == ANGLE)
+
+    @cached_property
+    def row_names(self) -> tuple[str, ...]:
+        """`row_name` of all rows."""
+        plain = (self.row_measure < 0) & (self.row_kind != ANGLE)
+        if plain.all():
+            return tuple(self.members[m] for m in self.row_member.tolist())
+        return tuple(self.row_name(r) for r in range(len(plain)))
+
+    def node_index(self, name: str) -> int:
+        """Index of a node by name."""
+        return self._places[name]
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        return {name: i for i, name in enumerate(self.nodes)}
+
+
+def compile(model: Model) -> System:
+    """Compile a model to arrays; the same model gives the same System.
+
+    Raises
+    ------
+    InputError : something else than a model.
+    """
+    if not isinstance(model, Model):
+        raise InputError(f"A model is expected first, not {_called(model)}. {_GIVE_A_MODEL}")
+    return _compiled(ByIdentity(model))
+
+
+_GIVE_A_MODEL = 'Give a kt.Model, or kt.read("model.yaml").'
+
+
+def _called(other: object) -> str:
+    return shown(other) if isinstance(other, (str, Path)) else f"a {type(other).__name__}"
+
+
+class ByIdentity:
+    """A model or another record as a key of caches: equal to itself only, so that nothing is compared field by field."""
+
+    def __init__(self, model: Any) -> None:
+        self.model = model
+
+    def __hash__(self) -> int:
+        return id(self.model)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ByIdentity) and self.model is other.model
+
+
+@lru_cache(maxsize=32)
+def _compiled(key: ByIdentity) -> System:
+    model = key.model
+    nodes, members = tuple(model.nodes), tuple(model.members)
+    index = {name: i for i, name in enumerate(nodes)}
+    x0 = np.zeros((len(nodes), 3))
+    if nodes:
+        x0[:, : model.dim] = [node.at for node in model.nodes.values()]
+    names = chain.from_iterable(member.ends for member in model.members.values())
+    ends = np.fromiter((index[name] for name in names), np.int32, 2 * len(members))
+    p, q = np.ascontiguousarray(ends[::2]), np.ascontiguousarray(ends[1::2])
+    distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
+    fields = member_arrays(model, distance)
+    fields |= _node_arrays(model, index) | pair_arrays(model, index)
+    fields |= measure_arrays(model, index, x0)
+    fields |= _row_arrays(model, members, index, x0, p, q, fields)
+    system = System(
+        model=model,
+        dim=model.dim,
+        nodes=nodes,
+        members=members,
+        drives=tuple(model.all_drives),
+        x0=x0,
+        p=p,
+        q=q,
+        continua=compiled_continua(model, index, x0),
+        **fields,
+    )
+    for value in vars(system).values():
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+    return system
+
+
+def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
+    count = len(index)
+    lump = np.array([node.mass for node in model.nodes.values()])
+    own = np.full((count, 3), np.nan)
+    for i, node in enumerate(model.nodes.values()):
+        if node.gravity is not None:
+            own[i] = 0.0
+            own[i, : model.dim] = node.gravity
+    gravity = np.zeros(3)
+    gravity[: model.dim] = model.gravity or 0.0
+    prescribed = np.zeros((count, 3), np.bool_)
+    prescribed[:, model.dim :] = True
+    for name, axes in model.fixed.items():
+        prescribed[index[name], [_AXIS[axis] for axis in axes]] = True
+    for i, node in enumerate(model.nodes.values()):
+        if node.scalar:
+            prescribed[i, 1:] = True
+    velocity0 = np.zeros((count, 3))
+    for name, vector in model.velocities.items():
+        velocity0[index[name], : model.dim] = vector
+    pairs = []
+    for d, drive in enumerate(model.all_drives.values()):
+        if isinstance(drive, CoordinateDrive):
+            prescribed[index[drive.node], _AXIS[drive.axis]] = True
+            pairs.append((3 * index[drive.node] + _AXIS[drive.axis], d))
+    return {
+        "lump": lump,
+        "own_gravity": own,
+        "gravity": gravity,
+        "velocity0": velocity0,
+        "prescribed": prescribed.reshape(-1),
+        "coordinate_drive": np.array(pairs, np.int32).reshape(-1, 2),
+        "supports": tuple(name for name in index if name in model.fixed),
+    }
+
+
+def _row_arrays(
+    model: Model,
+    members: tuple[str, ...],
+    index: dict[str, int],
+    x0: NDArray[np.float64],
+    p: NDArray[np.int32],
+    q: NDArray[np.int32],
+    fields: dict[str, Any],
+) -> dict[str, Any]:
+    place = {name: i for i, name in enumerate(members)}
+    length_drive, rows, start = {}, [], []
+    for d, drive in enumerate(model.all_drives.values()):
+        m = int(fields["drive_measure"][d])
+        if m >= 0:
+            rows.append((0, SUM, d, 0.0, m))
+            start.append(float(fields["measure_start"][m]))
+        elif isinstance(drive, AngleDrive):
+            i = place[drive.bar]
+            dx, dy, _ = x0[q[i]] - x0[p[i]]
+            rows.append((i, ANGLE, d, 0.0, -1))
+            start.append(float(np.arctan2(dy, dx)))
+        elif isinstance(drive, CoordinateDrive):
+            start.append(x0[index[drive.node], _AXIS[drive.axis]])
+        elif isinstance(drive, LengthDrive):
+            length_drive[place[drive.bar]] = d
+            start.append(fields["length0"][place[drive.bar]])
+    kept = np.flatnonzero(np.isin(fields["kind"], (RIGID, DRIVEN)))
+    last = len(fields["measures"]) - len(model.springs)
+    held = range(last - len(model.couplings), last)
+    rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in held]
+    member, kind, drive_of, value, measure = zip(*rows, strict=True) if rows else ((), (), (), (), ())
+    driven = np.full(len(members), -1)
+    driven[list(length_drive)] = list(length_drive.values())
+    count = len(kept)
+    return {
+        "row_member": np.concatenate([kept, member]).astype(np.int32),
+        "row_kind": np.concatenate([np.full(count, LENGTH), kind]).astype(np.int8),
+        "row_drive": np.concatenate([driven[kept], drive_of]).astype(np.int32),
+        "row_value": np.concatenate([fields["length0"][kept], value]).astype(np.float64),
+        "row_measure": np.concatenate([np.full(count, -1), measure]).astype(np.int64),
+        "drive_start": np.array(start, np.float64),
+    }

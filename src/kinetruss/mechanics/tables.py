@@ -1,0 +1,215 @@
+"""The element tables of a compiled model: constant and changing masses, laws of bars, pins, springs, masses at nodes."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from kinetruss.kernels.structure.structure import NodalLoads, Structure
+from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.system import System
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.mechanics.continua import Continua
+    from kinetruss.mechanics.loads import Loads
+
+
+@kept()
+def structure_of(system: System) -> Structure:
+    """The record of `elements`."""
+    return Structure.of(elements(system))
+
+
+def nodal_loads(loads: Loads) -> NodalLoads:
+    """Loads of a case, all of them on nodes, as kernels take them."""
+    return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force)
+
+
+@kept()
+def elements(system: System) -> dict[str, NDArray[Any]]:
+    """Fields of `Structure` by name; read-only."""
+    share = system.node_mass - system.lump
+    if system.continua is not None:
+        share = share + system.continua.lump
+    own = {"lump": system.lump, "share": share}
+    return _pairs(system) | _varying(system) | _laws(system) | _pins(system) | _springs(system) | own
+
+
+def _pairs(system: System) -> dict[str, NDArray[Any]]:
+    """Members of constant mass, then masses of bodies, membranes and solids between two nodes."""
+    steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
+    mass = np.zeros((len(steady), 4))
+    # uniform bar: m/6 [[2, 1], [1, 2]]
+    mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
+    mass[:, 1] = system.rods[steady, 0] / 6.0
+    at = system.is_body[steady]
+    bodies = steady[at]
+    m, e, f, inertia = system.body[bodies].T
+    mass[at] = planar_body_mass(m, e, f, inertia, system.length0[bodies])
+    # bodies on nodes, membranes and solids: AB alone; AA and BB stand with the nodes (share)
+    apart = np.flatnonzero(system.pair_p != system.pair_q)
+    p, q = [system.p[steady], system.pair_p[apart]], [system.q[steady], system.pair_q[apart]]
+    between, skew = [system.pair_mass[apart]], [system.pair_skew[apart]]
+    if (found := system.continua) is not None and found.lump.any():
+        p, q, between = [*p, found.p], [*q, found.q], [*between, found.mass]
+        skew.append(np.zeros(len(found.p)))
+    more = np.zeros((sum(map(len, between)), 4))
+    more[:, 1], more[:, 3] = np.concatenate(between), np.concatenate(skew)
+    return {
+        "pair_A": 3 * np.concatenate(p).astype(np.int64),
+        "pair_B": 3 * np.concatenate(q).astype(np.int64),
+        "pair": np.concatenate([mass, more]),
+        "pair_member": np.concatenate([steady, np.full(len(more), -1)]),
+    }
+
+
+def mass_of_pairs(A: NDArray[np.int64], B: NDArray[np.int64], pair: NDArray[np.float64], lump: NDArray[np.float64]) -> Any:
+    """M (3 n, 3 n), kg, of mass pairs (`Structure`) and of masses at nodes, lump (n,)."""
+    AA, AB, BB, s = pair.T
+    nodes = np.arange(0, 3 * len(lump), 3)
+    # s 1 of each block
+    plain = [(nodes, nodes, lump), (A, A, AA), (B, B, BB), (A, B, AB), (B, A, AB)]
+    entries = [(i + c, j + c, m) for i, j, m in plain for c in range(3)]
+    # skew part of AB of planar bodies
+    entries += [(A, B + 1, -s), (A + 1, B, s), (B, A + 1, s), (B + 1, A, -s)]
+    i, j, m = (np.concatenate(part) for part in zip(*entries, strict=True))
+    kept = m != 0.0
+    return csr_array((m[kept], (i[kept], j[kept])), shape=(3 * len(lump),) * 2)
+
+
+def pair_weights(pair: NDArray[np.float64], g: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weight (k, 2, 3), N, of mass pairs (k, 4) at their first and second node under gravity g (3,), m/s^2."""
+    AA, AB, BB, skew = pair.T[:, :, None]
+    # the skew part of planar bodies acts across g
+    turned = skew * np.array([-g[1], g[0], 0.0])
+    return np.stack([(AA + AB) * g + turned, (AB + BB) * g - turned], axis=1)
+
+
+def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> NDArray[np.float64]:
+    """AA, AB, BB and the skew part (..., 4), kg, of planar bodies carried by the two ends of a bar.
+
+    A point of the body at (xi, eta) l from the first end, along and to the left of the bar, moves as z = p (1 - w) + q w with
+    w = xi + i eta in complex notation, so for [x_A, y_A, x_B, y_B], with mass m, centre (e, f), central inertia I, length l:
+
+        M = [ AA    0    AB  -skew ]    AA = (I + m (l - e)^2 + m f^2)/l^2     AB   = -(I - m e (l - e) + m f^2)/l^2
+            [  0   AA  skew    AB  ]    BB = (I + m e^2 + m f^2)/l^2           skew = m f/l
+            [ AB  skew   BB     0  ]
+            [-skew AB    0     BB  ]    det M = (m I/l^2)^2; M does not change under rotation.
+
+    Weight is a force at the centre, hence M [g; g], constant as well. The concept: J. P. Meijaard, V. van der Wijk, Multibody
+    System Dynamics 48 (2020) 259-282; derived here from the moments of the body, the same as natural coordinates (Garcia de
+    Jalon, Bayo, 1994).
+    """
+    polar, left = inertia + mass * f**2, length - e
+    AA, AB, BB = polar + mass * left**2, mass * e * left - polar, polar + mass * e**2
+    return np.stack([AA / length**2, AB / length**2, BB / length**2, mass * f / length], axis=-1)
+
+
+@kept()
+def body_masses(system: System) -> Any:
+    """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
+    apart = system.pair_p != system.pair_q
+    pair = np.zeros((int(apart.sum()), 4))
+    pair[:, 1], pair[:, 3] = system.pair_mass[apart], system.pair_skew[apart]
+    A, B = (3 * ends[apart].astype(np.int64) for ends in (system.pair_p, system.pair_q))
+    return mass_of_pairs(A, B, pair, system.node_mass - system.lump)
+
+
+@kept()
+def continua_mass(system: System) -> Any:
+    """M (3 n, 3 n), kg, of the membranes and solids of a system that has some; constant."""
+    found = cast("Continua", system.continua)
+    pair = np.zeros((len(found.p), 4))
+    pair[:, 1] = found.mass
+    return mass_of_pairs(3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64), pair, found.lump)
+
+
+def _varying(system: System) -> dict[str, NDArray[Any]]:
+    """Active members and bars with rotary inertia: m_A, m_B, h_A, h_B, J and axial mass (kernels.structure.mass)."""
+    members = np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))
+    out = np.zeros((len(members), 6))
+    m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
+    two = system.two_rods[members]
+    # J: second moments about the ends, and rotary inertias
+    out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
+    # m_A, m_B and first moments h_A, h_B of active members
+    for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
+        out[:, k] = np.where(two, values, 0.0)
+    p, q = system.p[members].astype(np.int64), system.q[members].astype(np.int64)
+    return {"varying_A": 3 * p, "varying_B": 3 * q, "varying": out, "varying_member": members}
+
+
+def _laws(system: System) -> dict[str, NDArray[Any]]:
+    members = np.flatnonzero(system.law)
+    return {
+        "law_A": 3 * system.p[members].astype(np.int64),
+        "law_B": 3 * system.q[members].astype(np.int64),
+        "law_kind": system.law[members].astype(np.int64),
+        "law_member": members,
+        "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
+    }
+
+
+class Pins(NamedTuple):
+    """Pairs of bars with friction between them: node (k,) of the pin, first, second (k,) members, second -1 for the ground.
+
+    friction (k,) N m s.
+    """
+
+    node: NDArray[np.int64]
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    friction: NDArray[np.float64]
+
+
+@kept()
+def pins_of(system: System) -> Pins:
+    """Where friction acts about pins.
+
+    The bearings of all bars at a node turn about one pin without mass. It stands still where the node is fixed, guided or
+    driven; else it turns so that their torques are in balance. With such a pin left out, the bearings c_i and c_j of two bars
+    are worth c_i c_j/sum c between them; two bars between the same nodes turn alike.
+    """
+    held = np.any(system.prescribed.reshape(-1, 3)[:, :2], axis=1).tolist()
+    ends = np.stack([system.p, system.q], axis=1)
+    found: list[tuple[int, int, int, float]] = []
+    # bearings at each node: on the ground, or c_i c_j/sum c between each two bars
+    for node in np.unique(ends[system.friction > 0.0]).tolist():
+        member, end = np.nonzero((ends == node) & (system.friction > 0.0))
+        c = system.friction[member, end]
+        if held[node]:
+            found += [(node, m, -1, own) for m, own in zip(member.tolist(), c.tolist(), strict=True)]
+            continue
+        far = ends[member, 1 - end]
+        for i, j in combinations(range(len(c)), 2):
+            if far[i] != far[j]:
+                found.append((node, int(member[i]), int(member[j]), float(c[i] * c[j] / c.sum())))
+    node_of, first, second, friction = zip(*found, strict=True) if found else ((), (), (), ())
+    return Pins(np.array(node_of, np.int64), np.array(first, np.int64), np.array(second, np.int64), np.array(friction, float))
+
+
+def _pins(system: System) -> dict[str, NDArray[Any]]:
+    node, first, second, friction = pins_of(system)
+    A, B = (system.p[m].astype(np.int64) + system.q[m] - node for m in (first, second))
+    return {"pin_P": 3 * node, "pin_A": 3 * A, "pin_B": 3 * np.where(second < 0, node, B), "pin": friction}
+
+
+def _springs(system: System) -> dict[str, NDArray[Any]]:
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in system.spring_measure]
+    terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
+    local = [np.unique(system.term_at[span, :3], return_inverse=True)[1].reshape(-1, 3) for span in spans]
+    return {
+        "spring": np.column_stack([system.spring_law, system.measure_period[system.spring_measure]]),
+        "spring_ptr": np.cumsum([0, *map(len, spans)]).astype(np.int64),
+        "spring_kind": system.term_kind[terms],
+        "spring_at": system.term_at[terms],
+        "spring_data": system.term_data[terms],
+        "spring_local": np.concatenate([*local, np.zeros((0, 3))]).astype(np.int64),
+        "spring_table_ptr": system.spring_table_ptr,
+        "spring_table": system.spring_table,
+    }

@@ -1,0 +1,219 @@
+"""Cross-checks of the coordinates of drives, couplings and springs, and of joints by name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model.common_faults import unknown
+from kinetruss.model.drives import geared
+from kinetruss.model.joints import GROUND, SHARED
+from kinetruss.model.words import nearest
+
+if TYPE_CHECKING:
+    from kinetruss.model.data import ModelData
+    from kinetruss.model.joints import Joint
+
+
+ON_AXIS = 1e-9
+"""A node lies on an axis if its distance is below this fraction of that from the first node of the axis."""
+Path = tuple[Any, ...]
+
+
+def coupling_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of couplings; dependent conditions are found by the rank of the equations."""
+    for name, coupling in model.couplings.items():
+        path = ("couplings", name)
+        if name in model.all_drives or name in model.members:
+            yield Fault(path, f"{name!r} is also the name of a drive or a member.", "Give the coupling another name.")
+        if not model.members:
+            yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
+        yield from _sum_faults(model, coupling.terms, (*path, "terms"))
+
+
+def spring_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of springs and of the coordinates that they act on."""
+    for name, spring in model.springs.items():
+        path = ("springs", name)
+        if name in model.all_drives or name in model.members or name in model.couplings:
+            yield Fault(path, f"{name!r} is also the name of a drive, a coupling or a member.", "Give the spring another name.")
+        if not model.members:
+            yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
+        if spring.terms is not None:
+            yield from _sum_faults(model, spring.terms, (*path, "terms"))
+        elif (one := spring.coordinate) is not None:
+            yield from _term_faults(model, one, (*path, "coordinate"))
+
+
+def _sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:
+    for k, (one, factor) in enumerate(terms):
+        yield from _term_faults(model, one, (*path, k))
+        if factor == 0:
+            yield Fault((*path, k), "has the factor 0.", "Leave the term out.")
+    angles = [abs(factor) for one, factor in terms if one.kind in ("angle", "hinge")]
+    if len({one.model_dump_json() for one, _ in terms}) < len(terms):
+        yield Fault(path, "names a coordinate twice.", "Give each coordinate one factor.")
+    elif angles and 0 < min(angles) < 1e-9 * max(angles):
+        yield Fault(path, "has factors of angles that differ beyond all measure.", "Mend the factors.")
+
+
+def _term_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
+    yield from measured_faults(model, one, path)
+    if geared(one):
+        yield Fault(path, "has a gear or a motor, but only measures.", "Put them on a drive of that angle.")
+
+
+def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
+    """Faults of one coordinate, given as the drive that would move it."""
+    dim = len(next(iter(model.nodes.values())).at)
+    if one.kind == "coordinate":
+        yield from _nodes(model, (one.node,), path)
+        if dim == 2 and one.axis == "z":
+            yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
+    elif one.kind == "cosine":
+        yield from _nodes(model, (one.node,), path)
+        if one.node in model.nodes and not model.nodes[one.node].scalar:
+            mend = f"Make it one: {one.node}: {{at: [..], scalar: true}}."
+            yield Fault((*path, "node"), f"{one.node!r} is no scalar.", mend, about=(("nodes", one.node),))
+    elif one.kind == "offset":
+        yield from _offset(model, one, path, dim)
+    elif one.kind == "hinge":
+        yield from _hinge(model, one, path, dim)
+    else:
+        if one.bar not in model.members:
+            yield unknown("member", one.bar, model.members, (*path, "bar"))
+        elif one.kind == "angle":
+            yield from _angle(model, one, path, dim)
+
+
+def _nodes(model: ModelData, names: tuple[str, ...], path: Path) -> Iterator[Fault]:
+    for name in names:
+        if name not in model.nodes:
+            yield unknown("node", name, model.nodes, path)
+
+
+def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+    if dim == 2:
+        if one.axis is not None or one.reference is not None:
+            mend = "Leave out axis and reference: the angle is counted from +x counter-clockwise."
+            yield Fault(path, "gives an axis in a planar model.", mend, about=(("nodes",),))
+        return
+    if one.axis is None:
+        mend = "Give axis: x, y, z or three numbers; or take a hinge, whose axis may move."
+        yield Fault(path, "drives an angle in space without an axis.", mend, about=(("nodes",),))
+        return
+    ends = [model.nodes[name] for name in model.members[one.bar].ends if name in model.nodes]
+    if len(ends) < 2:
+        return
+    d = [b - a for a, b in zip(ends[0].at, ends[1].at, strict=True)]
+    if _across(d, one.axis) <= ON_AXIS * math.hypot(*d):
+        yield Fault(path, f"{one.bar!r} points along the axis, so it has no angle about it.", "Choose another axis or bar.")
+    if one.reference is not None and _across(one.reference, one.axis) <= ON_AXIS:
+        yield Fault((*path, "reference"), "points along the axis.", "Give a direction across it.")
+
+
+def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+    names = (*one.line, one.point)
+    yield from _nodes(model, names, path)
+    if dim == 3:
+        yield Fault(path, "is an offset from a line in space.", "Offsets are for planar models.", about=(("nodes",),))
+    elif len(set(names)) < 3:
+        yield Fault(path, "names a node twice.", "Give three different nodes.")
+    elif all(name in model.nodes for name in one.line) and _apart(model, *one.line) == 0.0:
+        yield Fault((*path, "line"), "joins two nodes that stand at one place.", "Give two nodes that are apart.")
+
+
+def _hinge(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
+    names = (*one.axis, one.start, one.end)
+    yield from _nodes(model, names, path)
+    if len(one.axis) != dim - 1:
+        wanted = "one node" if dim == 2 else "two nodes"
+        where = "in the plane" if dim == 2 else "in space"
+        mend = f"Give {wanted}."
+        yield Fault(
+            (*path, "axis"), f"names {len(one.axis)} nodes; {where} a hinge turns about {wanted}.", mend, about=(("nodes",),)
+        )
+        return
+    if len(set(names)) < len(names):
+        mend = "Give nodes that are all different."
+        yield Fault(path, "names a node twice, so one of its half-planes is none.", mend)
+        return
+    if not all(name in model.nodes for name in names):
+        return
+    first = model.nodes[one.axis[0]].at
+    axis = None if dim == 2 else [b - a for a, b in zip(first, model.nodes[one.axis[1]].at, strict=True)]
+    if axis is not None and math.hypot(*axis) == 0.0:
+        yield Fault((*path, "axis"), "has both nodes at one place.", "Give two nodes that are apart.")
+        return
+    for field in ("start", "end"):
+        name = getattr(one, field)
+        r = [b - a for a, b in zip(first, model.nodes[name].at, strict=True)]
+        off = math.hypot(*r) if axis is None else _across(r, axis)
+        if off <= ON_AXIS * max(math.hypot(*r), 1e-300):
+            mend = "Name a node of the same body that is off the axis."
+            yield Fault((*path, field), f"{name!r} stands on the axis, so it has no angle about it.", mend)
+    if all(model.fixed.get(name, "") == "xyz"[:dim] for name in names):
+        yield Fault(path, "lies between fixed nodes, so its angle cannot change.", "Name nodes that can move.")
+
+
+def _apart(model: ModelData, one: str, two: str) -> float:
+    return math.dist(model.nodes[one].at, model.nodes[two].at)
+
+
+def _across(r: Any, axis: Any) -> float:
+    """Distance of the tip of r from the line along an axis."""
+    cross = (r[1] * axis[2] - r[2] * axis[1], r[2] * axis[0] - r[0] * axis[2], r[0] * axis[1] - r[1] * axis[0])
+    return math.hypot(*cross) / math.hypot(*axis)
+
+
+# Cross-checks of joints: their names must be known, and their bodies must share the nodes.
+
+
+def joint_faults(model: ModelData) -> Iterator[Fault]:
+    """Unknown names; equal bodies; nodes that do not belong to them."""
+    for name, joint in model.joints.items():
+        path = ("joints", name)
+        yield from _bodies(model, joint, path)
+        measured = [node for hinge in joint.hinges for node in (*hinge.axis, hinge.start, hinge.end)]
+        for table, names in (
+            ("nodes", (*joint.nodes, *measured, *(joint.slide or ()))),
+            ("bars", joint.bars),
+            ("couplings", joint.couplings),
+        ):
+            known = getattr(model, table)
+            for missing in dict.fromkeys(one for one in names if one not in known):
+                yield Fault((*path, table), f"no {table[:-1]} called {missing!r}.", nearest(missing, known))
+
+
+def _bodies(model: ModelData, joint: Joint, path: tuple[Any, ...]) -> Iterator[Fault]:
+    first, second = joint.bodies
+    sets: list[set[str]] = []
+    if first == second:
+        yield Fault((*path, "bodies"), f"joins {first!r} to itself.", "Name two different bodies, or ground.")
+    for index, body in enumerate(joint.bodies):
+        if body == GROUND:
+            own = set(model.fixed)
+        elif body in model.bodies:
+            own = set(model.bodies[body].nodes)
+        else:
+            yield unknown("body", body, [*model.bodies, GROUND], (*path, "bodies", index))
+            continue
+        sets.append(own)
+        if not own & set(joint.nodes):
+            named = ", ".join(joint.nodes) or "none"
+            there = ", ".join(sorted(own)[:6]) or "none"
+            mend = f"Add the joint's nodes ({named}) to those of {body!r}, {there} (of ground: fix them)."
+            yield Fault((*path, "nodes"), f"none of them belongs to {body!r}: the bodies do not meet there.", mend)
+            return
+    need = model.dim if joint.kind == "weld" else SHARED.get(joint.kind, 0)
+    if len(sets) == 2 and need and len(both := sets[0] & sets[1] & set(joint.nodes)) < need:
+        message = f"the bodies share {_listed(both)}; {joint.kind} needs {need}, or they do not meet there."
+        mend = f"Name {need} node{'s' if need > 1 else ''} in the joint and in both bodies (of ground: fixed), "
+        mend += "or let library.joints make it."
+        yield Fault((*path, "nodes"), message, mend)
+
+
+def _listed(nodes: set[str]) -> str:
+    return f"of its nodes only {', '.join(sorted(nodes))}" if nodes else "none of its nodes"

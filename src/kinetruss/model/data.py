@@ -1,0 +1,214 @@
+"""The data of a model by name: its records, and properties derived from them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, WithJsonSchema
+
+from kinetruss.errors import shown
+from kinetruss.model.beams import Beam
+from kinetruss.model.bodies import Body
+from kinetruss.model.continua import Membrane, Solid
+from kinetruss.model.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, Spring, geared
+from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
+from kinetruss.model.gauges import Gauge, GaugeZero
+from kinetruss.model.hubs import Hub
+from kinetruss.model.joints import GROUND, Bearing, Joint
+from kinetruss.model.loads import History, Load, LoadCase
+from kinetruss.model.members import Active, Bar, Node
+from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
+from kinetruss.model.runs import BaseRotation, Condition, Run
+from kinetruss.model.sections import Material, MaterialOrName, Section, SectionOrName
+from kinetruss.model.table import Filled, ReadOnly, Table
+from kinetruss.model.trajectories import Trajectory
+
+AXES = "xyz"
+FORMAT = 1
+
+
+def _format(value: Any) -> Any:
+    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
+        raise ValueError(f"format version {shown(value)} is not known here. This release reads kinetruss: {FORMAT}.")
+    return FORMAT
+
+
+def _axes(value: str) -> str:
+    if not value or set(value) - set(AXES) or len(set(value)) != len(value):
+        raise ValueError(f"{shown(value)} is not a set of axes. Write for example xy, or xyz.")
+    return value
+
+
+Axes = Annotated[str, AfterValidator(_axes), WithJsonSchema({"type": "string", "pattern": "^[xyz]{1,3}$"})]
+Format = Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT, "description": "format version"})]
+
+
+def _grounded(value: Any) -> Any:
+    """A list names nodes that the ground holds."""
+    if isinstance(value, (list, tuple, set, frozenset)) and all(isinstance(name, str) for name in value):
+        return dict.fromkeys(value, GROUND)
+    return value
+
+
+Clamps = Annotated[Table[Name, Name], BeforeValidator(_grounded)]
+
+
+class Safety(Record):
+    """Safety factors.
+
+    yielding : allowable stress = yield strength/`yielding`.
+    buckling : allowable compression = critical load/`buckling`.
+    """
+
+    yielding: Annotated[Number, Field(ge=1)] = 1.0
+    buckling: Annotated[Number, Field(ge=1)] = 1.0
+
+
+class TitleBlock(Record):
+    """What the title block of a report says. Empty entries become lines to fill in.
+
+    project, client : for what and for whom it was made.
+    number : of the document.
+    author, checker : who made and who checked it.
+    revision, date : of the document, as text.
+    """
+
+    project: str = ""
+    client: str = ""
+    number: str = ""
+    author: str = ""
+    checker: str = ""
+    revision: str = ""
+    date: str = ""
+
+
+class ModelData(Record):
+    """The data of a model, and properties derived from them. `Model` adds the checks.
+
+    The text below a table is its description in the schema, in the model reference and in new model files.
+    """
+
+    model_config = ConfigDict(use_attribute_docstrings=True)
+
+    kinetruss: Format = FORMAT
+    """Version of the file format."""
+    title: str = ""
+    """What the model is; the heading of reports and pictures."""
+    nodes: Filled[Name, Node]
+    """Points by name: place [x, y] or [x, y, z] in the start configuration, or a record with a mass."""
+    fixed: Table[Name, Axes] = ReadOnly()
+    """Supports: a list of nodes, or node -> the axes in which it is held, e.g. xy."""
+    bars: Table[Name, Bar] = ReadOnly()
+    """Members by name: their two nodes, or a record with kind, section, mass and length. Rigid unless a kind is given."""
+    active: Table[Name, Active] = ReadOnly()
+    """Active members: a base and a tube with a lead screw, whose length a motor changes."""
+    beams: Table[Name, Beam] = ReadOnly()
+    """Members that bend and share the rotation of the nodes at which they meet."""
+    clamped: Clamps = ReadOnly()
+    """Nodes of beams whose rotation is held: a list (by the ground), or node -> body."""
+    bodies: Table[Name, Body] = ReadOnly()
+    """Rigid or straining masses on nodes: mass, centre and inertia."""
+    joints: Table[Name, Joint] = ReadOnly()
+    """Joints between bodies that `library.joints` has built from nodes and bars."""
+    hubs: Table[Name, Hub] = ReadOnly()
+    """Nodes of finite size: arms from the node to the joints of its members."""
+    bearings: Table[Name, Bearing] = ReadOnly()
+    """Pins and balls whose friction follows from the force in them."""
+    membranes: Table[Name, Membrane] = ReadOnly()
+    """Meshes of elastic triangles on nodes."""
+    solids: Table[Name, Solid] = ReadOnly()
+    """Meshes of elastic tetrahedra on nodes."""
+    section: SectionOrName | None = None
+    """Cross-section of all bars that name none: a record, or a name."""
+    material: MaterialOrName | None = None
+    """Material of all bars that name none: a record, or a name, e.g. steel_s235."""
+    sections: Table[Name, Section] = ReadOnly()
+    """Cross-sections by name, for bars to refer to."""
+    materials: Table[Name, Material] = ReadOnly()
+    """Materials by name, for bars to refer to."""
+    screws: Table[Name, LeadScrew] = ReadOnly()
+    """Lead screws by name, for active members and drive trains."""
+    gears: Table[Name, Gear] = ReadOnly()
+    """Gears by name."""
+    motors: Table[Name, Motor] = ReadOnly()
+    """Motors by name: torque constant, resistance, inertia, limits."""
+    amplifiers: Table[Name, Amplifier] = ReadOnly()
+    """Amplifiers of motors by name: largest voltage and current."""
+    gravity: GravityVector | None = None
+    """Acceleration of gravity as a vector; by default there is none."""
+    base_rotation: BaseRotation | None = None
+    """Rotation of the base, with all that stands on it."""
+    loads: Table[Name, Load] = ReadOnly()
+    """Forces, pressures and couples by name: at nodes, on bodies, constant or along time."""
+    load_cases: Table[Name, LoadCase] = ReadOnly()
+    """Loads and gravity that act together, by name; by default all loads are one case."""
+    conditions: Table[Name, Condition] = ReadOnly()
+    """States of missions by name: gravity, base motion, temperature, locked or released members."""
+    support_motion: Table[Name, History] = ReadOnly()
+    """Prescribed motion of fixed nodes."""
+    velocities: Table[Name, VelocityVector] = ReadOnly()
+    """Velocities of nodes at the start of a simulation."""
+    drives: Table[Name, Drive] = ReadOnly()
+    """What moves, besides active members: lengths, angles and coordinates that a trajectory prescribes."""
+    couplings: Table[Name, Coupling] = ReadOnly()
+    """Linear relations between drives, e.g. of gears."""
+    springs: Table[Name, Spring] = ReadOnly()
+    """Springs, dampers, friction and play on lengths and angles."""
+    poses: Table[Name, Pose] = ReadOnly()
+    """Coordinates of a platform or tip by name, for trajectories and tasks."""
+    trajectories: Table[Name, Trajectory] = ReadOnly()
+    """Motions by name, for runs to refer to."""
+    runs: Table[Name, Run] = ReadOnly()
+    """Analyses by name: what `kinetruss run` does."""
+    gauges: Table[Name, Gauge] = ReadOnly()
+    """Strain gauges on members."""
+    gauge_zero: GaugeZero | None = None
+    """State in which the gauges read zero."""
+    safety: Safety = Safety()
+    """Safety factors against yielding and buckling."""
+    report: TitleBlock | None = None
+    """Title block of reports: project, client, number, author, checker, revision, date."""
+
+    @property
+    def dim(self) -> int:
+        """2 or 3."""
+        return len(next(iter(self.nodes.values())).at)
+
+    @cached_property
+    def members(self) -> dict[str, Bar | Active]:
+        """All members by name: bars, then active members. Results keep this order."""
+        return ReadOnly({**self.bars, **self.active})
+
+    @cached_property
+    def driven_members(self) -> frozenset[str]:
+        """Members whose length is driven."""
+        own = {name for name, bar in self.bars.items() if bar.kind == "driven"} | set(self.active)
+        return frozenset(own | {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)})
+
+    @cached_property
+    def all_drives(self) -> dict[str, Drive]:
+        """Drives by name: one of each driven bar and active member (under the member's own name), then `drives`."""
+        own = [name for name, bar in self.bars.items() if bar.kind == "driven"] + list(self.active)
+        named = {drive.bar for drive in self.drives.values() if isinstance(drive, LengthDrive)}
+        return ReadOnly({name: LengthDrive(name) for name in own if name not in named} | self.drives)
+
+    @cached_property
+    def actuators(self) -> dict[str, Active | AngleDrive | HingeDrive]:
+        """Elements with a drive train: active members, then drives of angles that have a gear or a motor."""
+        return ReadOnly({**self.active, **{name: one for name, one in self.drives.items() if geared(one)}})
+
+    def section_of(self, part: Any) -> Any:
+        """The section record of a bar or part, or None."""
+        brace = isinstance(part, Bar) and part.brace
+        chosen = part.section if part.section is not None or brace else self.section
+        return self.sections[chosen] if isinstance(chosen, str) else chosen
+
+    def material_of(self, part: Any) -> Material | None:
+        """The material record of a bar or part, or None."""
+        chosen = part.material if part.material is not None else self.material
+        return self.materials[chosen] if isinstance(chosen, str) else chosen
+
+    def trajectory_of(self, run: Run) -> Any:
+        """The trajectory record of a run, or None if it follows a motion file."""
+        return self.trajectories[run.trajectory] if isinstance(run.trajectory, str) else run.trajectory

@@ -1,0 +1,279 @@
+"""Cross-checks of runs: what they name, and of simulations the start velocities, tasks, events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.errors import Fault
+from kinetruss.model.common_faults import components, other_quantity, unknown
+from kinetruss.model.drives import LengthDrive, turns
+from kinetruss.model.inputs import PositionLoop
+from kinetruss.model.members import Active
+from kinetruss.model.simulation import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
+from kinetruss.model.targets import target_faults
+from kinetruss.model.trajectories import moved_by
+from kinetruss.model.words import nearest
+
+if TYPE_CHECKING:
+    from kinetruss.model.data import ModelData
+    from kinetruss.model.runs import BaseRotation, Condition, Elastic, Run
+
+
+MOVING = (
+    "dynamics.inverse",
+    "dynamics.simulate",
+    "kinematics.follow",
+    "statics.at_poses",
+    "statics.deflection",
+    "statics.equilibrium",
+)
+"""Analyses whose motion, or poses, a mission can take."""
+
+
+def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
+    """Faults of start velocities: unknown nodes, too few or too many components."""
+    for name, vector in model.velocities.items():
+        if name not in model.nodes:
+            yield unknown("node", name, model.nodes, ("velocities", name))
+        else:
+            yield from components(vector, dim, ("velocities", name))
+
+
+def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
+    """Faults of tasks against the drives of a model. Trajectories are checked separately.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> [fault.message for fault in kt.model.task_faults(model, {"motor": kt.Hold()})]
+    ["no drive called 'motor'."]
+    """
+    for name, task in tasks.items():
+        place = (*path, name)
+        drive = model.all_drives.get(name)
+        if drive is None:
+            yield unknown("drive", name, model.all_drives, place)
+        elif isinstance(task, GivenForce):
+            if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
+                yield from _motor(model, name, drive, place)
+            elif task.turns != turns(drive) and not _scalar(model, drive):
+                yield _other_push(task, name, drive, place)
+        elif isinstance(task, MOTOR_TASKS):
+            yield from _motor(model, name, drive, place)
+            if isinstance(task, PositionLoop):
+                yield from _targets(task, name, drive, place)
+        elif isinstance(task, TRAJECTORY_TASKS):
+            yield from _alone(task, name, place)
+
+
+def _scalar(model: ModelData, drive: Any) -> bool:
+    """True for the coordinate of a scalar, which may be a length or an angle."""
+    return drive.kind == "coordinate" and drive.node in model.nodes and model.nodes[drive.node].scalar
+
+
+def _driven(drive: Any) -> str:
+    return {"angle": "an angle", "hinge": "an angle", "length": "a length"}.get(drive.kind, "a coordinate")
+
+
+def _other_push(task: GivenForce, name: str, drive: Any, place: tuple[Any, ...]) -> Fault:
+    """A force on an angle, or a torque on a length or coordinate."""
+    given, wanted, unit = ("torque", "force", "N") if task.turns else ("force", "torque", "N m")
+    many = "s" if task.table is not None else ""
+    mend = f"Give {wanted}{many} ({unit}) instead of {given}{many}"
+    mend += ", e.g. " + (f"{wanted}s: [0, 1.5] with its times." if many else f"{wanted}: 1.5.")
+    what = given + many if many else f"a {given}"
+    return Fault(place, f"has {what}, but {name!r} drives {_driven(drive)}.", mend, about=(("drives", name),))
+
+
+def _targets(loop: PositionLoop, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
+    """Targets with a unit must have the unit of the driven coordinate."""
+    kind = "angle" if turns(drive) else "length"
+    field, values = ("target", (loop.target,)) if loop.targets is None else ("targets", loop.targets)
+    for value in values:
+        given = getattr(value, "quantity", None)
+        if given not in (None, kind):
+            what, mend = ("a length", "'30 deg'") if kind == "angle" else ("an angle", "'1.2 m'")
+            yield Fault(
+                (*place, field), f"is given as {what}, but {name!r} drives {_driven(drive)}.", f"Write for example {mend}."
+            )
+            return
+
+
+def _motor(model: ModelData, name: str, drive: Any, place: tuple[Any, ...]) -> Iterator[Fault]:
+    """An input needs a motor, and a screw if it drives a length."""
+    if turns(drive):
+        if drive.motor is None:
+            mend = "Give the drive a motor (and a gear), or give its torque: kind: force, torque: 1.5."
+            yield Fault(place, f"feeds a motor, but {name!r} has none.", mend, about=(("drives", name),))
+        return
+    member = model.members.get(drive.bar) if isinstance(drive, LengthDrive) else None
+    if not isinstance(member, Active):
+        mend = "Give a force, or let an active member with screw and motor drive it."
+        yield Fault(place, f"feeds a motor, but {name!r} has none.", mend, about=(("drives", name), ("bars", name)))
+    elif member.motor is None or member.screw is None:
+        lacks = " and no ".join(word for word in ("screw", "motor") if getattr(member, word) is None)
+        about = tuple(("active", drive.bar, word) for word in ("screw", "motor"))
+        yield Fault(place, f"feeds the motor of {drive.bar!r}, which has no {lacks}.", "Give screw and motor.", about=about)
+
+
+def _alone(task: Any, name: str, place: tuple[Any, ...]) -> Iterator[Fault]:
+    moved = set(moved_by(task)[1])
+    if moved != {name}:
+        others = ", ".join(sorted(moved - {name})) or "nothing"
+        mend = f"Move {name!r} alone here; use the run's trajectory to move several."
+        yield Fault(place, f"moves {others}, not {name!r} alone.", mend)
+
+
+def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
+    """Faults of events against the members and nodes of a model.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> [fault.message for fault in kt.model.event_faults(model, {"low": kt.Event(coordinate="C.y", value=0.0)})]
+    ["no coordinate called 'C.y'."]
+    """
+    for name, event in events.items():
+        for field in ("length", "force"):
+            member = getattr(event, field)
+            if member is not None and member not in model.members:
+                yield unknown("member", member, model.members, (*path, name, field))
+        if event.coordinate is not None:
+            place = (*path, name, "coordinate")
+            node, _, axis = event.coordinate.rpartition(".")
+            axes = "xyz"[: max((len(one.at) for one in model.nodes.values()), default=3)]
+            if node not in model.nodes:
+                known = [f"{one}.{letter}" for one in model.nodes for letter in axes]
+                yield Fault(
+                    place,
+                    f"no coordinate called {event.coordinate!r}.",
+                    nearest(event.coordinate, known),
+                    about=(("nodes", node),),
+                )
+            elif axis not in axes or len(axis) != 1:
+                yield Fault(
+                    place, f"{axis!r} is no axis of node {node!r}.", f"Write {node}.x or {node}.y.", about=(("nodes",),)
+                )
+
+
+def coordinate_kinds(model: ModelData) -> dict[str, str]:
+    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
+    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
+    for pose in model.poses:
+        kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
+    return kinds
+
+
+def run_faults(model: ModelData) -> Iterator[Fault]:
+    """Unknown trajectories, load cases, drives and poses of all runs."""
+    for name, run in model.runs.items():
+        if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
+            yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))
+        for index, case in enumerate(run.load_cases or ()):
+            if case not in model.load_cases:
+                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
+        if run.targets is not None:
+            yield from target_faults(model, run.targets, ("runs", name, "targets"))
+        yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
+        yield from event_faults(model, run.events, ("runs", name, "events"))
+        if run.condition is not None and run.condition not in model.conditions:
+            yield unknown("condition", run.condition, model.conditions, ("runs", name, "condition"))
+        yield from _elastic_faults(model, run.elastic, ("runs", name, "elastic"))
+        yield from _mission_faults(model, name, run)
+        for pose, values in run.poses.items():
+            yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def _elastic_faults(model: ModelData, elastic: Elastic, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Members and drives of the options of a run of elastic members."""
+    for field in ("stiffness", "rigid"):
+        for name in getattr(elastic, field):
+            if name not in model.members:
+                yield unknown("member", name, model.members, (*path, field, name))
+    for name in elastic.drives or ():
+        if name not in model.all_drives:
+            yield unknown("drive", name, model.all_drives, (*path, "drives", name))
+
+
+def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
+    """What a mission names: runs with motions or poses, or trajectories, and conditions."""
+    for index, motion in enumerate(run.motions):
+        place = ("runs", name, "motions", index)
+        if motion not in model.runs and motion not in model.trajectories:
+            yield unknown("run or trajectory", motion, {**model.runs, **model.trajectories}, place)
+        elif motion in model.runs and model.runs[motion].analysis not in MOVING:
+            what = model.runs[motion].analysis
+            mend = "Name runs of dynamics.inverse, dynamics.simulate, statics.at_poses or statics.equilibrium."
+            yield Fault(place, f"{motion!r} is {what}, which has no motion and no poses of its own.", mend)
+        elif motion in model.runs and model.runs[motion].condition is not None:
+            mend = "Remove it there, and name it in the conditions of the mission."
+            yield Fault(place, f"{motion!r} has a condition of its own.", mend)
+    for index, condition in enumerate(run.conditions or ()):
+        if condition not in model.conditions:
+            yield unknown("condition", condition, model.conditions, ("runs", name, "conditions", index))
+
+
+def all_condition_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of all conditions of a model, and of the rotation of its base."""
+    yield from base_rotation_faults(model, model.base_rotation, ("base_rotation",))
+    for name, condition in model.conditions.items():
+        yield from condition_faults(model, condition, ("conditions", name))
+
+
+def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Unknown nodes, members and drives of a condition, and vectors with too few or too many components.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.vgt.triangular()
+    >>> [fault.message for fault in kt.model.condition_faults(model, kt.Condition(payloads={"C": 1.0}), ("laden",))]
+    ["no node called 'C'."]
+    """
+    dim = len(next(iter(model.nodes.values())).at)
+    for field in ("payloads", "forces"):
+        for node in getattr(condition, field):
+            if node not in model.nodes:
+                yield unknown("node", node, model.nodes, (*path, field, node))
+    for node, force in condition.forces.items():
+        yield from components(force, dim, (*path, "forces", node))
+    for field in ("gravity", "base_acceleration"):
+        yield from components(getattr(condition, field), dim, (*path, field))
+    yield from base_rotation_faults(model, condition.base_rotation, (*path, "base_rotation"))
+    for member in condition.temperatures:
+        if member not in model.members:
+            yield unknown("member", member, model.members, (*path, "temperatures", member))
+    for field, what, known in (
+        ("locked", "drive", model.all_drives),
+        ("released", "drive", model.all_drives),
+        ("failed", "member", model.members),
+    ):
+        for index, name in enumerate(getattr(condition, field)):
+            if name not in known:
+                yield unknown(what, name, known, (*path, field, index))
+
+
+def base_rotation_faults(model: ModelData, base: BaseRotation | None, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Faults of a rotation of the base: one component in the plane, three in space; which gravity turns."""
+    if base is None:
+        return
+    dim = len(next(iter(model.nodes.values())).at)
+    yield from components(base.center, dim, (*path, "center"))
+    wanted, place = (1, "in the plane: about z") if dim == 2 else (3, "in space")
+    for field in ("angular_velocity", "angular_acceleration"):
+        vector = getattr(base, field)
+        if vector is not None and len(vector) != wanted:
+            yield Fault((*path, field), f"has {len(vector)} components, the model has {wanted} {place}.", f"Give {wanted}.")
+    if left := [*model.beams, *(name for name, node in model.nodes.items() if node.scalar)]:
+        mend = "Leave out base_rotation, or make beams of bars."
+        yield Fault(path, f"is not taken into account by beams and scalar coordinates, and the model has {left[0]!r}.", mend)
+    if base.gravity_turns and (own := [name for name, node in model.nodes.items() if node.gravity is not None]):
+        mend = "Leave out gravity_turns, or the gravity of the node."
+        yield Fault((*path, "gravity_turns"), f"turns one gravity, but node {own[0]!r} has one of its own.", mend)
+
+
+def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Values of drives and pose coordinates: unknown ones, and lengths in place of angles."""
+    kinds = coordinate_kinds(model)
+    for name, value in values.items():
+        if name not in kinds:
+            yield unknown("drive or pose coordinate", name, kinds, (*path, name))
+        elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
+            yield other_quantity((*path, name), path[-1] if path[-1] == "at" else "poses", quantity, kinds[name])

@@ -1,0 +1,413 @@
+"""Tables of the inputs of a run: structure, supports, loads, materials, sections, drive trains, lists of nodes and members."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+
+from kinetruss.display import Markup, Table, counted, quantity
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.matrices import mass_matrix
+from kinetruss.model import Active, Model, Of, Record, Run, inner_parts
+from kinetruss.model.beam_frames import FRAME, shown_kinds
+from kinetruss.model.bracing import CHORD
+from kinetruss.report.document.columns import Columns
+from kinetruss.units import EITHER, unit_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from kinetruss.runs import RunResult
+
+
+def section_constants(model: Model) -> list[Markup]:
+    """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
+    users: dict[str, list[str]] = {}
+    sections: dict[str, Any] = {}
+    for name, member in {**model.members, **model.beams}.items():
+        rods = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
+        for label, rod in rods.items():
+            section = model.section_of(rod)
+            if section is not None:
+                users.setdefault(worded(section), []).append(label)
+                sections.setdefault(worded(section), section)
+    if not sections:
+        return []
+    every, several = list(sections.values()), sum(map(len, users.values()))
+    table = Columns().words("section", list(sections)).words("used by", [listed(users[text], several) for text in sections])
+    table.measured("A (mm²)", [1e6 * one.area for one in every], "")
+    seconds = [[1e12 * one.second_moments[k] for one in every] for k in (0, 1)]
+    moduli = [[1e9 * one.second_moments[k] / one.extreme_fibres[1 - k] for one in every] for k in (0, 1)]
+    radii = [[1e3 * math.sqrt(one.second_moments[k] / one.area) for one in every] for k in (0, 1)]
+    if all(one.round for one in every):
+        table.measured("I (mm⁴)", seconds[0], "").measured("W (mm³)", moduli[0], "").measured("r (mm)", radii[0], "")
+    else:
+        table.together(["I₂ (mm⁴)", "I₃ (mm⁴)"], seconds, "").together(["W₂ (mm³)", "W₃ (mm³)"], moduli, "")
+        table.together(["r₂ (mm)", "r₃ (mm)"], radii, "")
+    table.measured("J (mm⁴)", [None if one.torsion_constant is None else 1e12 * one.torsion_constant for one in every], "")
+    return [table.html("Constants of the sections", "Axes 2 and 3 are across the member, 3 is z in the plane.")]
+
+
+# Lists of a structure: its nodes, its members with length, section and mass, and the mass of the whole.
+
+if TYPE_CHECKING:
+    Row = dict[str, Any]
+
+
+def lists(model: Model) -> list[Markup]:
+    """The tables of nodes and of members of the model as it stands."""
+    return [*_nodes(model), *_members(model)]
+
+
+def nodes_of(model: Model) -> list[Row]:
+    """Every node that the user wrote: name, place (m), supported axes and lumped mass (kg)."""
+    inner = inner_parts(model).nodes
+    return [
+        {"node": name, "at": list(node.at), "support": _support(model, name), "mass": node.mass or 0.0}
+        for name, node in model.nodes.items()
+        if name not in inner
+    ]
+
+
+def _support(model: Model, name: str) -> str:
+    if name in model.clamped:
+        return "clamped" if model.clamped[name] == "ground" else f"clamped to {model.clamped[name]}"
+    return model.fixed.get(name, "")
+
+
+def members_of(model: Model) -> list[Row]:
+    """Every bar, active member and beam of the user, and inner bars that have a mass: name, kind, ends, length (m), section and
+    mass (kg), without masses on its nodes. A bar that stands for a planar body has the mass of the body.
+    """
+    system, inner = compile(model), inner_parts(model).bars
+    mass = system.rods[:, 0] + system.rods[:, 3] + system.body[:, 0]
+    found = []
+    for k, (name, member) in enumerate(model.members.items()):
+        if name in inner and not mass[k]:
+            continue
+        rods = (member.base, member.tube) if isinstance(member, Active) else (member,)
+        kind = "active" if isinstance(member, Active) else str(member.kind)
+        found.append(_entry(name, kind, member.ends, float(system.length0[k]), _sections(model, rods), float(mass[k])))
+    for name, beam in model.beams.items():
+        length = math.dist(*(model.nodes[end].at for end in beam.ends))
+        section, material = model.section_of(beam), model.material_of(beam)
+        own = beam.mass
+        if own is None:
+            own = 0.0 if section is None or material is None else material.density * section.area * length
+        kind = "beam" if beam.kind == "elastic" else f"{beam.kind} beam"
+        found.append(_entry(name, kind, beam.ends, length, _sections(model, (beam,)), float(own)))
+    return found
+
+
+def _entry(name: str, kind: str, ends: Sequence[str], length: float, section: str, mass: float) -> Row:
+    return {"member": name, "kind": kind, "ends": list(ends), "length": length, "section": section, "mass": mass}
+
+
+def _sections(model: Model, rods: Sequence[Any]) -> str:
+    """The sections in words, of an active member those of base and tube."""
+    return "; ".join(worded(one) for rod in rods if (one := model.section_of(rod)) is not None)
+
+
+def total_mass(model: Model) -> float:
+    """Mass of everything in a model, kg: twice its kinetic energy in a translation at 1 m/s, from its mass matrix."""
+    system = compile(model)
+    moved = np.zeros_like(system.x0)
+    moved[[not node.scalar for node in model.nodes.values()], 0] = 1.0
+    way = moved.reshape(-1)
+    return float(way @ (mass_matrix(system, system.x0) @ way))
+
+
+def _nodes(model: Model) -> list[Markup]:
+    rows = nodes_of(model)
+    table = Columns().words("node", [row["node"] for row in rows])
+    table.together(list("xyz"[: model.dim]), [[row["at"][k] for row in rows] for k in range(model.dim)], "m")
+    if any(row["support"] for row in rows):
+        table.words("support", [row["support"] for row in rows])
+    if any(row["mass"] for row in rows):
+        table.measured("mass on it", [row["mass"] or None for row in rows], "kg")
+    return [table.html("Nodes, in the position of the model")] if rows else []
+
+
+def _members(model: Model) -> list[Markup]:
+    rows = members_of(model)
+    if not rows:
+        return []
+    table = Columns().words("member", [row["member"] for row in rows]).words("kind", [row["kind"] for row in rows])
+    table.words("ends", [" – ".join(row["ends"]) for row in rows])
+    table.measured("length", [row["length"] for row in rows], "m")
+    if any(row["section"] for row in rows):
+        table.words("section", [row["section"] for row in rows])
+    table.measured("mass", [row["mass"] for row in rows], "kg")
+    own, whole = sum(row["mass"] for row in rows), total_mass(model)
+    words = f"Total of {counted(len(rows), 'member')}: {quantity(own, 'kg')}."
+    others = [
+        *(["masses on nodes"] if any(node.mass for node in model.nodes.values()) else []),
+        *(["bodies"] if model.bodies else []),
+        *(["membranes and solids"] if model.membranes or model.solids else []),
+    ]
+    if others:
+        words += f" With {', '.join(others)}, everything in the model: {quantity(whole, 'kg')}."
+    return [table.html("Members, in the position of the model", words)]
+
+
+# Tables of the inputs: run, structure, supports and loads, materials, sections and drive trains.
+
+NAMES = 8
+"""Largest number of values of a table in a record that are shown; the page includes the whole model."""
+DIGITS = 6
+"""Significant digits of the model's numbers."""
+WORDS = {
+    "poisson": "Poisson's ratio",
+    "emf_constant": "back-emf constant",
+    "rtol": "relative tolerance",
+    "atol": "absolute tolerance",
+    "max_steps": "at most this many steps:",
+    "max_voltage": "highest voltage",
+    "max_current": "highest current",
+    "max_speed": "highest speed",
+    "max_torque": "largest torque",
+    "flank": "half-angle of the thread",
+    "source": "source:",
+    "taylor": "Taylor series",
+}
+"""Names of fields and kinds that are not words."""
+UNITLESS = {"thermal_expansion": "1/K"}
+"""Units that fields do not carry."""
+ANALYSES = {
+    "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
+    "kinematics.follow": "kinematics: a given motion, without forces",
+    "statics.linear": "statics: small displacements of an elastic structure, and its forces",
+    "statics.equilibrium": "statics: the equilibrium with large displacements, its forces and its stability",
+    "statics.at_poses": "statics: the forces of poses at rest",
+    "statics.deflection": "inverse dynamics, and the small displacements of elastic members along the motion",
+    "flexible.corrected": "inverse dynamics, and the drive lengths with which the loaded elastic structure has the rigid pose",
+    "flexible.frequencies": "inverse dynamics, and the natural frequencies of the elastic structure along the motion",
+    "flexible.vibration": "inverse dynamics, and the vibration of elastic members that the motion excites",
+    "mission": "a mission: all motions under all conditions and load cases, and their envelope",
+    "dynamics.simulate": "forward dynamics: the motion caused by weight, loads, springs and motors, and its forces",
+}
+
+
+def inputs(run: RunResult, name: str = "") -> list[Markup]:
+    """The tables that are not empty. name : of the run, if it has another one for readers."""
+    model = run.model
+    found = [
+        Table(("", ""), _run_rows(run, name or run.name), "What was computed").html,
+        Table(("", ""), _structure_rows(model), "The structure").html,
+    ]
+    lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
+        ("Materials and sections", "used by", _parts(model)),
+        ("Drive trains", "used by", _trains(model)),
+        ("Springs on coordinates (SI)", "name", _named(model.springs)),
+        ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
+        ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
+    )
+    for caption, head, rows in lists:
+        if shown := list(rows):
+            found.append(Table((head, "what"), shown, caption).html)
+    return found
+
+
+def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:
+    definition = run.definition
+    yield "run", name
+    yield "analysis", f"{ANALYSES[definition.analysis]} (in the model file: {definition.analysis})"
+    if definition.motion is not None:
+        yield "motion", f"node histories from the file {definition.motion.replace(chr(92), '/').rpartition('/')[2]}"
+    elif definition.targets is not None:
+        yield "task (m, rad, s)", worded(definition.targets)
+    elif definition.trajectory is not None:
+        yield "trajectory (m, rad, s)", worded(definition.trajectory)
+    if definition.condition is not None:
+        yield "condition", f"{definition.condition}: {worded(run.origin.conditions[definition.condition])}"
+    if definition.t_end is not None:
+        yield "simulated time", quantity(definition.t_end, "s")
+        yield "method", _method(run, definition)
+    yield "samples", f"{run.samples} requested, {run.good} good"
+    if run.forces:
+        yield "load cases", ", ".join("all loads" if case == "all" else case for case in run.forces)
+        yield "stations along members", str(definition.stations)
+    for path, value in run.settings.items():
+        yield f"set: {path}", str(value)
+
+
+def _method(run: RunResult, definition: Run) -> str:
+    """The method used, with all its options, or its name if the run was stored without them."""
+    taken = {} if run.simulation is None else run.simulation.data.attrs
+    if "method_options" in taken:
+        definition = definition.with_(method=json.loads(taken["method_options"]))
+    if definition.method is not None:
+        return worded(definition.method, whole=True)
+    return str(taken.get("method") or "chosen for the motion")
+
+
+def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
+    chords = {f"{name}{CHORD}" for name in model.beams}
+    kinds = [kind for name, kind in shown_kinds(model).items() if name in model.bars and kind != FRAME and name not in chords]
+    counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
+    nodes = [name for name, node in model.nodes.items() if not node.director]
+    yield "nodes", f"{len(nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
+    if kinds or not model.beams:
+        yield "bars", f"{len(kinds)}" + (f" ({counts})" if kinds else "")
+    if model.beams:
+        yield "beams", f"{len(model.beams)}: {listed(_ended(model))}"
+    for what, records in (("membranes", model.membranes), ("solids", model.solids)):
+        if records:
+            yield what, f"{len(records)}: {listed(records)}"
+    if model.active:
+        yield "active members", f"{len(model.active)}: {listed(model.active)}"
+    if model.bodies:
+        yield "bodies", f"{len(model.bodies)}: {listed(model.bodies)}"
+    yield "drives", listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
+    held = [f"{name} ({axes})" for name, axes in model.fixed.items() if name in nodes and name not in model.clamped]
+    yield "supports", listed([*held, *(f"{name} (clamped{_to(one)})" for name, one in model.clamped.items())]) or "none"
+    masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
+    if masses:
+        yield "lumped masses", listed(masses)
+    yield "gravity", _vector(model.gravity, "m/s²") if model.gravity else "none"
+    if model.base_rotation is not None:
+        yield "rotation of the base", worded(model.base_rotation)
+    if model.support_motion:
+        yield "moving supports", listed(model.support_motion)
+    yield "safety factors", f"{model.safety.yielding:g} on yielding, {model.safety.buckling:g} on buckling"
+
+
+def _ended(model: Model) -> Iterator[str]:
+    """Beams with what is not plain of them: their kind, ends that turn."""
+    for name, beam in model.beams.items():
+        words = [*(["rigid"] if beam.kind == "rigid" else []), *(f"pinned at {end}" for end in beam.release)]
+        words += [f"hinged at {end}" for end in beam.hinges]
+        yield f"{name} ({', '.join(words)})" if words else name
+
+
+def _to(clamp: str) -> str:
+    """What a node is clamped to, unless that is the ground."""
+    return "" if clamp == "ground" else f" to {clamp}"
+
+
+def _parts(model: Model) -> Iterator[tuple[str, str]]:
+    """Materials and sections with the parts that use them."""
+    users: dict[str, list[str]] = {}
+    kinds = shown_kinds(model)
+    given = {name: one for name, one in model.members.items() if kinds[name] != FRAME and not name.endswith(CHORD)}
+    for name, member in (given | dict(model.beams)).items():
+        parts = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
+        for label, part in parts.items():
+            for record in (model.material_of(part), model.section_of(part)):
+                if record is not None:
+                    users.setdefault(worded(record), []).append(label)
+    for name, skin in (model.membranes | model.solids).items():
+        material = model.material_of(skin)
+        if material is not None:
+            users.setdefault(worded(material), []).append(name)
+    several = len({name for names in users.values() for name in names})
+    for text, names in users.items():
+        yield listed(names, several), text
+
+
+def _trains(model: Model) -> Iterator[tuple[str, str]]:
+    """Screws, gears, motors, amplifiers with the members and drives that use them."""
+    users: dict[str, list[str]] = {}
+    homes: dict[str, Mapping[str, Any]] = {
+        "screw": model.screws,
+        "gear": model.gears,
+        "motor": model.motors,
+        "amplifier": model.amplifiers,
+    }
+    for kind, home in homes.items():
+        for name, member in model.actuators.items():
+            given = getattr(member, kind, None)
+            record = home[given] if isinstance(given, str) else given
+            if record is not None:
+                users.setdefault(f"{kind}: {worded(record)}", []).append(name)
+    for text, names in users.items():
+        yield listed(names), text
+
+
+def _named(records: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, str]]:
+    for name, record in records.items():
+        yield f"{before}{name}", worded(record) or "gravity only"
+
+
+def worded(record: Any, whole: bool = False) -> str:
+    """A record as text: its fields without defaults (with `whole`, all fields), with units.
+
+    >>> import kinetruss as kt
+    >>> worded(kt.Tube(outer=0.019, inner=0.016))
+    'tube, outer 19 mm, inner 16 mm'
+    """
+    parts = [_spaced(str(record.kind))] if "kind" in type(record).model_fields else []
+    for name, field in type(record).model_fields.items():
+        value = getattr(record, name)
+        if name != "kind" and (whole or field.is_required() or value != field.get_default()) and value is not None:
+            unit = _unit(field.metadata, field.annotation) or UNITLESS.get(name, "")
+            parts.append(f"{_spaced(name)} {_valued(value, unit)}".strip())
+    return ", ".join(parts)
+
+
+def _spaced(name: str) -> str:
+    return WORDS.get(name) or name.replace("_", " ")
+
+
+def _unit(metadata: Iterable[Any], annotation: Any) -> str:
+    """The unit of a field, or of the numbers in it."""
+    for rule in metadata:
+        if isinstance(rule, Of):
+            # what a trajectory moves or a spring holds may be a length or an angle
+            return "" if rule.quantity in EITHER else unit_of(rule.quantity)
+    return next((found for one in get_args(annotation) if (found := _unit(getattr(one, "__metadata__", ()), one))), "")
+
+
+def _valued(value: Any, unit: str) -> str:
+    if isinstance(value, Record):
+        return f"({worded(value)})"
+    if isinstance(value, Mapping):
+        return "; ".join(f"{key}: {_valued(one, unit)}" for key, one in value.items()) or "none"
+    if isinstance(value, (list, tuple)):
+        if len(value) > NAMES:
+            return f"a table of {len(value)}"
+        return f"[{', '.join(_valued(one, '') for one in value)}] {_marked(unit)}".rstrip()
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return _numbered(value, unit) if isinstance(value, float) else str(value)
+
+
+def _numbered(value: float, unit: str) -> str:
+    """A number of the model; the model file at the end of the report has all digits."""
+    if unit == "m/rad":
+        return quantity(1e3 * value, "mm/rad", DIGITS)
+    return quantity(value, unit, DIGITS)
+
+
+def _marked(unit: str) -> str:
+    return unit.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
+
+
+def _vector(values: Iterable[float], unit: str) -> str:
+    return f"({', '.join(f'{value:g}' for value in values)}) {unit}"
+
+
+def listed(names: Iterable[str], every: int = 0) -> str:
+    """All names; that they are all, if they are `every` one of many: another table names each."""
+    shown = list(names)
+    return f"all {every} parts" if every == len(shown) > NAMES else ", ".join(shown)
+
+
+def sources(model: Model) -> list[str]:
+    """Sources of the model's numbers, as given in their records, without duplicates."""
+    return list(dict.fromkeys(_sources(model.model_dump())))
+
+
+def _sources(value: Any) -> Iterator[str]:
+    if isinstance(value, Mapping):
+        if isinstance(value.get("source"), str) and value["source"]:
+            yield value["source"]
+        for one in value.values():
+            yield from _sources(one)
+    elif isinstance(value, (list, tuple)):
+        for one in value[:1000]:
+            yield from _sources(one)

@@ -1,0 +1,184 @@
+"""The report of a mission: its envelope, the governing pair with its figure, and worked calculations."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.display import Markup, Table, counted, element
+from kinetruss.report.document.checks import methods, recompute
+from kinetruss.report.document.data import document_record, model_text, plain
+from kinetruss.report.document.figure import loaded_figure
+from kinetruss.report.document.frame import Part, framed, summary_parts
+from kinetruss.report.document.inputs import inputs, lists, section_constants, worded
+from kinetruss.report.document.result import assumptions, checked_words, governing_entry, result_lines
+from kinetruss.report.document.run_pictures import diagrams_of
+from kinetruss.report.document.worked import Pairs, shown, worked_pairs, worked_record
+from kinetruss.report.mission_tables import TRAIN_UNITS, envelopes, mission_record
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from kinetruss.report.document.sheets import Sheet
+    from kinetruss.report.document.title_block import Front
+    from kinetruss.runs import MissionRun, RunResult
+
+
+def mission_html(run: MissionRun, front: Front) -> str:
+    """The report as HTML with its record; the view of the front is that of the governing pair."""
+    record = mission_record(run)
+    entries = lined(run, record)
+    title = run.model.title or f"Mission {run.name}"
+    pairs = Pairs(run)
+    pair = _governing(pairs, entries)
+    sheets = worked_pairs(pairs, entries)
+    record |= {
+        "out": None if run.path is None else run.path.resolve().name,
+        "worked": worked_record(sheets),
+        "result": list(result_lines(entries)),
+    }
+    mark = "" if run.whole else " (not complete)"
+    version = f"kinetruss {run.provenance.get('kinetruss', '')}".strip()
+    return framed(
+        title,
+        front,
+        result_lines(entries),
+        _short(run, pair, sheets, entries) if front.summary else list(_parts(run, pair, sheets, entries, front.view)),
+        kicker="Report of a mission",
+        quiet=" · ".join(
+            word for word in (f"Mission {run.name}", counted(run.good, "pair"), version, front.block.date) if word
+        ),
+        record=plain(record),
+        foot=f"{title}, mission {run.name}{mark.upper()}",
+        mark=mark,
+    )
+
+
+def mission_lines(run: MissionRun) -> tuple[str, str, str]:
+    """The result of a mission in three lines."""
+    return result_lines(lined(run, mission_record(run)))
+
+
+def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
+    """What the lines of a result need: entries of members and drives, as in the record of a run."""
+    trains = [
+        {
+            "part": one["active"],
+            "rule": one["quantity"],
+            "unit": TRAIN_UNITS[one["quantity"]],
+            "value": one["value"],
+            "limit": one["limit"],
+            "utilisation": one["utilisation"],
+            "time": one["time_of"],
+            "load_case": one["label"],
+            "pair": one["pair"],
+        }
+        for one in record["trains"]
+    ]
+    return {
+        "whole": record["whole"],
+        "samples": {"good": record["pairs_done"], "asked": record["pairs_asked"], "what": "pairs"},
+        "strength": record["envelope"],
+        "limits": trains,
+        "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
+        "checks": {"not_held": [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))},
+        "units": _units(run.extremes, "quantity"),
+        "largest_forces": [],
+        "drive_loads": [],
+    }
+
+
+def _units(data: xr.Dataset, axis: str) -> dict[str, str]:
+    """Units by the names along an axis."""
+    return dict(zip(map(str, data[axis].values), map(str, data["unit"].values), strict=True)) if axis in data else {}
+
+
+def _governing(pairs: Pairs, entries: dict[str, Any]) -> RunResult | None:
+    """The pair of the governing entry as a run; None if it cannot be done again."""
+    worst = governing_entry(entries)
+    return pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
+
+
+def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Part]:
+    """The sections of a summary: the figure is that of the governing pair."""
+    figure = [] if pair is None else loaded_figure(pair, document_record(pair, []), small=True)
+    assumed = [] if pair is None else assumptions(pair, entries, condition=False)
+    words = f"The governing pair of a motion, a condition and a load case: {_label(run, entries)}"
+    return summary_parts(list(_state(run)), figure, sheets, assumed, words)
+
+
+def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any], view: str) -> Iterator[Part]:
+    yield Part("result", "Result", "", list(_state(run)))
+    if pair is not None:
+        found = assumptions(pair, entries, condition=False)
+        yield Part("assumed", "Assumptions, and what was not checked", "What the results rest on", found)
+        frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
+        seen = [element("div", frame, class_="screen")] if view else []
+        words = f"Motion, condition and load case: {_label(run, entries)}"
+        own = document_record(pair, [])
+        yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, own), *diagrams_of(pair, own)])
+    calculations = "The governing entry of each check over all pairs, with the numbers of its pair at its instant"
+    yield Part("worked", "Worked calculations", calculations, shown(sheets))
+    noted = findings(run)
+    record = mission_record(run)
+    pairs = [one | {"finding": noted.get(one["label"], "")} for one in record["pairs"]]
+    yield from envelopes(entries, record | {"pairs": pairs})
+    if pair is not None:
+        name = f"mission {run.name}, pair {_label(run, entries)}"
+        basis = [*inputs(pair, name), *_conditions(run), *lists(pair.model), *section_constants(pair.model)]
+        yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
+        yield Part("method", "Method and sources", "", _methods(pair))
+    yield Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))
+
+
+def _conditions(run: MissionRun) -> list[Markup]:
+    """The conditions of the mission."""
+    named = run.definition.conditions or ()
+    rows = [
+        (name, worded(run.model.conditions[name]) or "the model as it is") for name in named if name in run.model.conditions
+    ]
+    return [Table(("condition", "what changes"), rows, "Conditions of the mission").html] if rows else []
+
+
+def _label(run: MissionRun, entries: dict[str, Any]) -> str:
+    worst = governing_entry(entries)
+    return str(run.pairs["label"].values[0]) if worst is None else str(worst["load_case"])
+
+
+def _state(run: MissionRun) -> Iterator[Markup]:
+    count = f"{run.good} of {run.samples} pairs of a motion, a condition and a load case are done."
+    yield element("p", " ".join(word for word in (count, run.message) if word))
+    found: dict[str, list[str]] = {}
+    for label, words in findings(run).items():
+        found.setdefault(words, []).append(label)
+    if found:
+        entries = [
+            f"{'all pairs' if len(labels) == run.good > 1 else '; '.join(labels)}: {words}" for words, labels in found.items()
+        ]
+        items = [element("li", one) for one in entries]
+        yield element("div", element("h3", "Findings"), element("ul", items), class_="warnings")
+
+
+def findings(run: MissionRun) -> dict[str, str]:
+    """Findings by pair, without what the motion alone did not check of motors, since the mission does."""
+    entries = {label: checked_words(words, run.trains is not None) for label, words in run.findings.items()}
+    return {label: words for label, words in entries.items() if words}
+
+
+def _methods(pair: RunResult) -> list[Markup]:
+    return [
+        element("p", element("b", f"{name}. "), words, element("cite", f" {source}.") if source else None)
+        for name, words, source in methods(pair)
+    ]
+
+
+def _provenance(run: MissionRun) -> dict[str, Any]:
+    """What the section on repeating takes from a record."""
+    text = model_text(run)
+    return {
+        "provenance": dict(run.provenance),
+        "out": None if run.path is None else run.path.resolve().name,
+        "model": text,
+        "model_sha256": hashlib.sha256(text.encode()).hexdigest(),
+    }

@@ -1,1 +1,0 @@
-"""The parts of a report, each from the results of a run."""

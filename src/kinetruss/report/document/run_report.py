@@ -1,0 +1,223 @@
+"""The report of a run as one self-contained page, and its result in three lines."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.display import Markup, element
+from kinetruss.model import TitleBlock
+from kinetruss.report.document import demands, sections as parts
+from kinetruss.report.document.checks import recompute
+from kinetruss.report.document.data import document_record, plain
+from kinetruss.report.document.figure import deflected_figure, loaded_figure
+from kinetruss.report.document.frame import Part, framed, summary_parts
+from kinetruss.report.document.inputs import inputs, lists, section_constants
+from kinetruss.report.document.mission_report import mission_html, mission_lines
+from kinetruss.report.document.result import UNCHECKED, assumptions, not_whole, result_lines, span_of, tiles, warned
+from kinetruss.report.document.run_pictures import diagrams_of, picture
+from kinetruss.report.document.title_block import front_of
+from kinetruss.report.document.worked import shown, worked, worked_record
+from kinetruss.report.member_diagrams import diagrams_record, governing_diagrams
+from kinetruss.report.mission_tables import mission_record
+from kinetruss.report.page import Page
+from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.pictures.specs import Histories
+from kinetruss.runs import MissionRun
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from kinetruss.report.document.sheets import Sheet
+    from kinetruss.report.document.title_block import Front
+    from kinetruss.report.pictures.specs import Figure
+    from kinetruss.runs import RunResult
+
+
+def lines(run: RunResult) -> tuple[str, str, str]:
+    r"""Three lines: the governing member or drive with its demand and limit; limits exceeded; what strength was checked.
+
+    They are the first lines of a report (`document_page`). Of a mission they are those of all its pairs.
+
+    >>> import kinetruss as kt
+    >>> bar = kt.Bar(ends=("A", "B"), section=kt.Rod(diameter=0.01), material="steel_s235")
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed={"A": "xy", "B": "y"}, bars={"bar": bar},
+    ...                  loads={"P": kt.NodalForce(node="B", force=(1e3, 0))}, runs={"pull": kt.Run(analysis="statics.linear")})
+    >>> print("\n".join(kt.report.lines(kt.run(model, "pull"))))
+    Governing: yield of bar, 5.42 % of what is allowed: 12.73 MPa of 235 MPa (all loads).
+    None of the 3 limits that were checked is exceeded.
+    Strength checked by every rule: 1 part.
+    """
+    return mission_lines(run) if isinstance(run, MissionRun) else result_lines(document_record(run, []))
+
+
+# The report of a run as one self-contained page.
+
+SHOWN = "The structure with its supports and loads"
+
+
+def document_page(
+    run: RunResult,
+    view: str = "",
+    date: str = "",
+    block: TitleBlock | None = None,
+    paper: str = "a4",
+    *,
+    logo: str | Path | None = None,
+    summary: bool = False,
+) -> Page:
+    """The report of a run as HTML, and the numbers of all its tables as plain data.
+
+    Parameters
+    ----------
+    view : a page that shows the run in three dimensions (`viewer.page`), included in the report; on paper a still picture
+    replaces it.
+    date : date of the report, as text; none by default, so that the same run gives the same text.
+    block : the title block; its empty entries are those of the model's `report`. paper : ``a4`` or ``letter``.
+    logo : a PNG or SVG file, which the page carries. summary : only title block, result, figure, governing calculation and
+    assumptions, one or two sheets.
+
+    Raises
+    ------
+    InputError : unknown paper; a logo that is damaged, or that refers to other files.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+    >>> page = kt.report.document_page(kt.run(model))
+    >>> "Four-bar linkage" in page.html, page.record["title"]
+    (True, 'Four-bar linkage')
+    """
+    front = front_of(block, run.model.report, date, view=view, paper=paper, logo=logo, summary=summary)
+    if isinstance(run, MissionRun):
+        return Page(found=run, as_record=mission_record, as_html=partial(mission_html, front=front))
+    return Page(found=run, as_record=run_record, as_html=partial(_html, front=front))
+
+
+def run_record(run: RunResult, sheets: list[Sheet] | None = None) -> dict[str, Any]:
+    """All numbers of the report of a run. sheets : its worked calculations."""
+    record = document_record(run, worked_record(worked(run) if sheets is None else sheets))
+    members, beams = governing_diagrams(run, record)
+    extremes: dict[str, Any] = plain({"diagrams": diagrams_record([*members, *beams])})
+    return record | extremes
+
+
+def _html(run: RunResult, front: Front) -> str:
+    """The report of a run as HTML text, with all data that a reviewer needs to repeat the computation.
+
+    Notes
+    -----
+    The page also has the numbers of all tables as JSON, at full precision: element ``kinetruss-report``.
+    """
+    sheets = worked(run)
+    record = run_record(run, sheets)
+    title = run.model.title or f"Run {run.name}"
+    mark = "" if run.whole else " (not complete)"
+    version = f"kinetruss {run.provenance.get('kinetruss', '')}".strip()
+    words = (f"Run {run.name}", span_of(record), version, front.block.date)
+    parts = short_parts(run, record, sheets) if front.summary else run_parts(run, record, sheets, front.view)
+    return framed(
+        title,
+        front,
+        result_lines(record),
+        parts,
+        kicker="Report of a structural analysis",
+        quiet=" · ".join(word for word in words if word),
+        above=not_whole(run),
+        record=record,
+        foot=f"{title}, run {run.name}{mark.upper()}",
+        mark=mark,
+    )
+
+
+def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> list[Part]:
+    """The sections of a summary: result, figure, the governing calculation, assumptions."""
+    # what was not checked is in the result and in the assumptions
+    graver = [one for one in record["warnings"] if not one.startswith(UNCHECKED)]
+    result = [tiles(record), *warned(record | {"warnings": graver})]
+    return summary_parts(result, loaded_figure(run, record, small=True), sheets, assumptions(run, record))
+
+
+def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
+    """The sections of the report of a run, in their order."""
+    drawn = _Drawn(run)
+    changes = drawn.of("lengths") if _changes(run) else ()
+    stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
+    deflected = deflected_figure(run, record)
+    calculations = "Each governing check, with the numbers of the run at that instant"
+    return [
+        Part("result", "Result", "", [tiles(record), *warned(record)]),
+        Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumptions(run, record)),
+        Part(
+            "structure",
+            "Structure and loads",
+            "The structure with its supports and loads, and its shape along the run" if run.good > 1 else SHOWN,
+            _shown(run, record, view, drawn),
+        ),
+        Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
+        Part("worked", "Worked calculations", calculations, shown(sheets)),
+        Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
+        Part("strength", "Strength", stressed, [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)]),
+        Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
+        Part(
+            "forces",
+            "Member forces",
+            "Axial forces and supports",
+            [*parts.forces(record), *drawn.of("forces"), *drawn.of("drives")],
+        ),
+        Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
+        Part(
+            "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]
+        ),
+        Part(
+            "statics",
+            "Displacements and stability",
+            "The static analysis",
+            [*parts.standing(run), *deflected],
+        ),
+        Part("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
+        Part("checks", "Checks", "Checks that need no other program", parts.checked(run, record)),
+        Part("method", "Method and sources", "", parts.method(run)),
+        Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, record)),
+    ]
+
+
+def basis(run: RunResult) -> list[Markup]:
+    """The tables of inputs, with the nodes, the members and the constants of sections."""
+    return [*inputs(run), *lists(run.model), *section_constants(run.model)]
+
+
+def _changes(run: RunResult) -> bool:
+    """True if lengths are driven or can change; lengths of rigid bars need no figure."""
+    return bool(run.model.all_drives) or any(bar.kind != "rigid" for bar in run.model.bars.values())
+
+
+def _shown(run: RunResult, record: dict[str, Any], view: str, drawn: _Drawn) -> list[Markup]:
+    """The view on a screen; the figure with loads, and the shape at several instants."""
+    moved = drawn.of("shape") if run.good > 1 and _moves(run) else []
+    figures = [*loaded_figure(run, record), *moved]
+    if not view:
+        return figures
+    frame = element("iframe", title="the run in three dimensions", sandbox="allow-scripts", srcdoc=view, loading="lazy")
+    words = "Click into the picture, then press ? for its keys: play, colours, picking members, diagrams along them."
+    return [element("div", frame, element("p", words, class_="note"), class_="screen"), *figures]
+
+
+def _moves(run: RunResult) -> bool:
+    """True if the structure moves by more than round-off."""
+    position = run.motion.data["position"].values
+    size = float((position[0].max(axis=0) - position[0].min(axis=0)).max())
+    return float(abs(position - position[0]).max()) > 1e-3 * size
+
+
+class _Drawn:
+    """Figures of a run by the beginning of their names, each numbered once; curves over time only of runs over time."""
+
+    def __init__(self, run: RunResult) -> None:
+        self._figures: list[tuple[int, Figure]] = list(enumerate(specifications(run)))
+        self._timed = run.good > 1 and "pose" not in run.motion.data.coords
+
+    def of(self, name: str) -> list[Markup]:
+        named = [(k, one) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]
+        return [picture(one, k, one.title) for k, one in named if self._timed or not isinstance(one, Histories)]

@@ -1,0 +1,212 @@
+"""The report of a sizing: tubes and drives that were chosen, and the sized structure under its governing run."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ValidationError
+
+from kinetruss import runs
+from kinetruss.display import Markup, element, instant, quantity
+from kinetruss.errors import InputError
+from kinetruss.model import Model, TitleBlock
+from kinetruss.report.document.columns import Columns
+from kinetruss.report.document.data import document_record, plain
+from kinetruss.report.document.demands import cased, value_of
+from kinetruss.report.document.frame import Part, framed
+from kinetruss.report.document.result import governing_entry, result_lines
+from kinetruss.report.document.run_report import run_parts, run_record, short_parts
+from kinetruss.report.document.title_block import front_of
+from kinetruss.report.document.worked import worked
+from kinetruss.report.page import Page
+
+if TYPE_CHECKING:
+    from kinetruss.report.document.sheets import Sheet
+    from kinetruss.report.document.title_block import Front
+    from kinetruss.runs import RunResult
+
+
+SCHEMA = "kinetruss.size/1"
+Record = Mapping[str, Any]
+
+
+def read_sizing(file: str | Path) -> dict[str, Any]:
+    """The record of a sizing from a file that ``kinetruss size MODEL MISSION --json`` has written.
+
+    Raises
+    ------
+    InputError : the file cannot be read, or holds something else.
+
+    Examples
+    --------
+    >>> import json
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> sizing = kt.design.size(kt.read(model), mission)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "sizing.json")
+    ...     _ = file.write_text(json.dumps({"schema": "kinetruss.size/1", **kt.design.record(sizing)}))
+    ...     kt.report.read_sizing(file)["groups"][0]["name"]
+    'lower_longerons'
+    """
+    path = Path(file)
+    if path.suffix in (".yaml", ".yml"):
+        out = f"runs/{path.stem}"
+        raise InputError(f"{path} is a model, not a run. Run it first: kinetruss run {path} -o {out}; kinetruss report {out}")
+    try:
+        found = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path} cannot be read as JSON ({error}). {_MEND}") from None
+    if not isinstance(found, dict) or found.get("schema") != SCHEMA or "model" not in found:
+        raise InputError(f"{path} holds no sizing. {_MEND}")
+    return found
+
+
+_MEND = "Write one: kinetruss size MODEL MISSION --json > sizing.json"
+
+
+def sizing_page(
+    record: Record,
+    view: str = "",
+    date: str = "",
+    block: TitleBlock | None = None,
+    paper: str = "a4",
+    *,
+    logo: str | Path | None = None,
+    summary: bool = False,
+) -> Page:
+    """The report of a sizing. Its governing run is computed again from the sized model.
+
+    Parameters
+    ----------
+    record : from `design.record` or `read_sizing`. The others : as of `document_page`.
+
+    Raises
+    ------
+    InputError : unknown paper; a logo that cannot be used; the model of the record cannot be read, or it has no runs.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
+    >>> record = kt.design.record(kt.design.size(kt.read(model), mission))
+    >>> page = kt.report.sizing_page(record)
+    >>> [row["name"] for row in page.record["sizing"]["groups"]]
+    ['lower_longerons', 'upper_longerons', 'battens', 'actuators']
+    """
+    own = _model(record).report
+    front = front_of(block, own, date, view=view, paper=paper, logo=logo, summary=summary)
+    run = governing_run(record)
+    return Page(found=run, as_record=partial(_record, sizing=record), as_html=partial(_html, sizing=record, front=front))
+
+
+def governing_run(record: Record) -> RunResult:
+    """The run of a sized model in which a member or a drive is used most; computed again."""
+    model = _model(record)
+    found = [runs.run(model, name) for name in record["runs"] or model.runs]
+    if not found:
+        raise InputError("The sized model has no runs. Give it one, and size it again.")
+    return max(found, key=lambda run: _most(document_record(run, [])))
+
+
+def _model(record: Record) -> Model:
+    try:
+        return Model.model_validate_json(record["model"])
+    except ValidationError as error:
+        raise InputError(f"The model of the sizing cannot be read ({error.error_count()} faults). {_MEND}") from None
+
+
+def _most(record: Record) -> float:
+    worst = governing_entry(record)
+    return -1.0 if worst is None else value_of(worst["utilisation"])
+
+
+def _record(run: RunResult, sizing: Record, sheets: list[Sheet] | None = None) -> dict[str, Any]:
+    return run_record(run, sheets) | {"sizing": {key: one for key, one in sizing.items() if key != "model"}}
+
+
+def _html(run: RunResult, sizing: Record, front: Front) -> str:
+    sheets = worked(run)
+    record = _record(run, sizing, sheets)
+    title = run.model.title or sizing["title"] or "Sized structure"
+    found = short_parts(run, record, sheets) if front.summary else run_parts(run, record, sheets, front.view)
+    first, rest = found[0], found[1:]
+    tubes, drives = list(_groups(sizing["groups"])), list(_drives(sizing))
+    if front.summary:  # what was chosen, without why nothing smaller is sufficient
+        tubes, drives = tubes[:1], drives[:1]
+    state = [] if front.summary else first.content
+    parts = [
+        Part(first.key, first.name, first.words, [_masses(sizing), *state]),
+        Part("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", tubes),
+        Part("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", drives),
+        *rest,
+    ]
+    return framed(
+        title,
+        front,
+        result_lines(record),
+        parts,
+        kicker="Report of a sizing",
+        quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", front.block.date) if word),
+        record=plain(record),
+        foot=f"{title}, sizing",
+    )
+
+
+NAMES = "Names of tubes are those of their catalogue; the constants of the sections, below, have their sizes in mm."
+
+
+def _masses(sizing: Record) -> Markup:
+    before, after, saved = (quantity(sizing[key], "kg") for key in ("mass_before", "mass_after", "mass_saved"))
+    words = f"Mass of all members: {before} before, {after} after sizing; saved {saved}. {' '.join(sizing['notes'])}"
+    return element("p", words.strip())
+
+
+def _groups(rows: Sequence[Record]) -> Iterator[Markup]:
+    if not rows:
+        return
+    table = Columns().words("group", [row["name"] for row in rows]).words("members", [len(row["members"]) for row in rows])
+    table.words("tube before", [row["tube_before"] or "-" for row in rows]).words("tube", [row["tube"] for row in rows])
+    table.together(["mass before", "mass"], [[row[key] for row in rows] for key in ("mass_before", "mass")], "kg")
+    used = [[_percent(row[key]) for row in rows] for key in ("utilisation_before", "utilisation")]
+    table.together(["used before (%)", "used (%)"], used, "")
+    table.words(
+        "governed by", [f"{row['part']} {row['rule']} at {instant(row['time'])} ({cased(row['load_case'])})" for row in rows]
+    )
+    yield table.html("Groups of members: tubes before and after", f"Used: highest utilisation of the group's members. {NAMES}")
+    smaller = [row for row in rows if row["smaller"]]
+    if smaller:
+        proof = Columns().words("group", [row["name"] for row in smaller]).words("tube", [row["tube"] for row in smaller])
+        proof.words("one size smaller", [row["smaller"] for row in smaller])
+        proof.measured("would be used (%)", [_percent(row["smaller_utilisation"]) for row in smaller], "")
+        proof.words("by", [f"{row['smaller_part']} {row['smaller_rule']}" for row in smaller])
+        note = "Groups that are not listed have the smallest tube of the catalogue."
+        yield proof.html("Why no smaller tube is sufficient", note)
+
+
+def _drives(sizing: Record) -> Iterator[Markup]:
+    rows = sizing["drives"]
+    if not rows:
+        return
+    table = Columns().words("drives", [row["name"] for row in rows]).words("members", [len(row["members"]) for row in rows])
+    for what in ("screw", "gear", "motor"):
+        table.words(what, [row[what] or "-" for row in rows])
+    table.words("self-locking", ["yes" if row["self_locking"] else "no" for row in rows])
+    table.measured("used (%)", [_percent(row["utilisation"]) for row in rows], "")
+    table.words("governed by", [f"{row['member']} {row['quantity']}" if row["quantity"] else "-" for row in rows])
+    allowed = quantity(1 / float(sizing["drive_margin"]), "%")
+    note = f"With the margin of {sizing['drive_margin']:g} that is required, {allowed} may be used, strokes excepted."
+    against = [f"{row['name']}: {row['against']}" for row in rows if row["against"]]
+    yield table.html("Groups of drives", note)
+    if against:
+        yield element("p", f"Why no smaller motor: {' '.join(against)}")
+
+
+def _percent(share: float | None) -> float | None:
+    return None if share is None else 100 * share

@@ -1,0 +1,278 @@
+"""Results as tables: utilisation rows, worst first; histories with one row per instant; units of drives."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.display import Table, margin, number, quantity
+from kinetruss.mechanics import kept
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from kinetruss.mechanics import System
+    from kinetruss.results.arrays import Columns
+
+
+_NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
+COLUMNS = ("part", "rule", "value", "limit", "utilisation", "margin", "time", "station", "load_case", "note")
+_UNITS = {"value": "", "limit": "", "utilisation": "%", "position": "m"}
+
+NOT_CHECKED = "not checked: "
+"""Start of the note of an entry that lacks data for its rule."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """One entry of a utilisation table.
+
+    part : bar, active member or its ``.base`` or ``.tube``; member : the member it belongs to. rule : what was checked.
+    value, limit : in `unit`. utilisation : value/limit; margin : 1/utilisation - 1 (negative: not enough). Infinite, and -1,
+    for a beam-column whose compression reaches Euler's load; `note` says so.
+    time : s, of the worst instant; station : fraction of the part's length from its end towards A, and position : m from end
+    A (NaN if the entry has no place). pose : name of the worst pose, for forces of poses at rest.
+    note : the formula used, or why it was not checked (then the numbers are NaN).
+    """
+
+    part: str
+    member: str
+    rule: str
+    value: float
+    limit: float
+    unit: str
+    utilisation: float
+    margin: float
+    time: float
+    station: float = math.nan
+    position: float = math.nan
+    load_case: str = ""
+    pose: str = ""
+    note: str = ""
+
+    @property
+    def checked(self) -> bool:
+        """False for an entry that lacks data for its rule; `note` says which."""
+        return not math.isnan(self.utilisation)
+
+    @property
+    def text(self) -> str:
+        """``crank, yield: 3.6 % (8.451 MPa of 235 MPa)``; of an entry not checked its note."""
+        if not self.checked:
+            return f"{self.part}, {self.rule}: {self.note}"
+        if math.isinf(self.utilisation) and self.note:
+            return f"{self.part}, {self.rule}: {self.note}"
+        given = f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}"
+        return f"{given} ({quantity(self.value, self.unit)} of {quantity(self.limit, self.unit)})" if self.unit else given
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.text}>"
+
+
+def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
+    """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last. An infinite one, of a
+    beam-column beyond Euler's load, follows the finite one of its part that says by how much the limit is exceeded.
+
+    Entries that do not apply (NaN without a note) are omitted.
+
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> forces = kt.runs.forces_at_rest(model)
+    >>> rows = kt.results.rows_of(kt.strength.check(model, forces).data, "part", "rule")
+    >>> [(row.part, row.rule) for row in rows[:2]]
+    [('strut', 'buckling'), ('strut', 'beam-column')]
+    """
+    parts, rules = data[subject].values.tolist(), [str(name) for name in data[rule].values]
+    count = len(parts)
+    members = data["member"].values.tolist() if "member" in data else parts
+    units = data["unit"].values.tolist()
+    # read whole arrays: reading single values from a dataset takes a hundred times as long
+    numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
+    texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}
+    rows = []
+    for i, j in itertools.product(range(count), range(len(rules))):
+        note = str(texts["note"][i][j])
+        if math.isnan(numbers["utilisation"][i][j]) and not note:
+            continue
+        found = {key: float(column[i][j]) for key, column in numbers.items()}
+        time = found.pop("time_of")
+        rows.append(
+            Row(
+                part=str(parts[i]),
+                member=str(members[i]),
+                rule=rules[j],
+                unit=str(units[j]),
+                time=time,
+                load_case=str(texts["load_case"][i][j]),
+                pose=str(texts["pose"][i][j]),
+                note=note,
+                **found,
+            )
+        )
+    of: dict[str, list[float]] = {}
+    for row in rows:
+        of.setdefault(row.part, []).append(row.utilisation)
+    most = {part: most_used(values) for part, values in of.items()}
+    infinite = {row.part for row in rows if math.isinf(row.utilisation)}
+
+    def worst_first(row: Row) -> tuple[bool, float, str, bool]:
+        beyond = math.isinf(row.utilisation)
+        used = most[row.part] if beyond else row.utilisation if row.checked else 0.0
+        # rows of one part stay together where one of them is infinite
+        return not row.checked, -used, row.part if row.part in infinite and used == most[row.part] else "", beyond
+
+    return sorted(rows, key=worst_first)
+
+
+def most_used(values: Iterable[float]) -> float:
+    """The highest of the utilisations of a part, NaN if none is known. An infinite one, of a beam-column beyond Euler's load,
+    gives way to a finite one from 1 on: that of buckling says by how much.
+
+    >>> most_used([0.3, math.inf, 1.29]), most_used([0.3, math.inf]), most_used([math.nan])
+    (1.29, inf, nan)
+    """
+    known = [value for value in values if not math.isnan(value)]
+    finite = max((value for value in known if math.isfinite(value)), default=math.nan)
+    return finite if finite >= 1 or not known else max(known)
+
+
+def _column(data: xr.Dataset | Columns, key: str, count: int, rules: int, missing: Any) -> Any:
+    """Values over (subject, rule) as lists."""
+    return data[key].values.tolist() if key in data else [[missing] * rules] * count
+
+
+def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:
+    """Rows as plain text, one line each, below a head line; ``-`` if there is no value.
+
+    >>> print(row_text([Row(part="M6", member="M6", rule="yield", value=1.2e6, limit=2.4e8, unit="Pa", utilisation=0.005,
+    ...                     margin=199.0, time=0.5, station=1.0)], ("part", "rule", "value", "utilisation", "margin")))
+    part  rule     value  utilisation  margin
+    M6    yield  1.2 MPa        0.5 %   > 100
+    """
+    return Table(columns, [[_cell(row, name) for name in columns] for row in rows]).text
+
+
+def _cell(row: Row, column: str) -> str:
+    value = getattr(row, column)
+    if column in _UNITS:
+        return quantity(value, _UNITS[column] or row.unit)
+    if column == "margin":
+        return margin(value)
+    return number(value) if isinstance(value, float) else value or "-"
+
+
+# Units of drives, couplings and springs: those of lengths or of angles, and where a structure has both, one for each.
+
+Found = tuple[str, dict[str, tuple[str, list[str]]]]
+
+
+def unit_along(axis: str, units: Sequence[str], name: str, none: str) -> Found:
+    """The unit of values along an axis: that of all entries; or, where they differ, the name of a coordinate of units.
+
+    units : of the entries. name : of that coordinate. none : the unit where there are no entries.
+
+    >>> unit_along("drive", ["N", "N"], "drive_force_unit", "N")
+    ('N', {})
+    >>> unit_along("drive", ["N", "N m"], "drive_force_unit", "N")
+    ('drive_force_unit', {'drive_force_unit': ('drive', ['N', 'N m'])})
+    """
+    if len(set(units)) < 2:
+        return (units[0] if units else none), {}
+    return name, {name: (axis, list(units))}
+
+
+@kept()
+def drive_unit(system: System) -> Found:
+    """The unit of the positions of drives, as of `unit_along`."""
+    return unit_along("drive", [_unit(system.model.all_drives.get(name)) for name in system.drives], "drive_unit", "m")
+
+
+@kept()
+def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, tuple[str, list[str]]]]:
+    """The units of ``drive``, ``coupling`` and ``spring`` forces and of ``spring_value``, and the coordinates that they name.
+
+    axes : of the coordinates; by default all. A coupling and a spring have the unit of their first coordinate.
+    """
+    model = system.model
+    firsts = {
+        "drive": [_unit(model.all_drives.get(name)) for name in system.drives],
+        "coupling": [_unit(one.terms[0][0]) for one in model.couplings.values()],
+        "spring": [_unit(model.springs[name].parts[0][0]) for name in system.springs],
+    }
+    found = {
+        axis: unit_along(axis, [_force(one) for one in units], f"{axis}_force_unit", "N") for axis, units in firsts.items()
+    }
+    value, named = unit_along("spring", firsts["spring"], "spring_unit", "m")
+    for _, coordinate in found.values():
+        named = {**named, **coordinate}
+    units = {axis: unit for axis, (unit, _) in found.items()} | {"spring_value": value}
+    return units, {name: one for name, one in named.items() if one[0] in (axes or firsts)}
+
+
+def _unit(coordinate: Any) -> str:
+    """The unit of a coordinate as a drive would move it."""
+    kind = getattr(coordinate, "kind", "length")
+    return "rad" if kind in ("angle", "hinge") else "1" if kind == "cosine" else "m"
+
+
+def _force(unit: str) -> str:
+    return "N" if unit == "m" else "N m"
+
+
+# Histories as one table: one row per instant, one column per value.
+
+
+def wide(data: xr.Dataset) -> Any:
+    """A pandas table of a dataset along time, with a column for every value of an instant; without time one row per name.
+
+    An empty dimension (no supports, no active members) has no columns and does not affect the others.
+    """
+    import importlib
+
+    import numpy as np
+
+    pd = importlib.import_module("pandas")  # pandas comes with xarray; its types are in a separate package
+
+    if "time" not in data.dims:
+        return data.drop_vars([name for name, one in data.data_vars.items() if not one.size]).to_dataframe()
+    kept = {str(key): one for key, one in data.data_vars.items() if one.dims[:1] == ("time",)}
+    heads = [f"{key}[{','.join(names)}]" if names else key for key, one in kept.items() for names in labels(one)]
+    if "pose" in data.coords:
+        index = pd.Index(data["pose"].values.astype(str), name="pose")
+    else:
+        index = pd.Index(data["time"].values, name="time")
+    columns = [flat(one) for one in kept.values()]
+    values = np.hstack(columns) if columns else np.empty((len(index), 0))
+    return pd.DataFrame(values, index=index, columns=heads)
+
+
+def flat(data: xr.DataArray) -> Any:
+    """A history as (times, values), in the order of `labels`."""
+    return data.values.reshape(data.shape[0], math.prod(data.shape[1:]))
+
+
+def labels(data: xr.DataArray) -> Iterator[tuple[str, ...]]:
+    """Names of the values of one instant, in the order of the flat array."""
+    return itertools.product(*([_label(value) for value in data[dim].values] for dim in data.dims[1:]))
+
+
+def units_of(data: xr.DataArray) -> Iterator[str]:
+    """Units of the values of one instant, in the order of `labels`; the name of a coordinate stands for its entries."""
+    text = str(data.attrs.get("units", ""))
+    named = [name for name in re.findall(r"\w+_unit\b", text) if name in data.coords and data[name].dims]
+    for place in itertools.product(*(range(size) for size in data.shape[1:])):
+        unit, at = text, dict(zip(data.dims[1:], place, strict=True))
+        for name in named:
+            unit = unit.replace(name, str(data[name].values[at[data[name].dims[0]]]))
+        yield unit
+
+
+def _label(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)

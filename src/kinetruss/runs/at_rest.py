@@ -1,0 +1,143 @@
+"""Static analyses as runs: poses at rest are counted along the time axis, a structure that stands still is one sample."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss import dynamics, flexible, kinematics, statics
+from kinetruss.dynamics.bar_actions import actions_of
+from kinetruss.dynamics.prescribed import at_rest
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.loads import case_loads
+from kinetruss.model import LengthDrive, Model
+from kinetruss.model.runs import FLEXIBLE
+from kinetruss.results import Forces, Motion, Result, Status, variable
+from kinetruss.results.wide_tables import force_units
+from kinetruss.runs.plans import Block, Plan, judged, poses_under
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+ELASTIC = ("statics.deflection", *FLEXIBLE)
+"""Analyses of elastic members along a motion."""
+
+
+def along(plan: Plan, motion: Motion) -> Block:
+    """Forces of the poses of a motion at rest; or those of the motion with what elastic members make of it."""
+    model = plan.model
+    if plan.run.analysis in ELASTIC:
+        return _elastic(plan, motion)
+    system, t = compile(model), motion.arrays["time"].values
+    rates = [name for name, one in motion.data.data_vars.items() if "/s" in one.attrs.get("units", "")]
+    motion = motion.with_(data=motion.data.assign({name: 0.0 * motion.data[name] for name in rates}))
+    still = [at_rest(system, motion, case_loads(system, t, case, rotating=True)) for case in plan.cases]
+    return judged(plan, motion, {forces.load_case: forces for forces in still})
+
+
+def _elastic(plan: Plan, motion: Motion) -> Block:
+    """Forces of a motion, with its deflection, corrected lengths, frequencies or vibration."""
+    model, analysis = plan.model, plan.run.analysis
+    options = plan.run.elastic.arguments(analysis) if analysis in FLEXIBLE else {}
+    package, _, verb = analysis.partition(".")
+    analyse = getattr({"statics": statics, "flexible": flexible}[package], verb)
+    moving, found = {}, {}
+    for case in plan.cases:
+        forces = dynamics.inverse(model, motion, case, static=plan.full)
+        one = analyse(model, forces, **options)
+        own = slice(0, len(motion.arrays["time"].values))  # a vibration goes on after the motion
+        found[forces.load_case] = one.with_(data=one.data.isel(time=own))
+        moving[forces.load_case] = forces.with_(message=one.message)
+    return judged(plan, motion, moving).with_(statics=found)
+
+
+def standing(plan: Plan) -> Block:
+    """Poses one by one, or the one configuration of `statics.linear` and `statics.equilibrium`."""
+    if plan.run.poses:
+        return _poses(plan)
+    return (_linear if plan.run.analysis == "statics.linear" else _equilibrium)(plan)
+
+
+def _poses(plan: Plan) -> Block:
+    """The poses that a run lists, up to the first that cannot be reached."""
+    poses = poses_under(plan.origin, plan.condition, plan.run.poses)
+    found, status, message = [], Status.COMPLETED, ""
+    for case in plan.cases:
+        try:
+            forces = statics.at_poses(plan.model, poses, load_case=case)
+        except AnalysisError as error:
+            if error.result is None:
+                raise InputError(str(error)) from None
+            forces, status, message = error.result, Status.OUT_OF_REACH, str(error)
+        found.append(forces.with_(status=status, message=f"{forces.message} {message}".strip()))
+    motion = found[0].motion.with_(status=status, message=found[0].message)
+    return judged(plan, motion, {forces.load_case: forces.with_(motion=motion) for forces in found})
+
+
+def _equilibrium(plan: Plan) -> Block:
+    """The equilibrium, and the forces in it as of a pose at rest."""
+    case = plan.cases[0]
+    found = statics.equilibrium(plan.model, load_case=case, tasks=plan.run.tasks or None, raise_on_failure=False)
+    motion = _resting(plan.model, found.data["position"].values).with_(status=found.status, message=found.message)
+    if not found.status.ok:
+        none = motion.with_(data=motion.data.isel(time=slice(0, 0)))
+        return Block(motion=none, forces={}, sections={}, demand={}, verdict=None)
+    system = compile(plan.model)
+    forces = at_rest(system, motion, case_loads(system, np.zeros(1), case))
+    return judged(plan, motion, {forces.load_case: forces}).with_(statics={forces.load_case: _timed(found)})
+
+
+def _linear(plan: Plan) -> Block:
+    """Small displacements, and the forces of the stiffness method. The place is that without displacement."""
+    model, system = plan.model, compile(plan.model)
+    found = {}
+    for case in plan.cases:
+        try:
+            found[case or "all"] = statics.linear(model, load_case=case)
+        except AnalysisError as error:
+            raise InputError(f"{error} No digit of the result is certain, so there is none.") from None
+    said = " ".join(dict.fromkeys(one.message for one in found.values() if one.message))
+    place = np.array([node.at for node in model.nodes.values()])
+    motion = _resting(model, place).with_(message=said)
+    laden = [case for case, one in found.items() if actions_of(system, case).actions]
+    forces = {case: _forces(model, one, motion, case) for case, one in found.items() if case not in laden}
+    if laden:
+        said = f"{said} Section forces are not computed under {', '.join(laden)}: loads act on members between their joints."
+        motion = motion.with_(message=said.strip())
+    if not forces:
+        block = Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
+    else:
+        block = judged(plan, motion, forces)
+    return block.with_(demand={}, statics={case: _timed(one) for case, one in found.items()})
+
+
+def _resting(model: Model, place: NDArray[np.float64]) -> Motion:
+    """A place (n_nodes, dim), m, as a motion of one sample at rest."""
+    still = np.zeros((1, *place.shape))
+    return kinematics.from_arrays(model, [0.0], place[None], still, still)
+
+
+def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
+    """Forces of the stiffness method as of one pose at rest; those of drives of lengths are minus their tensions."""
+    bent = ["displacement"] if any(beam.kind == "elastic" for beam in model.beams.values()) else []
+    data = _timed(found).data[["member_force", "end_force", "joint_force", "reaction", *bent]]
+    drive = np.full((1, len(model.all_drives)), np.nan)
+    for k, one in enumerate(model.all_drives.values()):
+        if isinstance(one, LengthDrive):
+            drive[0, k] = -float(data["member_force"].sel(member=one.bar).item())
+    units, named = force_units(compile(model), "drive")
+    data = data.assign(drive_force=variable(("time", "drive"), drive, units["drive"], "drive force or torque"))
+    data = data.assign_coords({"drive": list(model.all_drives), **named})
+    own = model.load_cases.get(case)
+    gravity = (None if own is None else own.gravity) or model.gravity or (0.0,) * model.dim
+    data.attrs = {"kind": "forces", "load_case": case, "not_unique": [], "at_rest": 1, "gravity": list(gravity)}
+    return Forces(data=data, message=motion.message, provenance=found.provenance, motion=motion, load_case=case)
+
+
+def _timed(found: Result) -> Result:
+    """A result of one configuration as one sample of a time axis."""
+    data = found.data.expand_dims("time").assign_coords(time=variable(("time",), np.zeros(1), "s", "time"))
+    return found.with_(data=data.assign_attrs(found.data.attrs))

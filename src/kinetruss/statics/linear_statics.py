@@ -1,0 +1,336 @@
+"""The stiffness method for a model: its record, its load cases, cables that pull.
+
+A cable has T = max(0, k (l - l0 + e)), l and l0 its length and its natural length before the load. Those that the load would
+push carry nothing; those that it lengthens beyond l0 pull. The set is found by solving, changing and solving again (an active
+set); the structure being stable, there is one such state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics.actions import CarriedBy
+from kinetruss.dynamics.bar_actions import mean_tension_at_rest
+from kinetruss.errors import AnalysisError, InputError, few
+from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.balance import measure_forces
+from kinetruss.mechanics.elements import resting_forces, spring_laws
+from kinetruss.mechanics.loads import Loads
+from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
+from kinetruss.mechanics.positions import number_of, positions_of
+from kinetruss.model import Model, nearest
+from kinetruss.model.beam_checks import spin_note
+from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.results.wide_tables import force_units
+from kinetruss.statics.refinement import NOTHING, accuracy_note
+from kinetruss.statics.small_displacements import (
+    Solved,
+    Weight,
+    end_weights,
+    flexibility,
+    loads_at,
+    solve,
+    spring_rows,
+    stiff_rows,
+    weight_word,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+REACHED = 1e-12
+"""A cable shorter than its natural length by more than this fraction is slack before the load."""
+
+PULLS = 1e-9
+"""A tension below this fraction of the largest force is none."""
+
+MOST = 100
+"""Largest number of solutions."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class WithCables:
+    """The solution, with the flexibility and the tension (rows,) in the configuration that rows have under this load; stored
+    (rows,) J : energy that the load adds; slack : names of cables that carry nothing.
+    """
+
+    solved: Solved
+    flexible: NDArray[np.float64]
+    tension: NDArray[np.float64]
+    stored: NDArray[np.float64]
+    slack: tuple[str, ...]
+
+
+def solve_with_cables(
+    held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], tension: NDArray[np.float64], load: NDArray[np.float64]
+) -> WithCables:
+    """`solve` with the cables that pull under nodal forces load (3 n,), N, at positions x (n, 3).
+
+    flexible, tension (rows,) : flexibility and force of the rows in the configuration itself.
+
+    Raises
+    ------
+    InputError : as `solve`; the message names slack cables.
+    AnalysisError : no set of cables is consistent.
+    """
+    G, i = constraint_jacobian(held, x), held.row_member
+    cable = (held.row_kind == LENGTH) & (held.law[i] == CABLE) & (flexible != 0)
+    length = ends_of(held, x, i)[1]
+    stiff = np.where(cable, held.spring[i], 0.0)
+    before = np.where(cable, stiff * (length - held.natural[i]), tension)  # below 0 of slack cables
+    pulls, seen = cable & (length >= held.natural[i] * (1 - REACHED)), set()
+    for _ in range(MOST):
+        now = np.where(cable, np.inf, flexible)
+        now[pulls] = 1.0 / stiff[pulls]
+        given = np.where(cable & ~pulls, 0.0, before)
+        solved = solve(held, x, now, load - G.T @ given)
+        least = PULLS * float(np.abs(given + solved.force).max(initial=0.0))
+        # tension that every cable would have: of slack ones by their present elongation
+        wanted = np.where(pulls, given + solved.force, before + stiff * solved.elongation)
+        wrong = (pulls & (wanted < -least)) | (cable & ~pulls & (wanted > least))
+        if not wrong.any():
+            names = tuple(held.members[k] for k in i[cable & ~pulls])
+            # of a row that has the force N0 before: N0 e + N e/2
+            stored = (0.5 * solved.force + given) * solved.elongation
+            total = given + solved.force
+            stored[cable] = 0.5 * (total[cable] ** 2 - tension[cable] ** 2) / stiff[cable]
+            return WithCables(solved=solved, flexible=now, tension=given, stored=stored, slack=names)
+        key = pulls.tobytes()
+        if key in seen:  # one at a time, so that it does not go round
+            wrong = np.arange(len(wrong)) == int(np.flatnonzero(wrong)[0])
+        seen.add(key)
+        pulls = pulls ^ wrong
+    among = few([held.members[k] for k in i[cable]], 6)
+    raise AnalysisError(f"It was not found which of the cables {among} pull under this load. See statics.equilibrium.")
+
+
+# Small displacements of an elastic truss by the stiffness method.
+
+
+class _Known(NamedTuple):
+    """Given forces, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all nodal forces; `tension`
+    (rows,) of bars and springs, `continua_force` (3 n,) of membranes and solids in the configuration itself.
+    """
+
+    ends: NDArray[np.float64]
+    load: NDArray[np.float64]
+    tension: NDArray[np.float64]
+    continua_force: NDArray[np.float64]
+
+
+class Linear(Result):
+    """Displacements, forces and reactions of an elastic truss under small displacements."""
+
+
+def linear(
+    model: Model,
+    position: ArrayLike | None = None,
+    load_case: str | None = None,
+    *,
+    weight: Weight = True,
+    rigid: Collection[str] = (),
+    time: float = 0.0,
+) -> Linear:
+    """Displacements, member forces and reactions of a truss whose bars are elastic and whose drives are locked.
+
+    An independent check of `dynamics.inverse` at rest, and the forces of redundant trusses by their stiffness, in 2-D and 3-D.
+
+    Parameters
+    ----------
+    position : (n_nodes, dim), m, the configuration; by default the model's own. Bars have no force there, except bars of kind
+        ``elastic`` or ``cable`` with another natural length. Cables pull or are slack, as the load wants: the message names
+        the slack ones.
+    load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
+    weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
+    rigid : names of members kept inextensible although they have E and A.
+
+    Returns
+    -------
+    Linear. ``displacement`` (node, axis) m; ``member_force`` (member) N, mean over the length, tension positive;
+    ``end_force`` (member, end): axial tension at A and B; ``joint_force`` (member, end, axis): force on the member from its
+    joint; ``reaction`` (support, axis): force on the structure;
+    ``elongation`` (member) m and ``strain`` (member), of the load alone; ``strain_energy`` (member) J; ``energy`` J, their
+    sum; ``work`` J, half the loads times their displacements, equal to it without prestress (Clapeyron).
+    attrs ``force_error``, ``displacement_error``: bounds on the errors by round-off, relative to the largest force and
+    displacement. Members without E and A are kept inextensible; the message names them. If fewer than seven digits are
+    accurate, it also says how many are, and which mechanism is near.
+
+    Raises
+    ------
+    InputError : a mechanism, named; an unknown load case or member; inextensible bars whose forces are not unique.
+    AnalysisError : a structure so near to a mechanism that no digit is accurate; ``error.result`` has the numbers.
+
+    Notes
+    -----
+    N l/(E A) = g . u and the equilibrium of all nodes, sum of N g = F, g = (-u, u) (Timoshenko & Young, Theory of Structures,
+    1965, chapter 7), solved together: sparse LU, refined with residuals in doubled precision, so that the forces of a
+    determinate truss are those of equilibrium to round-off; l/(E A) = 0 of inextensible bars.
+    Rigid and driven bars alike are elastic, with the E and A
+    of their section and material; an active member with those of the weaker of its two parts, over the whole length. Weight
+    acts as equivalent forces at the ends: half and half for bars, by the lever for base and tube. Geometric stiffness is
+    neglected: displacements must be small.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
+    ...                section=kt.General(area=1e-4, I2=1e-9, I3=1e-9, c2=0.01, c3=0.01),
+    ...                material=kt.Material(E=70e9, density=0), loads={"pull": kt.NodalForce(node="B", force=(7e3, 0))})
+    >>> round(kt.statics.linear(rod).displacement.sel(node="B", axis="x").item(), 12)
+    0.002
+    """
+    system = compile(model)
+    x, load_time = positions_of(system, position), number_of(time, "time", "s")
+    word = weight_word(weight)
+    loads = loads_at(system, np.array([load_time]), load_case, word).at(x[None])
+    held = stiff_rows(system)
+    flexible = flexibility(held, x)
+    flexible[_rigid_rows(held, rigid)] = 0.0
+    known = _known(system, held, x, loads)
+    G = constraint_jacobian(held, x)
+    found = solve_with_cables(held, x, flexible, known.tension, known.load + known.continua_force)
+    flexible = found.flexible
+    data = _dataset(system, held, x, found, known, G)
+    force, displacement = found.solved.errors
+    data.attrs |= {
+        "kind": "linear",
+        "load_case": loads.name,
+        "weight": word,
+        "load_time": load_time,
+        "force_error": force,
+        "displacement_error": displacement,
+    }
+    stressed = known.tension.any() or found.tension.any() or known.continua_force.any()
+    if not stressed:  # Clapeyron: shows an error that the bounds do not cover
+        displacement = max(displacement, _unbalanced(data))
+    unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)
+    lost = not max(force, displacement) < NOTHING
+    said = _message(held, flexible, rigid), _slack(found.slack), spin_note(model)
+    result = Linear(
+        data=data,
+        status=Status.UNSURE if lost else Status.COMPLETED,
+        message=" ".join(text for text in (unsure, *said) if text),
+        provenance=provenance(model, load_case=loads.name, weight=word),
+    )
+    if lost:
+        raise AnalysisError(f"{result.status.value} {unsure}", result)
+    return result
+
+
+def _unbalanced(data: xr.Dataset) -> float:
+    """Difference of energy and work as a fraction of the larger."""
+    energy, work = data["energy"].item(), data["work"].item()
+    return float(abs(energy - work) / (max(abs(energy), abs(work)) or 1.0))
+
+
+def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
+    given = [names] if isinstance(names, str) else list(names)
+    if unknown := [name for name in given if name not in held.members]:
+        raise InputError(f"No member called {unknown[0]!r} to keep rigid. {nearest(unknown[0], held.members)}")
+    chosen = [held.members.index(name) for name in given]
+    return np.flatnonzero(np.isin(held.row_member, chosen) & (held.row_kind == LENGTH))
+
+
+def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> _Known:
+    ends = end_weights(system, x, loads.gravity)
+    continua_force = np.zeros(x.size) if system.continua is None else resting_forces(system.continua, x).reshape(-1)
+    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), continua_force)
+
+
+def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Force (rows,) that elastic bars, cables and springs have in the configuration, N."""
+    i = held.row_member
+    found = np.where(held.row_kind == LENGTH, bar_laws(held, ends_of(held, x, i)[1], member=i).tension, 0.0)
+    found[spring_rows(held)] = spring_laws(held, x)[:, 0] / held.measure_scale[held.spring_measure]
+    return found
+
+
+def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Nodal forces (3 n,), N: loads, lumped masses, weight of members, bodies, membranes and solids."""
+    load = system.lump[:, None] * loads.lump_gravity
+    np.add.at(load, loads.node, loads.force[0])
+    np.add.at(load, system.p, ends[:, 0])
+    np.add.at(load, system.q, ends[:, 1])
+    return np.asarray(load.reshape(-1) + body_and_continua_mass(system) @ np.tile(loads.gravity, len(load)))
+
+
+def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCables, known: _Known, G: Any) -> xr.Dataset:
+    solved, (ends, load, _, continua_force) = found.solved, known
+    dim, members = system.dim, len(system.members)
+    bars = held.row_kind == 0
+    force, elongation, energy = (np.zeros(members) for _ in range(3))
+    total = solved.force + found.tension
+    force[held.row_member[bars]] = total[bars]
+    on_springs = -total[spring_rows(held)] * system.measure_scale[system.spring_measure]
+    length = ends_of(system, x)[1]
+    elongation[held.row_member[bars]] = solved.elongation[bars]
+    energy[held.row_member[bars]] = found.stored[bars]
+    held_now = system.prescribed.copy()
+    held_now[system.coordinate_drive[:, 0]] = False
+    reaction = np.where(held_now, G.T @ total + solved.inner - continua_force - load, 0.0).reshape(-1, 3)
+    if len(system.measures) or system.model.hubs:
+        drive, coupling = _on_measures(held, total)
+        acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
+        force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_springs)
+    stored = found.stored.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
+    u = (x[system.q] - x[system.p]) / length[:, None]
+    carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
+    tensions = force[:, None] * u
+    joint = np.stack([-tensions, tensions], axis=1) - ends
+    supports = [system.node_index(name) for name in system.supports]
+    data = {
+        "displacement": variable(("node", "axis"), solved.displacement.reshape(-1, 3)[:, :dim], "m", "node displacement"),
+        "member_force": variable(("member",), force, "N", "mean axial force, tension positive"),
+        "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at end A (first node), end B"),
+        "joint_force": variable(("member", "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
+        "reaction": variable(("support", "axis"), reaction[supports, :dim], "N", "support force on the structure"),
+        "elongation": variable(("member",), elongation, "m", "elongation by the load"),
+        "strain": variable(("member",), elongation / length, "", "axial strain by the load"),
+        "strain_energy": variable(("member",), energy, "J", "strain energy that the load adds"),
+        "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds: members, springs, elements"),
+        "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
+    }
+    coords: dict[str, Any] = {
+        "node": list(system.nodes),
+        "axis": ["x", "y", "z"][:dim],
+        "member": list(system.members),
+        "end": ["A", "B"],
+        "support": list(system.supports),
+    }
+    if system.springs:
+        units, named = force_units(system, "spring")
+        coords |= {"spring": list(system.springs), **named}
+        data["spring_force"] = variable(
+            ("spring",), on_springs, units["spring"], "force or torque of the spring on its coordinate"
+        )
+    return xr.Dataset(data, coords=coords)
+
+
+def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Forces of drives (drives,) and couplings (couplings,) on measures, N or N m, from row forces (rows,)."""
+    on = measure_forces(held, total)
+    last = len(held.measures) - len(held.springs)
+    drive = np.where(held.drive_measure >= 0, -on[held.drive_measure], 0.0)
+    return drive, -on[last - len(held.model.couplings) : last]
+
+
+def _slack(names: tuple[str, ...]) -> str:
+    """The sentence on cables that carry nothing."""
+    return f"Slack, so that {'it carries' if len(names) == 1 else 'they carry'} nothing: {few(names, 8)}." if names else ""
+
+
+def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]) -> str:
+    """Message with the names of members that are kept inextensible because they have no E or A."""
+    lacking = [
+        held.members[i] for i, f, kind in zip(held.row_member, flexible, held.row_kind, strict=True) if not f and not kind
+    ]
+    # bars that hold bodies and frames of beams together are rigid by their purpose
+    lacking = [name for name in lacking if name not in rigid and not getattr(held.model.bars.get(name), "brace", False)]
+    if not lacking:
+        return ""
+    return f"Kept inextensible, since they have no section or no material: {few(lacking, 8)}."

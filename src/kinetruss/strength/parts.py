@@ -1,0 +1,337 @@
+"""Parts of members with their sections, torsion by couples, and the input of the kernels of section forces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.dynamics.action_couples import couples_at_hinges
+from kinetruss.dynamics.bar_actions import actions_of
+from kinetruss.dynamics.bearing_friction import friction_on_arms
+from kinetruss.errors import InputError
+from kinetruss.kernels.sections.records import Histories, Members, Polynomials
+from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
+from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
+from kinetruss.kinematics.own_motion import check_motion
+from kinetruss.mechanics import CABLE, System, compile, ends_of, kept
+from kinetruss.mechanics.loads import case_loads
+from kinetruss.mechanics.members import orientation
+from kinetruss.mechanics.rotating_base import rates_in_space
+from kinetruss.model import Active, Bar, BodyCouple, Model
+from kinetruss.model.hub_arms import arm_through
+from kinetruss.model.hub_expansion import pivots_of
+from kinetruss.results import Forces
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+
+_SHAPES = {"tube": ROUND, "rod": ROUND, "rectangle": RECTANGLE, "general": GENERAL}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Parts:
+    """Parts in the order of the members; the base of an active member before its tube.
+
+    names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
+    index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
+    length (parts,): m, NaN for bars. shape (parts,): codes of `kernels.sections.stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
+    (shear), E, G, yield_strength Pa: NaN where not known. twist: largest shear stress of torsion over torque, 1/m^3.
+    """
+
+    names: tuple[str, ...]
+    members: tuple[str, ...]
+    member: NDArray[np.int64]
+    first: NDArray[np.int64]
+    two: NDArray[np.bool_]
+    cable: NDArray[np.bool_]
+    body: NDArray[np.bool_]
+    length: NDArray[np.float64]
+    shape: NDArray[np.int64]
+    area: NDArray[np.float64]
+    I2: NDArray[np.float64]
+    I3: NDArray[np.float64]
+    c2: NDArray[np.float64]
+    c3: NDArray[np.float64]
+    factor: NDArray[np.float64]
+    E: NDArray[np.float64]
+    G: NDArray[np.float64]
+    yield_strength: NDArray[np.float64]
+    twist: NDArray[np.float64]
+
+    @property
+    def judged(self) -> tuple[str, ...]:
+        """Names of the members that have a section in one of their parts."""
+        return tuple(dict.fromkeys(name for name, shape in zip(self.members, self.shape, strict=True) if shape != UNKNOWN))
+
+    @cached_property
+    def base(self) -> NDArray[np.bool_]:
+        """(parts,): base rods of active members, which overhang beyond the interface to the tube."""
+        found = np.zeros(len(self.names), np.bool_)
+        found[self.first[self.two]] = True
+        return found
+
+    @property
+    def scale(self) -> NDArray[np.float64]:
+        """(parts, 4): factors from T, M2, M3 and V to nominal stresses: 1/A, c3/I2, c2/I3, shear factor/A."""
+        return np.stack([1 / self.area, self.c3 / self.I2, self.c2 / self.I3, self.factor / self.area], axis=1)
+
+    def lengths(self, member_length: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Lengths of all parts (times, parts), m, from those of the members (times, members)."""
+        found = member_length[:, self.member]
+        known = ~np.isnan(self.length)
+        found[:, known] = self.length[known]
+        return found
+
+    def starts(self, member_length: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Distance (times, parts), m, of each part's end towards A from the member's end A."""
+        tube = self.first[self.two] + 1
+        found = np.zeros((len(member_length), len(self.names)))
+        found[:, tube] = member_length[:, self.two] - self.length[tube]
+        return found
+
+
+def parts_of(model: Model) -> Parts:
+    """The parts of a model."""
+    return _parts(compile(model))
+
+
+@kept()
+def _parts(system: System) -> Parts:
+    model = system.model
+    rows: list[tuple[str, str, int, float, tuple[float, ...]]] = []
+    first = []
+    for k, (name, member) in enumerate(model.members.items()):
+        first.append(len(rows))
+        if isinstance(member, Active):
+            for role, part in (("base", member.base), ("tube", member.tube)):
+                rows.append((f"{name}.{role}", name, k, part.length, _numbers(model, part)))
+        else:
+            rows.append((name, name, k, np.nan, _numbers(model, member)))
+    numbers = np.array([row[4] for row in rows]).reshape(len(rows), 11)
+    area, I2, I3, c2, c3, factor, E, poisson, strength, shape, twist = numbers.T
+    return Parts(
+        names=tuple(row[0] for row in rows),
+        members=tuple(row[1] for row in rows),
+        member=np.array([row[2] for row in rows], np.int64),
+        first=np.array(first, np.int64),
+        cable=system.law == CABLE,
+        body=system.is_body[[row[2] for row in rows]],
+        two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
+        length=np.array([row[3] for row in rows], float),
+        shape=shape.astype(np.int64),
+        area=area,
+        I2=I2,
+        I3=I3,
+        c2=c2,
+        c3=c3,
+        factor=factor,
+        E=E,
+        G=E / (2 * (1 + poisson)),
+        yield_strength=strength,
+        twist=twist,
+    )
+
+
+def _numbers(model: Model, part: Any) -> tuple[float, ...]:
+    section, material = model.section_of(part), model.material_of(part)
+    if isinstance(part, Bar) and part.body is not None:
+        section = material = None
+    shape = (np.nan,) * 6
+    if section is not None:
+        shape = (section.area, *section.second_moments, *section.extreme_fibres, section.shear_factor)
+    stuff = (np.nan,) * 3
+    if material is not None:
+        stuff = (material.E, material.poisson, material.yield_strength or np.nan)
+    known = section is not None and section.torsion_arm is not None
+    twist = section.torsion_arm / section.torsion_constant if known else np.nan
+    return (*shape, *stuff, UNKNOWN if section is None else _SHAPES[section.kind], twist)
+
+
+# Torsion of arms and members by couples that pass through hinges, or enter hubs through members.
+
+ROUND_OFF = 1e-10
+"""Torques below this fraction of the couple are round-off."""
+
+
+def twisted_parts(model: Model) -> NDArray[np.bool_]:
+    """Parts (parts,) that may be under torsion: arms and members of hinges and of `BodyCouple.member`."""
+    through = {(load.body, load.member) for load in _couples(model).values()}
+    names = {str(name) for _, name in through}
+    names |= {arm.name for body, member in through if member and (arm := arm_through(model, body, member))}
+    pivots = pivots_of(model) if model.hubs else []
+    names |= {one.tip for one in pivots}
+    names |= {one.member for one in pivots if one.clamped or [other.member for other in pivots].count(one.member) == 2}
+    return np.array([name in names for name in parts_of(model).members], np.bool_)
+
+
+def _couples(model: Model) -> dict[str, BodyCouple]:
+    """Loads that enter hubs through members."""
+    return {name: load for name, load in model.loads.items() if isinstance(load, BodyCouple) and load.member is not None}
+
+
+def torsion_of(model: Model, forces: Forces) -> NDArray[np.float64] | None:
+    """Torque about axis 1 along every part, exerted by its B-side on its A-side, (times, parts) N m; None if nothing twists.
+
+    The arm of a member has the component along it of the couples that pass through the joint, from its tip to the centre of the
+    hub. The member itself, with base and tube, has their component along its own axis, from joint to joint.
+    """
+    found = None
+    system, parts = compile(model), parts_of(model)
+    x = np.pad(forces.motion.arrays["position"].values, ((0, 0), (0, 0), (0, 3 - model.dim)))
+    index = {name: i for i, name in enumerate(system.members)}
+    for arm, member, end, couple in _passed(model, forces, x):
+        if found is None:
+            found = np.zeros((len(x), len(parts.names)))
+        size = ROUND_OFF * np.linalg.norm(couple, axis=1)
+        for name, sign in ((arm, 1.0 if system.nodes[system.q[index[arm]]] == arm else -1.0), (member, 1.0 - 2.0 * end)):
+            if not name:
+                continue
+            i = index[name]
+            torque = sign * np.einsum("tc,tc->t", couple, ends_of(system, x, i)[2])
+            rods = 2 if isinstance(model.members[name], Active) else 1
+            found[:, parts.first[i] : parts.first[i] + rods] += np.where(np.abs(torque) > size, torque, 0.0)[:, None]
+    return found
+
+
+def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tuple[str, str, int, NDArray[np.float64]]]:
+    """Arm, member that is twisted from its other end (or empty), end of the member, couple (times, 3) of it on the hub."""
+    arrays, twisted = forces.arrays, set[str]()
+    if couples := _couples(model):
+        case = forces.load_case if forces.load_case in model.load_cases else None
+        given = case_loads(compile(model), arrays["time"].values, case, rotating=True).couples
+        by_end: dict[tuple[str, int], str] = {}
+        for name, load in couples.items():
+            arm = arm_through(model, load.body, str(load.member))
+            if name in given and arm is not None:
+                # what leaves at one end entered at the other: of a member with couples at both ends the first counts
+                own = by_end.setdefault((arm.member, 0), f"{arm.end}") == f"{arm.end}"
+                yield arm.name, arm.member if own else "", arm.end, given[name]
+    if model.hubs and pivots_of(model):
+        coupling = arrays["coupling_force"].values if model.couplings else np.zeros((len(x), 0))
+        hinges = couples_at_hinges(compile(model), x, arrays["member_force"].values, coupling)
+        rubbed = {}
+        if "bearing_couple" in arrays:
+            rubbed = friction_on_arms(compile(model), x, arrays["bearing_couple"].values)
+        for pivot, couple in hinges:
+            alone = not pivot.clamped and [one.member for one, _ in hinges].count(pivot.member) == 1
+            own = not alone and pivot.member not in twisted
+            twisted.add(pivot.member)
+            more = rubbed.get(list(model.members).index(pivot.tip), 0.0)
+            yield pivot.tip, pivot.member if own else "", pivot.end, couple + more
+
+
+def shear_of_torsion(model: Model, torque: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Largest shear stress, Pa, by torques (times, parts), N m; NaN at all times where a section does not know it."""
+    factor = np.where((torque != 0).any(axis=0), parts_of(model).twist, 0.0)
+    return np.asarray(np.abs(torque) * factor)
+
+
+def with_torsion(von_mises: NDArray[np.float64], shear: NDArray[np.float64], twist: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bound on the von Mises stress where the largest shear stresses of V and of torsion, Pa, act at its point.
+
+    s^2 = sigma^2 + 3 tau_V^2 at any point, so sigma^2 + 3 (tau_V + tau)^2 <= s^2 + 3 (2 tau_V tau + tau^2) with the largest s,
+    tau_V and tau.
+    """
+    return np.asarray(np.sqrt(von_mises**2 + 3 * twist * (2 * shear + twist)))
+
+
+# Input of the kernels of section forces, from a model and its forces.
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Given:
+    """The input of section forces."""
+
+    members: Members
+    histories: Histories
+
+    def polynomials(self, samples: slice) -> Polynomials:
+        """Section forces along all parts at some samples."""
+        cut = Histories(*(values[samples] for values in self.histories))
+        out = self.allocate(len(cut.position))
+        section_polynomials(self.members, cut, out)
+        return out
+
+    def allocate(self, count: int) -> Polynomials:
+        """Arrays for the polynomials of so many samples."""
+        parts = len(self.members.p) + int(self.members.two_rods.sum())
+        shape = (count, parts, self.members.segments)
+        return Polynomials(np.empty((*shape, COEFFICIENTS)), np.empty(shape), np.empty(shape[:-1]))
+
+
+def histories(model: Model, forces: Forces) -> Given:
+    """Arrays behind forces; velocities and accelerations are zero for forces at rest, joint forces of bodies NaN.
+
+    Velocities and accelerations are those in space: under a base that rotates not those of the motion.
+
+    Raises
+    ------
+    InputError : forces of another model, or motion and forces of different instants.
+    """
+    system = compile(model)
+    motion, found = forces.motion.arrays, forces.arrays
+    names, count = found["member"].values.tolist(), len(found["time"].values)
+    if names != list(system.members) or len(motion["node"].values) != len(system.nodes):
+        raise InputError("The forces belong to a model with other nodes or members. Compute them for this model.")
+    check_motion(system, forces.motion)
+    if (samples := len(motion["time"].values)) != count:
+        raise InputError(f"{count} samples of forces but {samples} of their motion. Cut both alike.")
+    position = np.ascontiguousarray(motion["position"].values)
+    if forces.attrs.get("at_rest", 0):
+        velocity, acceleration = np.zeros_like(position), np.zeros_like(position)
+    else:
+        velocity, acceleration = (np.ascontiguousarray(motion[name].values) for name in ("velocity", "acceleration"))
+    velocity, acceleration = rates_in_space(forces.attrs, found["time"].values, position, velocity, acceleration)
+    joint_force = np.ascontiguousarray(found["joint_force"].values)
+    if system.is_body.any():
+        joint_force = joint_force.copy()
+        joint_force[:, system.is_body] = np.nan  # the distribution of its mass is unknown, so it has no sections
+    on, worth, place = _actions(system, forces)
+    spread = np.any(np.isnan(place), axis=0)
+    return Given(
+        members=_members(system, tuple(forces.attrs["gravity"]), on, tuple(spread.tolist())),
+        histories=Histories(position, velocity, acceleration, joint_force, worth, place),
+    )
+
+
+@kept()
+def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], spread: tuple[bool, ...]) -> Members:
+    """The members of a model, under actions on these members; not to be written to."""
+    index = {name: k for k, name in enumerate(system.members)}
+    acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
+    orient, reference = orientation(system)
+    clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * len(index) + 1))
+    return Members.of(
+        {
+            "segments": most_segments(acting, np.array(spread, np.bool_), clamped_ptr),
+            "p": system.p,
+            "q": system.q,
+            "orient": orient,
+            "two_rods": system.two_rods,
+            "acting": acting,
+            "spread": spread,
+            "clamped_ptr": clamped_ptr,
+            "clamped": system.clamped[:, 1:],
+            "rods": system.own_rods,
+            "reference": reference,
+            "gravity": [*gravity, *[0.0] * (3 - system.dim)],
+        }
+    )
+
+
+def _actions(system: System, forces: Forces) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.float64]]:
+    """Actions on bars besides their weight and inertia: members in order, equivalent forces and place as in `Histories`."""
+    arrays = forces.arrays
+    count = len(arrays["time"].values)
+    if "action" not in arrays:
+        if actions_of(system, forces.load_case).actions:
+            raise InputError("These forces do not hold the actions on bars: an older release wrote them. Compute them again.")
+        return (), np.zeros((count, 0, 2, system.dim)), np.zeros((count, 0))
+    worth, place = (np.ascontiguousarray(arrays[name].values) for name in ("action_force", "action_place"))
+    return tuple(arrays["action_member"].values.tolist()), worth, place

@@ -1,0 +1,297 @@
+"""Runs that a page has asked for, the pages of their results, and curves along the range of a drive."""
+
+from __future__ import annotations
+
+import logging
+import math
+import threading
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss import dynamics, kinematics, runs
+from kinetruss.errors import InputError, KinetrussError
+from kinetruss.mechanics import compile
+from kinetruss.model import Active, LengthDrive, Model, Quintic, nearest, turns
+from kinetruss.model.runs import MISSION
+from kinetruss.runs import MissionRun, RunResult
+from kinetruss.strength.governing import headline
+from kinetruss.studio.messages import Busy
+from kinetruss.viewer import page, scene
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+SAMPLES = 181
+"""Number of samples of a curve to either side of the pose shown."""
+
+LEAST = 1e-3
+"""Singularity measure at which a curve ends."""
+
+
+def curve(
+    model: Model, position: NDArray[np.float64], node: str, drive: str, low: float | None = None, high: float | None = None
+) -> dict[str, Any]:
+    """The coupler curve of a node, and the force (N) or torque (N m) that holds the drive at rest at each of its points.
+
+    Parameters
+    ----------
+    position : (n_nodes, dim), m, the closed pose to start from. low, high : range of the drive, m or rad; by default its
+        limits, 0.6 to 1.5 times its length, or a whole turn.
+
+    Raises
+    ------
+    InputError : unknown names, or a structure that its drives do not hold.
+    """
+    if node not in model.nodes:
+        raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
+    if drive not in model.all_drives:
+        raise InputError(f"No drive called {drive!r}. {nearest(drive, model.all_drives)}")
+    system = compile(model)
+    start = dict(zip(system.drives, map(float, system.drive_start), strict=True))
+    ends = _range(model, drive, start[drive], position)
+    low, high = (given if given is not None else own for given, own in zip((low, high), ends, strict=True))
+    up = _followed(model, position, start, drive, high)
+    whole = turns(model.all_drives[drive]) and high - low >= 2 * math.pi - 1e-9 and not up[2]
+    down = None if whole or low >= start[drive] else _followed(model, position, start, drive, low)
+    values, x = (up[0], up[1]) if down is None else (np.r_[down[0][:0:-1], up[0]], np.r_[down[1][:0:-1], up[1]])
+    still = np.zeros_like(x)
+    motion = kinematics.from_arrays(model, np.arange(len(x), dtype=float), x, still, still)
+    forces = dynamics.inverse(model, motion, static=False).arrays
+    k = list(model.nodes).index(node)
+    held = forces["drive_force"].values[:, list(system.drives).index(drive)]
+    return {
+        "node": node,
+        "drive": drive,
+        "unit": "rad" if turns(model.all_drives[drive]) else "m",
+        "values": values.tolist(),
+        "path": x[:, k].tolist(),
+        "force": [float(one) if math.isfinite(one) else None for one in held],
+        "stopped": " ".join(part[2] for part in (down, up) if part is not None and part[2]),
+    }
+
+
+def _range(model: Model, drive: str, start: float, position: NDArray[np.float64]) -> tuple[float, float]:
+    record = model.all_drives[drive]
+    if turns(record):
+        return start, start + 2 * math.pi
+    if isinstance(record, LengthDrive):
+        member = model.members[record.bar]
+        if isinstance(member, Active) and member.limits is not None:
+            return member.limits
+        return 0.6 * start, 1.5 * start
+    reach = 0.5 * float(np.ptp(position, axis=0).max())
+    return start - reach, start + reach
+
+
+def _followed(
+    model: Model, position: NDArray[np.float64], start: dict[str, float], drive: str, end: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], str]:
+    """Drive values, positions and, if the path ends early, the reason."""
+    way = Quintic(moves={drive: (start[drive], end)}, duration=1.0)
+    try:
+        share = np.linspace(0, 1, SAMPLES)
+        motion = kinematics.follow(model, way, times=_even(share), start=position, least=LEAST, raise_on_failure=False)
+    except KinetrussError as error:
+        raise InputError(f"No curve: {error}") from None
+    found = motion.arrays
+    if not len(found["time"].values):
+        raise InputError(f"No curve: {motion.message}")
+    names = [str(name) for name in found["drive"].values]
+    values = found["drive_position"].values[:, names.index(drive)]
+    reason = "" if motion.status.ok else f"It ends at {values[-1]:.6g}: {motion.message}"
+    return values, found["position"].values, reason
+
+
+def _even(share: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Times at which a quintic from rest to rest has moved by these shares of its way."""
+    time = np.linspace(0, 1, 4001)
+    return np.asarray(np.interp(share, time**3 * (10 - 15 * time + 6 * time**2), time))
+
+
+# Runs that a page has asked for, and the pages of their results.
+
+MOST = 4
+"""Number of result pages that are kept; each holds a whole scene."""
+
+MOST_VALUES = 4_000_000
+"""Largest product of samples and members of a run from the page."""
+
+PARTS = 50
+"""Number of blocks of a run: its progress is known, and it can be stopped, after each of them."""
+
+SMALLEST = 50
+"""Samples of a block of a prescribed motion; fewer would take longer."""
+
+SOON = 0.25
+"""Seconds that the answer waits for a short run."""
+
+LEFT = 2
+"""Largest number of stopped runs that have not reached the end of their block."""
+
+log = logging.getLogger(__name__)
+
+
+class StoppedError(Exception):
+    """A run that the page has stopped."""
+
+
+@dataclass(eq=False)
+class Work:
+    """A run that is computed beside the messages.
+
+    what : the items that are done, of all of them (0: not known yet). answer : what the page gets at its end.
+    """
+
+    name: str
+    revision: int
+    total: int = 0
+    what: str = "samples"
+    done: int = 0
+    busy: Busy = field(default_factory=Busy, repr=False)
+    stopped: bool = False
+    answer: dict[str, Any] | None = None
+    thread: threading.Thread | None = field(default=None, repr=False)
+
+    def progress(self, done: int, total: int) -> None:
+        """Note what is done; ends the run if it was stopped."""
+        if self.stopped:
+            raise StoppedError
+        self.done, self.total = done, total
+
+    def record(self) -> dict[str, Any]:
+        """How far it is, or its end."""
+        if self.answer is not None:
+            return self.answer
+        return {
+            "kind": "running",
+            "name": self.name,
+            "done": self.done,
+            "total": self.total,
+            "what": self.what,
+            "note": self.busy.compiling(),
+            "revision": self.revision,
+        }
+
+
+class Results:
+    """The run that is computed, and the pages of the last results, by number."""
+
+    def __init__(self) -> None:
+        self.pages: dict[int, str] = {}
+        self.count = 0
+        self.work: Work | None = None
+        self.left: list[Work] = []
+        self.lock = threading.Lock()
+
+    def start(self, model: Model, name: str, revision: int = 0) -> dict[str, Any]:
+        """Begin a run of the model; the record of its end if that comes soon. revision : of the drawing, kept in the records.
+
+        Raises
+        ------
+        InputError : no such run, one that cannot be done from the page, or another one is computed.
+        """
+        check(model, name)
+        with self.lock:
+            if self.work is not None and self.work.answer is None:
+                raise InputError(f"The run {self.work.name!r} is being computed. Stop it, or wait for its end.")
+            self.left = [one for one in self.left if one.answer is None]
+            if len(self.left) >= LEFT:
+                raise InputError(
+                    f"Stopped runs are still busy ({len(self.left)}). Wait for the end of their step, then try again."
+                )
+            run = model.runs[name]
+            pairs = run.analysis == MISSION  # how many there are is known once they are spread
+            work = self.work = Work(name, revision, *((0, "pairs") if pairs else (run.samples, "samples")))
+        work.thread = threading.Thread(target=self._do, args=(work, model), daemon=True)
+        work.thread.start()
+        work.thread.join(SOON)
+        return work.record()
+
+    def running(self) -> dict[str, Any] | None:
+        """How far the run is, or its end; None if there was none, or it was stopped."""
+        work = self.work
+        return None if work is None else work.record()
+
+    def stop(self) -> dict[str, Any]:
+        """Give up the run; it ends after the block of samples that is computed now.
+
+        Raises
+        ------
+        InputError : nothing is computed.
+        """
+        with self.lock:
+            work = self.work
+            if work is None or work.answer is not None:
+                raise InputError("No run is being computed.")
+            work.stopped, self.work = True, None
+            self.left.append(work)
+        return {"kind": "stopped", "name": work.name, "done": work.done, "total": work.total}
+
+    def _do(self, work: Work, model: Model) -> None:
+        try:
+            found = self._result(work, model)
+        except StoppedError:
+            found = {"kind": "stopped"}
+        except KinetrussError as error:
+            found = {"kind": "error", "message": str(error)}
+        except Exception as error:
+            log.exception("a run of the page failed")
+            found = {"kind": "error", "message": f"The run could not be done: {type(error).__name__}."}
+        work.answer = found | {"name": work.name, "revision": work.revision}
+
+    def _result(self, work: Work, model: Model) -> dict[str, Any]:
+        """Do the run and keep its page."""
+        run = model.runs[work.name]
+        least = 1 if run.analysis == "dynamics.simulate" else SMALLEST
+        result = runs.run(model, work.name, progress=work.progress, block=max(least, -(-run.samples // PARTS)))
+        found = headline(result.verdict, result.demand).record
+        words = [_done(result), found["text"], *found["more"], result.message]
+        if found["governing"] is not None:
+            words.insert(2, found["governing"]["text"])
+        shown, title = _shown(result)
+        number = None if shown is None else self._kept(page(scene(shown), title=f"{model.title or 'Drawing'}: {title}"), work)
+        return {"kind": "ran", "words": "\n".join(filter(None, words)), "number": number}
+
+    def _kept(self, text: str, work: Work) -> int:
+        with self.lock:
+            if work.stopped:
+                raise StoppedError
+            self.count += 1
+            self.pages[self.count] = text
+            for old in list(self.pages)[:-MOST]:
+                del self.pages[old]
+            return self.count
+
+
+def check(model: Model, name: str) -> None:
+    """Raises an InputError for a run that the page cannot do."""
+    if name not in model.runs:
+        raise InputError(f"No run called {name!r}. {nearest(name, model.runs)}")
+    run = model.runs[name]
+    for one in (run, *(model.runs[other] for other in run.motions if other in model.runs)):
+        if one.motion is not None:
+            raise InputError(f"{name!r} reads a file. Save the model, then: kinetruss run MODEL.yaml {name}")
+        if one.samples * len(model.members) > MOST_VALUES:
+            raise InputError(f"{name!r} is too long for this page: {one.samples} samples. Take fewer samples.")
+
+
+def _done(result: RunResult) -> str:
+    """What was done of what was asked."""
+    if not isinstance(result, MissionRun):
+        return f"{len(result.motion.time)} of {result.samples} samples."
+    possible = int((result.pairs["samples"].values > 0).sum())
+    return f"{possible} of {result.good} pairs of motion, condition and load case can be done."
+
+
+def _shown(result: RunResult) -> tuple[RunResult | None, str]:
+    """The run whose page shows a result: of a mission its governing pair; None if nothing could be done."""
+    if not isinstance(result, MissionRun):
+        return (result if len(result.motion.time) else None), result.name
+    if not (result.pairs["samples"].values > 0).any():
+        return None, result.name
+    worst = runs.governing(result)
+    label = result.pairs["label"].values[0 if result.governing is None else result.governing]
+    return worst, f"{result.name}, governing pair {label}"

@@ -1,0 +1,207 @@
+"""A drawing as the record that the page shows."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import Fault, UnitError
+from kinetruss.io.writing import located
+from kinetruss.model import NodalForce, turns
+from kinetruss.studio.drawing_edits import MEMBERS, ends_of, place_of
+from kinetruss.studio.edits import role_of
+from kinetruss.studio.judging import loose_ends
+from kinetruss.studio.poses import number
+from kinetruss.units import parse
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.results import Forces
+    from kinetruss.studio.drawing import Drawing
+    from kinetruss.studio.judging import Judged
+
+
+def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
+    """Everything that the page shows. light : without text and records, and without the whole text of the mobility."""
+    data, found = drawing.state.data, drawing.found
+    places = _places(drawing)
+    members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
+    known = {name: ends for name, ends in members.items() if all(end in places for end in ends)}
+    record = {
+        "kind": "moved" if light else "drawing",
+        "revision": drawing.revision,
+        "places": list(places.values()),
+        "apart": found.apart,
+        "why": found.why,
+        "warnings": [{"kind": kind, "text": text} for kind, text in _warnings(found, _floats(data))],
+        "missing": _missing(drawing),
+        "alarms": found.alarms,
+        "mobility": _mobility(found, light),
+        "drives": _drives(found),
+        **_forces(found.forces, list(known), _origins(found, list(places))),
+    }
+    if light:
+        return record
+    text = drawing.state.text
+    return record | {
+        "dim": drawing.dim,
+        "nodes": list(places),
+        "members": [{"name": name, "ends": ends, "kind": _kind(drawing, name)} for name, ends in known.items()],
+        "fixed": _fixed(data, len(next(iter(places.values()), [0, 0]))),
+        "loads": _loads(found),
+        "data": data,
+        "text": text,
+        "faults": fault_rows(located(text, found.faults)),
+        "undo": drawing.state.words if drawing.past else "",
+        "redo": drawing.future[0].words if drawing.future else "",
+        "valid": found.model is not None,
+        "hints": loose_ends(places, known),
+    }
+
+
+def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
+    """Faults with their line in the text."""
+    return [{"where": one.where, "text": str(one), "line": one.line, "column": one.column} for one in faults]
+
+
+def _warnings(found: Judged, floats: bool) -> list[tuple[str, str]]:
+    """Warnings; where elastic parts hold the drawing in equilibrium, what rigid bars leave free is no mechanism.
+
+    floats : nothing holds the drawing: that is said, and its motions as a whole are no news.
+    """
+    return [one for one in found.warnings if one[0] != "mechanism" or (found.forces is None and not floats)]
+
+
+def _places(drawing: Drawing) -> dict[str, list[float]]:
+    """Node -> place, m: the closed pose, or what is drawn if there is none."""
+    found = drawing.found
+    if found.model is not None and found.position is not None:
+        drawn = drawing.state.data.get("nodes") or {}  # without nodes that beams and bodies have added
+        return {name: place for name, place in zip(found.model.nodes, found.position.tolist(), strict=True) if name in drawn}
+    places = {}
+    for name in drawing.state.data.get("nodes") or {}:
+        with suppress(UnitError):
+            places[name] = [float(parse(value, "length")) for value in place_of(drawing.state.data, name)]
+    return places
+
+
+def _kind(drawing: Drawing, name: str) -> str:
+    model = drawing.found.model
+    if name in (drawing.state.data.get("beams") or {}):
+        return "beam"
+    if model is not None:
+        return role_of(model, name)
+    return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
+
+
+def _fixed(data: dict[str, Any], dim: int) -> dict[str, str]:
+    given = data.get("fixed") or {}
+    return dict(given) if isinstance(given, dict) else dict.fromkeys(given, "xyz"[:dim])
+
+
+def _loads(found: Judged) -> list[dict[str, Any]]:
+    model = found.model
+    return [] if model is None else [
+        {"name": name, "node": load.node, "force": list(load.force)}
+        for name, load in model.loads.items() if isinstance(load, NodalForce) and load.force is not None
+    ]  # fmt: skip
+
+
+def _drives(found: Judged) -> list[dict[str, Any]]:
+    if found.model is None:
+        return []
+    held = {}
+    if found.forces is not None and found.drives:
+        arrays = found.forces.arrays
+        names = [str(name) for name in arrays["drive"].values]
+        held = dict(zip(names, map(number, arrays["drive_force"].values[0]), strict=True))
+    records = found.model.all_drives
+    return [
+        {"name": name, "unit": "rad" if turns(records[name]) else "m", "value": value, "force": held.get(name),
+         "bar": getattr(records[name], "bar", None)}
+        for name, value in found.drives.items()
+    ]  # fmt: skip
+
+
+def _forces(forces: Forces | None, members: list[str], origins: dict[str, str]) -> dict[str, Any]:
+    """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) and moments of clamps (N m) by node.
+
+    origins : node or frame of a beam's end -> node at which its reaction is shown.
+    """
+    if forces is None:
+        return {"force": None, "reaction": {}, "reaction_moment": {}, "unsure": []}
+    arrays = forces.arrays
+    names = [str(name) for name in arrays["member"].values]
+    values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
+    sums: dict[str, list[float]] = {}
+    moments: dict[str, NDArray[np.float64]] = {}
+    if "reaction" in arrays:
+        for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
+            # a clamp holds nodes that a beam has added to its end, e.g. A.d1 and b1.A.axis: their forces are its reaction too
+            at = origins.get(name) or origins.get(name.rpartition(".")[0])
+            if at is not None:
+                sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
+            if at is not None and at != name:
+                moments[at] = moments.get(at, np.zeros(1)) + _moment(forces, name, at, row)
+    return {
+        "force": [number(values.get(name, np.nan)) for name in members],
+        "reaction": {name: [number(one) for one in row] for name, row in sums.items()},
+        "reaction_moment": {name: [number(one) for one in row.tolist()] for name, row in moments.items()},
+        "unsure": list(forces.attrs.get("not_unique", ())),
+    }
+
+
+def _origins(found: Judged, drawn: list[str]) -> dict[str, str]:
+    """Nodes drawn, without those that beams have added (in a JSON file they are drawn), and the beams' own frames there."""
+    if found.model is None:
+        return {}
+    own = {name: name for name in drawn if name in found.model.nodes and not found.model.nodes[name].director}
+    return {f"{name}.{end}": end for name, beam in found.model.beams.items() for end in beam.ends} | own
+
+
+def _moment(forces: Forces, name: str, at: str, force: list[float]) -> NDArray[np.float64]:
+    """Moment r x F (N m) about a node of a force at a node that a beam has added to it: (3,), in the plane (1,)."""
+    motion = forces.motion.arrays
+    nodes = [str(one) for one in motion["node"].values]
+    place = motion["position"].values[0]
+    arm = np.zeros(3)
+    arm[: len(force)] = place[nodes.index(name)] - place[nodes.index(at)]
+    found = np.cross(arm, [*force, 0.0][:3])
+    return found if len(force) == 3 else found[2:]
+
+
+def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
+    one = found.mobility
+    if one is None:
+        return None
+    counts = {"freedoms": one.degrees_of_freedom, "undriven": one.undriven, "self_stress": one.self_stress}
+    return counts if light else counts | {"text": str(one)}
+
+
+def _floats(data: dict[str, Any]) -> bool:
+    """Whether nothing holds the drawing."""
+    return not data.get("fixed") and not data.get("clamped")
+
+
+def _missing(drawing: Drawing) -> list[str]:
+    """What the drawing still needs before it can carry anything."""
+    data, found = drawing.state.data, drawing.found
+    words = []
+    if not data.get("nodes"):
+        return ["Choose Bar and drag in the drawing, or Node and click. The mouse wheel sets the scale."]
+    if not any(data.get(table) for table in (*MEMBERS, "membranes", "solids")):
+        words.append("No bar yet: drag from node to node.")
+    if _floats(data):
+        words.append("No support yet: pick a node and choose what holds it.")
+    model = found.model
+    if model is not None and model.members and not model.loads:
+        heavy = any(node.mass for node in model.nodes.values()) or bool(model.bodies) or any(
+            getattr(bar, "mass", None) or (model.section_of(bar) is not None and model.material_of(bar) is not None)
+            for bar in model.bars.values()
+        ) or bool(model.active)  # fmt: skip
+        if not heavy or not any(model.gravity or ()):
+            words.append("No load yet: all forces are zero. Add a load, or gravity with masses or a section and a material.")
+    return words

@@ -1,0 +1,194 @@
+"""Makes a scene from a model, a motion, forces or a run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss import __version__
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kinematics.own_motion import check_motion
+from kinetruss.mechanics import compile
+from kinetruss.model import Model, nearest
+from kinetruss.results import Forces, Motion, Result, Simulation, Status
+from kinetruss.runs import RunResult
+from kinetruss.runs.mission_results import check_histories
+from kinetruss.strength import check
+from kinetruss.viewer.moving import (
+    FORMAT,
+    UNITS,
+    VERSION,
+    Mode,
+    Scene,
+    actions_at_rest,
+    channels_of,
+    loads_of,
+    mechanisms,
+    moving,
+    sections_of_beams,
+    stress_of_faces,
+    vibrations,
+)
+from kinetruss.viewer.topology import topology
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.strength.governing import Headline
+
+
+AT_REST = "Not checked: an equilibrium has no verdict. A run has one, or the forces of statics.at_poses"
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Subject:
+    """The data of a scene, from any source."""
+
+    model: Model
+    kind: str
+    name: str = ""
+    motion: Motion | None = None
+    forces: Sequence[Forces] = ()
+    run: RunResult | None = None
+    linear: Result | None = None
+    rest: Result | None = None
+
+
+def scene(
+    what: Model | Result | RunResult,
+    *,
+    model: Model | None = None,
+    case: str | None = None,
+    frames: int = 600,
+    modes: Sequence[Mode] = (),
+    instants: Sequence[float] = (),
+) -> Scene:
+    """The scene of a model, a motion, forces, a simulation, an equilibrium, a linearisation or a run.
+
+    Parameters
+    ----------
+    model : required except for a model or a run, which have their own.
+    case : the only load case of a run to show; by default all, selectable in the page.
+    frames : largest number of samples, equally spaced, in addition to the worst of each member. All states shown are computed
+    samples, never interpolated.
+    instants : times, s, whose nearest samples are kept in any case.
+    modes : shapes to animate; the mechanisms of a model and the modes of a linearisation are included without it.
+
+    Raises
+    ------
+    InputError : a result without its model, an unknown load case, a run without a good sample.
+
+    Notes
+    -----
+    Up to 600,000 numbers are kept as float32, of as many load cases as fit. In a larger scene each curve is rounded to
+    1/65534 (positions, member forces) or 1/4094 of its range, only one load case is kept, the page computes joint forces from
+    accelerations, and stress, utilisation and buckling are the worst of the run; ``rounded`` in the header is then true.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> scene = kt.viewer.scene(kt.library.vgt.triangular())
+    >>> scene.header["kind"], scene.header["dim"], scene.header["nodes"]
+    ('model', 2, ['O1', 'O2', 'B'])
+    """
+    subject = _subject(what, model, case)
+    header, arrays = topology(subject.model)
+    header |= {
+        "format": FORMAT, "version": VERSION, "kinetruss": __version__, "kind": subject.kind, "name": subject.name,
+        "title": subject.model.title, "dim": subject.model.dim, "status": Status.COMPLETED.value, "message": "",
+        "gravity": list(subject.model.gravity or (0.0,) * subject.model.dim), "rounded": False, "loads": [], "channels": [],
+        "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
+    }  # fmt: skip
+    shown = list(modes)
+    verdict = _verdict(subject)
+    header["verdict"] = verdict.record | ({"text": AT_REST} if subject.rest is not None else {})
+    if subject.motion is None:
+        more, histories = _standing(subject)
+        if subject.linear is not None:
+            shown = vibrations(subject.linear) + shown
+        elif subject.rest is None:
+            shown = mechanisms(subject.model) + shown
+    else:
+        if verdict.governing is not None and np.isfinite(verdict.governing.time):
+            instants = (*instants, verdict.governing.time)
+        more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
+    header |= more
+    fixed = ("time", *header.get("over_run", ()))
+    header["histories"] = [name for name in histories if name.split(":")[-1] in UNITS and name not in fixed]
+    header["units"] = {name: UNITS[name] for name in histories if name in UNITS}
+    header["modes"] = [{"name": one.name, "frequency": one.frequency, "array": f"mode_{k}"} for k, one in enumerate(shown)]
+    shapes = {f"mode_{k}": np.asarray(one.shape, float) for k, one in enumerate(shown)}
+    return Scene(header=header, arrays=arrays | histories | shapes)
+
+
+def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
+    if isinstance(what, Model):
+        return _Subject(model=what, kind="model")
+    if isinstance(what, RunResult):
+        check_histories(what)
+        if case is not None and case not in what.forces:
+            raise InputError(f"No load case called {case!r}. {nearest(case, what.forces)}")
+        forces = list(what.forces.values()) if case is None else [what.forces[case]]
+        return _Subject(model=what.model, kind="run", name=what.name, motion=what.motion, forces=forces, run=what)
+    if isinstance(what, Simulation):
+        what = what.forces
+    linear = isinstance(what, Result) and {"mode_shape", "frequency"} <= set(what.data)
+    rest = isinstance(what, Result) and {"position", "member_force"} <= set(what.data) and what.data["position"].ndim == 2
+    if not linear and not rest and not isinstance(what, (Motion, Forces)):
+        raise InputError(f"A {type(what).__name__} cannot be shown. Give a model, a motion, forces or a run.")
+    if model is None:
+        raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
+    if linear:
+        return _Subject(model=model, kind="vibration modes", linear=what)
+    if rest:
+        return _Subject(model=model, kind="equilibrium", rest=what)
+    check_motion(compile(model), what.motion if isinstance(what, Forces) else what, members=True)
+    if isinstance(what, Forces):
+        return _Subject(model=model, kind="forces", motion=what.motion, forces=[what])
+    return _Subject(model=model, kind="motion", motion=what)
+
+
+def _verdict(subject: _Subject) -> Headline:
+    """What governs, of the load cases shown: from the run, or checked here."""
+    from kinetruss.strength.governing import headline
+
+    run = subject.run
+    if run is not None and (len(subject.forces) == len(run.forces) or not subject.forces):
+        return headline(run.verdict, run.demand, timed=run.motion.data.sizes["time"] > 1)
+    if not subject.forces:
+        return headline(None)
+    names = {one.load_case for one in subject.forces}
+    timed = subject.motion is not None and subject.motion.data.sizes["time"] > 1
+    demand = {k: v for k, v in (run.demand if run else {}).items() if k in names}
+    return headline(check(subject.model, subject.forces), demand, timed=timed)
+
+
+def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """A model in its own pose, or the state of a linearisation: one frame with its loads at the start."""
+    from kinetruss.kinematics import assemble
+    from kinetruss.strength.beam_verdict import middle_forces
+
+    model = subject.model
+    more: dict[str, Any] = {}
+    known = subject.linear or subject.rest
+    try:
+        position = assemble(model) if known is None else known.data["position"].values
+    except (AnalysisError, InputError) as error:
+        position = np.array([node.at for node in model.nodes.values()], float)
+        more = {"message": f"Shown as drawn, not assembled: {error}"}
+    position = np.array(position)
+    position[[node.scalar for node in model.nodes.values()]] = position[0]
+    loads, force = loads_of(model, np.zeros(1), None, position[None])
+    found = {"time": np.zeros(1), "position": position[None], "load_force": force}
+    if subject.rest is not None:
+        still = np.zeros_like(found["position"])
+        found |= {"member_force": middle_forces(model, subject.rest)[None], "velocity": still, "acceleration": still}
+        found |= sections_of_beams(model, subject.rest)
+        found |= stress_of_faces(model, found["position"])
+        more["actions"], acting = actions_at_rest(model, subject.rest)
+        found |= acting
+        more["channels"] = [one for one in channels_of(found, bool(model.members)) if one["id"] != "speed"]
+    return more | {"loads": loads}, found

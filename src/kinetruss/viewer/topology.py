@@ -1,0 +1,150 @@
+"""The parts of a scene that do not change in time: names, ends, kinds, sizes, supports, drives, parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.beam_forces import beam_curves
+from kinetruss.mechanics.continua import body_faces, skin_of
+from kinetruss.mechanics.members import orientation
+from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
+from kinetruss.model.beam_frames import chords, shown_kinds, shown_names
+from kinetruss.model.bodies import placed
+from kinetruss.strength.parts import parts_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Header fields and arrays of a model.
+
+    Arrays: ``ends`` (m, 2) node indices; ``rods`` (m, 6) the `own_rods` of `System`; ``reference`` (m, 3) direction that spans
+    the plane 1-3 with the bar, or ``orient`` (m,) a node (-1 none); ``radius`` (m,) m, NaN without section; ``box`` (m, 2) half
+    height along axis 2 and half width along axis 3 of rectangles, m, NaN for others; ``part_member`` (parts,); ``part_shape``
+    (parts,); ``part_scale`` (parts, 4) nominal stresses of T, M2, M3, V; ``part_allowed`` (parts,) Pa; ``lump`` (n,) kg; with
+    membranes or solids ``skin`` (f, 3), nodes of their faces, and ``skin_part`` (f,); with elastic beams ``beam_member`` (k,),
+    ``beam_nodes`` (k, v), and coefficients of these nodes that give the places of their axes, ``beam_along`` (k, g, v), and
+    local axis 2 there, ``beam_across`` (k, g, v).
+    """
+    system, parts, skin = compile(model), parts_of(model), skin_of(model)
+    members, (sections, rectangles) = model.members, _sections(model)
+    index = {name: i for i, name in enumerate(model.nodes)}
+    header: dict[str, Any] = {
+        "nodes": list(model.nodes),
+        "members": list(shown_names(model).values()),
+        "kinds": list(shown_kinds(model).values()),
+        "beams": [k for k, name in enumerate(members) if name in chords(model)],
+        "directors": [k for k, node in enumerate(model.nodes.values()) if node.director],
+        "supports": [
+            {"node": index[node], "axes": axes} for node, axes in model.fixed.items() if not model.nodes[node].director
+        ],
+        "drives": [
+            _drive(name, drive, index, list(members), [one.ends for one in members.values()])
+            for name, drive in model.all_drives.items()
+        ],
+        "parts": list(parts.names),
+        "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None]
+        + list(_flat_bodies(model)),
+        "solids": body_faces(model, system.x0[:, : model.dim]),
+        "skins": [{"name": name, "kind": kind} for name, kind in zip(skin.names, skin.kinds, strict=True)],
+        "triangles": _triangles(model, index),
+        "pressures": _pressures(model),
+        "two_rods": [k for k, two in enumerate(system.two_rods) if two],
+        "clamped": [{"rod": int(rod), "place": place, "mass": mass} for rod, place, mass in system.clamped.tolist()],
+    }
+    arrays: dict[str, NDArray[Any]] = {
+        "ends": np.column_stack([system.p, system.q]),
+        "rods": system.own_rods,
+        "reference": orientation(system).reference,
+        "orient": orientation(system).node,
+        "radius": np.array([max(_fibres(one)) for one in sections]),
+        "box": np.array([_fibres(one) for one in rectangles]).reshape(-1, 2),
+        "part_member": parts.member.astype(np.int32),
+        "part_shape": parts.shape.astype(np.int32),
+        "part_scale": parts.scale,
+        "part_allowed": parts.yield_strength / model.safety.yielding,
+        "lump": system.lump,
+    }
+    if len(skin.nodes):
+        arrays |= {"skin": skin.nodes.astype(np.int32), "skin_part": skin.part.astype(np.int32)}
+    if (curves := beam_curves(system)) is not None:
+        arrays |= {"beam_member": curves.member.astype(np.int32), "beam_nodes": curves.nodes.astype(np.int32)}
+        arrays |= {"beam_along": curves.along, "beam_across": curves.across}
+    return header, arrays
+
+
+def _pressures(model: Model) -> dict[str, float] | None:
+    """Number of faces under pressure, and the smallest and largest constant pressure, Pa."""
+    found = [load.pressure for load in model.loads.values() if isinstance(load, Pressure) and load.pressure is not None]
+    return {"count": len(found), "least": min(found), "largest": max(found)} if found else None
+
+
+def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], ends: list[tuple[str, str]]) -> dict[str, Any]:
+    found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m"}
+    if isinstance(drive, HingeDrive):
+        found |= {"axis": [nodes[one] for one in drive.axis], "start": nodes[drive.start], "end": nodes[drive.end]}
+        # reported with a member that it turns, if one goes from the axis to `end`
+        turned = [k for k, pair in enumerate(ends) if drive.end in pair and set(pair) & set(drive.axis)]
+        return found | ({"member": turned[0]} if turned else {})
+    if isinstance(drive, CoordinateDrive):
+        return found | {"node": nodes[drive.node], "axis": drive.axis}
+    if getattr(drive, "axis", None) is not None:
+        found["about"] = [float(one) for one in drive.axis]
+    return found | {"member": members.index(drive.bar)}
+
+
+def _body(member: int, bar: Bar) -> dict[str, Any]:
+    """The planar body that a bar represents: its centre (m) along the bar and to its left, and its mass (kg)."""
+    assert bar.body is not None  # noqa: S101 - for mypy
+    return {"member": member, "center": [float(x) for x in bar.body.center], "mass": float(bar.body.mass)}
+
+
+def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
+    """The same for planar bodies defined by two nodes."""
+    if not model.bodies or model.dim == 3:
+        return
+    members = {frozenset(one.ends): k for k, one in enumerate(model.members.values())}
+    for body in model.bodies.values():
+        member = members.get(frozenset(body.nodes)) if len(body.nodes) == 2 else None
+        if member is None:
+            continue
+        p, q = (np.array(model.nodes[end].at) for end in list(model.members.values())[member].ends)
+        origin, axes = placed(body.frame, 2)
+        center = (p + q) / 2 if body.center is None else origin + np.array(body.center) @ axes
+        u = (q - p) / np.linalg.norm(q - p)
+        across = float(np.array([-u[1], u[0]]) @ (center - p))
+        yield {"member": member, "center": [float(u @ (center - p)), across], "mass": float(body.mass)}
+
+
+def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
+    """Nodes of all triangles of rigid bars, which move as one face."""
+    near: dict[int, set[int]] = {}
+    for bar in model.bars.values():
+        if bar.kind == "rigid" and not any(model.nodes[end].director for end in bar.ends):
+            a, b = sorted(index[end] for end in bar.ends)
+            near.setdefault(a, set()).add(b)
+    return [[a, b, c] for a in sorted(near) for b in sorted(near[a]) for c in sorted(near[a] & near.get(b, set()))]
+
+
+def _sections(model: Model) -> tuple[list[Any], list[Any]]:
+    """The section of each member or None: of an active member that of its tube, of a chord that of its beam; and the
+    rectangles whose axes are known: an active member has round rods, a rigid beam in space no axis 2 among the nodes.
+    """
+    beams = dict(zip(chords(model), model.beams.values(), strict=False))
+    found, flat = [], []
+    for name, one in model.members.items():
+        section = model.section_of(one.tube if isinstance(one, Active) else beams.get(name, one))
+        turned = isinstance(one, Active) or (name in beams and beams[name].kind == "rigid" and model.dim == 3)
+        found.append(section)
+        flat.append(section if isinstance(section, Rectangle) and not turned else None)
+    return found, flat
+
+
+def _fibres(section: Any) -> tuple[float, float]:
+    """Half height along axis 2 and half width along axis 3, m; NaN without a section."""
+    return (np.nan, np.nan) if section is None else section.extreme_fibres
