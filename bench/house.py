@@ -98,13 +98,14 @@ def figures(root: Path) -> dict[str, Any]:
         "lines of a file, median": statistics.median(file.lines for file in files),
         "lines of the longest file": max(file.lines for file in files),
         "lines before the first definition, %": round(100 * sum(file.head() for file in files) / lines, 1),
-        "import circles": len(_circles(_imports(files))),  # of what runs: a rule beside its record names the model it judges
+        "import circles": [" ".join(circle) for circle in _circles(_imports(files))],
+        "import circles with imports for types": [" ".join(circle) for circle in _circles(_imports(files, types=True))],
         "pairs of rooms that import each other": len(_pairs(files)),
         "private functions": len(_privates(files)),
         "private functions with one caller": sum(count == 1 for count in _privates(files).values()),
         "most arguments outside builders": "{} in {}".format(*arguments[0]),
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
-        "private imports across packages": sum(_is_private(file, one) for file in files for one in _asked(file)),
+        "private imports across packages": sum(_is_private(file, one) for file in files for one in _asked(file, types=True)),
         "exported names": len(_exported(files)),
         "comments per 100 lines": round(100 * sum(file.comments(pragmas=False) for file in files) / lines, 2),
         "pragmas": sum(file.comments(pragmas=True) for file in files),
@@ -146,10 +147,12 @@ def _privates(files: list[Source]) -> Counter[str]:
     return found
 
 
-def _asked(file: Source) -> Iterator[tuple[str, str]]:
-    """Module and name of every import of the house, those within functions too; those for types only left out."""
+def _asked(file: Source, types: bool) -> Iterator[tuple[str, str]]:
+    """Module and name of every import of the house, those within functions too. A face's imports are never done: its names
+    are imported at first use."""
     blocks = (node for node in ast.walk(file.tree) if isinstance(node, ast.If) and _for_types(node))
-    skipped = {id(node) for block in blocks for node in ast.walk(block)}
+    left_out = not types or file.path.name == "__init__.py"
+    skipped = {id(node) for block in blocks for node in ast.walk(block)} if left_out else set()
     for node in ast.walk(file.tree):
         if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "kinetruss" and id(node) not in skipped:
             yield from ((str(node.module), one.name) for one in node.names)
@@ -166,11 +169,11 @@ def _is_private(file: Source, asked: tuple[str, str]) -> bool:
     return hidden and package not in (file.package, "kernels")
 
 
-def _imports(files: list[Source]) -> dict[str, set[str]]:
+def _imports(files: list[Source], types: bool = False) -> dict[str, set[str]]:
     """Modules that each module names in its imports."""
     modules = {file.module for file in files}
     return {
-        file.module: {inner if (inner := f"{module}.{name}") in modules else module for module, name in _asked(file)}
+        file.module: {inner if (inner := f"{module}.{name}") in modules else module for module, name in _asked(file, types)}
         & (modules - {file.module})
         for file in files
     }

@@ -25,7 +25,7 @@ def test_every_package_and_every_folder_of_tests_has_a_part():
 @pytest.mark.parametrize(
     "files, parts",
     [
-        (["src/kinetruss/statics/small/linear.py", "docs/index.md"], ["statics"]),
+        (["src/kinetruss/statics/linear_statics.py", "docs/index.md"], ["statics"]),
         (["src/kinetruss/units.py", "tests/rows/test_hinges.py"], ["kernels", "package"]),
         (["tests/runs/test_run.py"], ["results", "runs"]),
         (["README.md", "tests/hand.py", "tests/data/robot.urdf"], []),

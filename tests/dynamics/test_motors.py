@@ -10,8 +10,8 @@ import kinetruss as kt
 from kinetruss import actuators, dynamics
 from kinetruss.actuators.drive_model import drive_model_of
 from kinetruss.actuators.slip import slipping
-from kinetruss.dynamics.motor_stepping import stepper_for
-from kinetruss.dynamics.simulation_problem import Options, problem_of
+from kinetruss.dynamics.simulation import stepper_for
+from kinetruss.dynamics.simulation_setup import Options, problem_of
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import drives, vgt
 from kinetruss.model import (

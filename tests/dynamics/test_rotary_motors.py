@@ -9,8 +9,8 @@ from numpy.testing import assert_allclose
 
 import kinetruss as kt
 from kinetruss import actuators, dynamics
-from kinetruss.dynamics.motor_stepping import stepper_for
-from kinetruss.dynamics.simulation_problem import Options, problem_of
+from kinetruss.dynamics.simulation import stepper_for
+from kinetruss.dynamics.simulation_setup import Options, problem_of
 from kinetruss.errors import InputError, ModelError
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile

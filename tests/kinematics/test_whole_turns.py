@@ -123,9 +123,9 @@ def test_samples_from_elsewhere_that_are_too_far_apart_are_refused():
 
 
 def test_a_simulation_in_pieces_goes_on_counting():
-    from kinetruss.dynamics.motor_stepping import stepper_for
-    from kinetruss.dynamics.simulation_problem import Options, problem_of
+    from kinetruss.dynamics.simulation import stepper_for
     from kinetruss.dynamics.simulation_records import simulation_of
+    from kinetruss.dynamics.simulation_setup import Options, problem_of
 
     model = rotor(-7.0)
     work = stepper_for(problem_of(model, 6.0, Options(tasks={"hip": FREE, "elbow": FREE})), 6.0)

@@ -30,7 +30,7 @@ from samples import fourbar
 HOLD = """
 import sys
 from pathlib import Path
-from kinetruss.results.store.lock import hold
+from kinetruss.results.lock import hold
 hold(Path(sys.argv[1]))
 print("held", flush=True)
 sys.stdin.read()
@@ -281,7 +281,7 @@ def test_a_folder_replaced_in_the_middle_of_a_block_is_not_said_to_hold_it(tmp_p
         create(path, ledger(), '"new"').release()
         raise FileNotFoundError(errno.ENOENT, "No such file or directory")
 
-    monkeypatch.setattr("kinetruss.results.store.store.write_chunk", replaced)
+    monkeypatch.setattr("kinetruss.results.store.write_chunk", replaced)
     with pytest.raises(StoreError, match="was removed or replaced") as told:
         writer.append(rows(0))
     assert "--overwrite" not in str(told.value)
@@ -316,7 +316,8 @@ CLAIM = """
 import sys
 from pathlib import Path
 from kinetruss.errors import StoreError
-from kinetruss.results.store.folder import claimed, is_locked
+from kinetruss.results.folder import claimed
+from kinetruss.results.lock import is_locked
 try:
     with claimed(Path(sys.argv[1]), overwrite=True):
         print("claimed")
@@ -352,7 +353,7 @@ def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, num
     def refuse(*_given, **_more):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr("kinetruss.results.store.store.write_chunk", refuse)
+    monkeypatch.setattr("kinetruss.results.store.write_chunk", refuse)
     with pytest.raises(StoreError) as told:
         writer.append(rows(2))
     assert "2 of 6 samples are kept in it and good" in str(told.value)

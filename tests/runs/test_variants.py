@@ -17,7 +17,8 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
 from kinetruss.results.folder import PACKED
-from kinetruss.runs.many import beside, short_paths, spread
+from kinetruss.runs.many import beside, spread
+from kinetruss.runs.variant_sets import short_paths
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"
@@ -264,7 +265,7 @@ def test_errors_of_a_process_are_raised_here():
 FOR_EVER = """
 import os, sys, time
 from pathlib import Path
-from kinetruss.runs.many.beside import beside
+from kinetruss.runs.many import beside
 def work(k):
     (Path(sys.argv[1]) / str(os.getpid())).touch()
     time.sleep(1000)

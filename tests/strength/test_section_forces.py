@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, member_axes, section_forces
-from kinetruss.mechanics.members import start_references
+from kinetruss.mechanics.local_axes import start_references
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
 STEP = 2e-3

@@ -23,8 +23,8 @@ from kinetruss.actuators.drive_model import (
     refuse_jam,
 )
 from kinetruss.actuators.inputs import in_currents, inputs_of, kinks, source_of, thrust_of
-from kinetruss.actuators.modes import Coordinate, Drives, MotorModes, watch
-from kinetruss.actuators.steps import Tolerances, method_from, step_of
+from kinetruss.actuators.modes import Coordinate, Drives, MotorModes
+from kinetruss.actuators.steps import Tolerances, method_from, step_of, watch
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.limits import whole
 from kinetruss.model import DriveInput, DriveLoad, DriveTrain, PositionLoop
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from kinetruss.actuators.drive_model import DriveModel
+    from kinetruss.actuators.events import Interpolant, ModeEvent
     from kinetruss.actuators.modes import Instant
-    from kinetruss.actuators.steps import Interpolant, ModeEvent
 
 
 if TYPE_CHECKING:

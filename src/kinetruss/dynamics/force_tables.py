@@ -29,8 +29,8 @@ from kinetruss.mechanics import System, kept
 from kinetruss.mechanics.beam_elements import MODES
 from kinetruss.mechanics.elements import beam_losses, refuse_turns, spring_motions, strain_balance
 from kinetruss.mechanics.loads import Loads
+from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.matrices import bar_laws
-from kinetruss.mechanics.members import local_axes
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.tables import elements, nodal_loads, structure_of
 from kinetruss.results import Arrays, Axes, Column, Motion, variable

@@ -17,7 +17,7 @@ from kinetruss.mechanics import System, compile, direction_rates, measure_gradie
 from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.elements import resting_forces
 from kinetruss.mechanics.loads import Loads, case_loads
-from kinetruss.mechanics.members import local_axes
+from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
 from kinetruss.model import Model

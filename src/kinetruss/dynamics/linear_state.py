@@ -12,12 +12,12 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import ELASTIC, ENGINEERING, compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.arguments import number_of, positions_of, vectors_of
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions
 from kinetruss.mechanics.beam_elements import damping_forces
 from kinetruss.mechanics.coordinates import Coordinate, chosen_dofs, coordinates, derivatives_of, is_prescribed
 from kinetruss.mechanics.elements import spring_forces
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, turning_inertia, turning_members
-from kinetruss.mechanics.positions import number_of, positions_of, vectors_of
 from kinetruss.mechanics.rows import held_rows
 from kinetruss.model import Active, AngleDrive, GivenForce, LengthDrive, Model, nearest, turns
 from kinetruss.results import Motion, Result, Simulation

@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.actuators.drive_model import ENERGIES
-from kinetruss.actuators.modes import MotorModes, watch
-from kinetruss.actuators.steps import Step, Tolerances, crossed, method_from, step_of
+from kinetruss.actuators.events import crossed
+from kinetruss.actuators.modes import MotorModes
+from kinetruss.actuators.steps import Step, Tolerances, method_from, step_of, watch
 from kinetruss.dynamics.integrators import watched
 from kinetruss.dynamics.motors import StructureBody
-from kinetruss.dynamics.stepping import KernelStepper, Stepper
+from kinetruss.dynamics.stepping import Stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.between import TURN
@@ -262,15 +263,3 @@ class MotorStepper(Stepper):
         super().restore(arrays)
         self.modes.table = given
         self.step, self.sampled = None, [float(t) for t in arrays.get(SAMPLED, ())]
-
-
-# Chooses the stepper of a simulation.
-
-
-def stepper_for(problem: Problem, t_end: float) -> Stepper:
-    """The integration of a problem until t_end (s): with motors step by step between input changes, else in one kernel."""
-    if problem.motors is None:
-        return KernelStepper(problem, t_end)
-    # it imports SciPy's integrators, which other simulations do not need
-
-    return MotorStepper(problem, t_end)

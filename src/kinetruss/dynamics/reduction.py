@@ -19,6 +19,7 @@ import xarray as xr
 from kinetruss.dynamics.linear_state import Input, Output, moving_forces, unit_load_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics import RANK_TOLERANCE, compile, constraint_jacobian, ends_of, row_scales
+from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import balance_of, row_tensions
 from kinetruss.mechanics.coordinates import (
     Basis,
@@ -30,7 +31,6 @@ from kinetruss.mechanics.coordinates import (
     second_order_of,
 )
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix
-from kinetruss.mechanics.positions import number_of, positions_of
 from kinetruss.mechanics.rows import Derivatives, held_rows
 from kinetruss.model import Model
 from kinetruss.results import variable

@@ -21,8 +21,8 @@ from kinetruss.results import Status
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.dynamics.integration import Integration
     from kinetruss.dynamics.simulation_problem import Problem
-    from kinetruss.dynamics.stepping import Integration
     from kinetruss.kernels.integrate.state import Samples
 
 

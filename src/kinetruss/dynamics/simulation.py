@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.dynamics.motor_stepping import stepper_for
-from kinetruss.dynamics.simulation_problem import Options, Problem, problem_of, seconds
+from kinetruss.dynamics.simulation_problem import Problem
 from kinetruss.dynamics.simulation_records import simulation_of
+from kinetruss.dynamics.simulation_setup import Options, problem_of, seconds
 from kinetruss.dynamics.stepping import KernelStepper, Stepper
 from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics.motions import instants
@@ -221,3 +221,12 @@ def prepare(model: Model, t_end: float, **options: Any) -> Prepared:
     -0.920370
     """
     return Prepared(problem=problem_of(model, t_end, Options(**options)), longest=float(t_end))
+
+
+def stepper_for(problem: Problem, t_end: float) -> Stepper:
+    """The integration of a problem until t_end (s): with motors step by step between input changes, else in one kernel."""
+    if problem.motors is None:
+        return KernelStepper(problem, t_end)
+    from kinetruss.dynamics.motor_stepping import MotorStepper  # SciPy's integrators, which other simulations do not need
+
+    return MotorStepper(problem, t_end)

@@ -26,8 +26,8 @@ from kinetruss.results.dynamic_records import happened
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.dynamics.integration import Integration
     from kinetruss.dynamics.simulation_problem import Problem
-    from kinetruss.dynamics.stepping import Integration
 
 
 TURN = 2 * np.pi

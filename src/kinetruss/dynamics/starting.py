@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian
-from kinetruss.mechanics.positions import positions_of, vectors_of
+from kinetruss.mechanics.arguments import positions_of, vectors_of
 from kinetruss.model import nearest
 
 if TYPE_CHECKING:

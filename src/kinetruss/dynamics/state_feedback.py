@@ -12,7 +12,7 @@ from kinetruss.arrays import Shape, array_of
 from kinetruss.dynamics.closed_loop import Feedback, held_input
 from kinetruss.dynamics.linearisation import Linearisation, chosen
 from kinetruss.errors import InputError
-from kinetruss.mechanics.positions import number_of
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.model import nearest
 from kinetruss.results import variable
 

@@ -1,4 +1,4 @@
-"""A running simulation: its state, and how it advances to given times without motors."""
+"""A running simulation without motors: it advances to given times, can be stored as plain arrays and continued later."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.equations import all_rows
+from kinetruss.dynamics.integration import Integration
 from kinetruss.dynamics.integrators import control, integrator_of, jumps, restart_memory, start_memory, watched
 from kinetruss.dynamics.remarks import LOOKS, ending, refine, resting, sentences, too_stiff
+from kinetruss.dynamics.simulation_problem import all_rows
 from kinetruss.dynamics.simulation_records import Trace
 from kinetruss.dynamics.singular_starts import cross_singular, start_beside
 from kinetruss.errors import StoreError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Memory, Samples
-from kinetruss.kernels.solve.kkt import prepare_rows
 from kinetruss.kinematics.turns import Passed
 from kinetruss.model import Taylor
 from kinetruss.results import Status
@@ -30,77 +30,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.simulation_problem import Problem
     from kinetruss.kernels.integrate.state import Control
-    from kinetruss.mechanics import System
 
-
-class Integration:
-    """A `Problem` between its start and `t_end` (s).
-
-    status, message : the state of the run; `ended` is True after the last sample. angles (3, drives) : values and rates of
-    drive coordinates at the last sample, and its time, so that angles count whole turns. worst (3,) : largest change of the
-    energy at a sample (J), its time (s), largest kinetic energy (J). lost (3,) : largest relative error
-    of a force near a singular position, its time (s), the pivot there. passed : states between samples.
-    """
-
-    memory: Memory
-
-    def __init__(self, problem: Problem, t_end: float) -> None:
-        self.problem, self.t_end = problem, t_end
-        self._clear()
-
-    def _clear(self) -> None:
-        problem = self.problem
-        self._passed = Passed.none(problem.x0.size)
-        self._unread: list[NDArray[np.float64]] = []
-        self.angles, self.worst, self.lost = angles_at_start(problem.system), np.zeros(3), np.zeros(3)
-        self.status, self.message, self.ended = Status.COMPLETED, " ".join(problem.notes), False
-
-    @property
-    def passed(self) -> Passed:
-        """The states between samples so far."""
-        if not self._unread:
-            return self._passed
-        problem, free, rows = self.problem, self.problem.eq.free, np.concatenate(self._unread)
-        x, v = np.tile(problem.x0, (len(rows), 1)), np.tile(problem.v0, (len(rows), 1))
-        x[:, free], v[:, free] = rows[:, 1 : 1 + len(free)], rows[:, 1 + len(free) : 1 + 2 * len(free)]
-        for row, place, speed in zip(rows, x, v, strict=True):
-            prepare_rows(problem.eq, problem.ws, float(row[0]), place, speed)  # sets prescribed coordinates
-        self._passed, self._unread = Passed.joined([self._passed, Passed(t=rows[:, 0], x=x, v=v)]), []
-        return self._passed
-
-    def _pass(self, rows: NDArray[np.float64]) -> None:
-        """Store states between samples: rows of time, free positions, free velocities, and extra states."""
-        self._unread.append(rows[:, : 1 + 2 * len(self.problem.eq.free)].copy())
-
-    @property
-    def _last(self) -> float:
-        """Last time (s) of the run so far: a step may end after the end of the run, or after an event that stops it."""
-        return min(self.t_end, float(self.memory.stop)) if self.memory.started else self.t_end
-
-    def passages(self) -> NDArray[np.float64]:
-        """Passages (k, 3) of singular positions so far."""
-        passages = self.memory.passages[: self.memory.passages_met]
-        return passages[passages[:, 0] <= self._last]
-
-    def happened(self) -> dict[str, Any]:
-        """Events (k, 4) and passages (k, 3) so far, and the names and units of all events."""
-        events = self.memory.events[: self.memory.events_met]
-        return {
-            "events": events[events[:, 1] <= self._last].copy(),
-            "passages": self.passages().copy(),
-            "event_names": np.array(list(self.problem.events), str),
-            "event_units": np.array([one.unit for one in self.problem.events.values()], str),
-        }
-
-
-def angles_at_start(system: System) -> NDArray[np.float64]:
-    """`Integration.angles` before the first sample; rates and time are not known there."""
-    angles = np.full((3, len(system.drives)), np.nan)
-    angles[0] = system.drive_start
-    return angles
-
-
-# A running simulation: it advances to given times, can be stored as plain arrays and continued later.
 
 FIRST_BUDGET = 256
 """Steps in the first call of the kernel; later calls take as many steps as fit in `LOOK` seconds."""

@@ -14,7 +14,7 @@ from kinetruss.flexible._vibration import settled_of
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kinematics import follow, sample
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.positions import number_of
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.model import Bar, Free, Model
 from kinetruss.results import Simulation
 

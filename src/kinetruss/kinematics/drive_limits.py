@@ -14,9 +14,9 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE
 from kinetruss.kinematics.jacobians import sensitivities
 from kinetruss.mechanics import jacobian
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.balance import balance_of
 from kinetruss.mechanics.coordinates import coordinates
-from kinetruss.mechanics.positions import number_of
 from kinetruss.model import Active, LengthDrive, nearest
 from kinetruss.results.records import MOTORS_UNCHECKED
 

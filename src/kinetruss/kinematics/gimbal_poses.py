@@ -15,8 +15,8 @@ from kinetruss.kernels.motion.placement import equal_share, reach, tilt
 from kinetruss.kinematics.positions import own_start
 from kinetruss.limits import MOST_ENTRIES, whole
 from kinetruss.mechanics import System, kept
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.bays import FIT, POSE, bay_of, pose_fault, pose_members, pose_values
-from kinetruss.mechanics.positions import number_of
 
 Floats = NDArray[np.float64]
 

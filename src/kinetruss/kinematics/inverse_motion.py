@@ -24,8 +24,9 @@ from kinetruss.kinematics.time_tables import Histories, table_notes, with_suppor
 from kinetruss.kinematics.turns import REFINED, between, halved
 from kinetruss.limits import whole
 from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE
-from kinetruss.mechanics.positions import drive_values, names_of
+from kinetruss.mechanics.positions import drive_values
 from kinetruss.model import TARGETS, Combined, Coordinates, Docking, Model, moved_by, nearest, target_faults
 from kinetruss.results import Motion, variable
 from kinetruss.results.wide_tables import drive_unit, unit_along

@@ -13,6 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ALONE, Plan
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, arrange, compile, constraint_curvature, constraint_jacobian, rearrange
+from kinetruss.mechanics.arguments import positions_of
 from kinetruss.mechanics.bays import POSE, pose_members
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.coordinates import (
@@ -27,7 +28,6 @@ from kinetruss.mechanics.coordinates import (
     row_of,
     second_order_of,
 )
-from kinetruss.mechanics.positions import positions_of
 from kinetruss.mechanics.transfer import contradicted, flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable

@@ -21,10 +21,10 @@ from kinetruss.kinematics.time_tables import table_notes, with_supports
 from kinetruss.kinematics.turns import REFINED, Passed, between, halved
 from kinetruss.limits import hold, whole
 from kinetruss.mechanics import System, arrange, compile, kept
+from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.bays import POSE, departs, pose_values
 from kinetruss.mechanics.beam_shapes import held_shapes, shaped
 from kinetruss.mechanics.mobility import mobility_at, underdriven
-from kinetruss.mechanics.positions import number_of, positions_of
 from kinetruss.model import Model, turned_far
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.model.beam_frames import line_advice

@@ -13,7 +13,8 @@ from kinetruss.kinematics.jacobians import jacobian, singularity_at, state_of
 from kinetruss.kinematics.poses import nodes_of
 from kinetruss.kinematics.turns import refuse_uncounted, with_passed
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.positions import Rates, centred, gimbal_angles, normalised, number_of, size, spin_of, turn, vector_area
+from kinetruss.mechanics.arguments import number_of
+from kinetruss.mechanics.positions import Rates, centred, gimbal_angles, normalised, size, spin_of, turn, vector_area
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Column, Motion, variable

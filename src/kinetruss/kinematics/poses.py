@@ -13,7 +13,8 @@ from kinetruss.errors import InputError, shown
 from kinetruss.kinematics.jacobians import state_of
 from kinetruss.kinematics.turns import refuse_uncounted, with_passed
 from kinetruss.mechanics import System, compile, turned
-from kinetruss.mechanics.positions import centred, names_of, spin_of
+from kinetruss.mechanics.arguments import names_of
+from kinetruss.mechanics.positions import centred, spin_of
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Body, Frame, Model, nearest
 from kinetruss.model.bodies import barycentric, placed

@@ -13,9 +13,10 @@ from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.kernels.sweep.follow import continuation
 from kinetruss.kinematics.redundant import AGREE, LEAST, Path, contradicts, misses, walked
 from kinetruss.mechanics import System, arrange, compile, jacobian, kept
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.mobility import underdriven
-from kinetruss.mechanics.positions import number_of, row_values, shortest
+from kinetruss.mechanics.positions import row_values, shortest
 from kinetruss.model import Model
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.kinematics.jacobians import sensitivities, state_of
 from kinetruss.mechanics import System, compile, direction_rates, turned
 from kinetruss.mechanics.coordinates import coordinate_values, coordinates
-from kinetruss.mechanics.members import local_axes
+from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable

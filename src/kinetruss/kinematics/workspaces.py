@@ -28,8 +28,9 @@ from kinetruss.kinematics.task_motions import Choice, cannot, choice_of, divided
 from kinetruss.kinematics.task_problem import MET, Problem, State, problem
 from kinetruss.kinematics.time_tables import support_history
 from kinetruss.mechanics import System, compile, jacobian as rows_of
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.bays import POSE
-from kinetruss.mechanics.positions import drive_values, number_of
+from kinetruss.mechanics.positions import drive_values
 from kinetruss.model import Active, Coordinates, Model, Positioning, nearest
 from kinetruss.results import variable
 from kinetruss.results.wide_tables import drive_unit

@@ -25,11 +25,10 @@ if TYPE_CHECKING:
         without_beams as without_beams,
     )
     from kinetruss.mechanics.keeping import kept as kept
+    from kinetruss.mechanics.measure_arrays import axes_of as axes_of, is_measured as is_measured
     from kinetruss.mechanics.measures import (
-        axes_of as axes_of,
         coordinate_derivatives as coordinate_derivatives,
         flats_of as flats_of,
-        is_measured as is_measured,
         measure_gradients as measure_gradients,
         measured as measured,
     )

@@ -24,7 +24,7 @@ from kinetruss.mechanics.rows import matching
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics.null_space import Elimination
+    from kinetruss.mechanics.elimination import Elimination
     from kinetruss.mechanics.system import System
 
 
@@ -190,7 +190,7 @@ def eliminated(system: System, x: NDArray[np.float64], values: NDArray[np.float6
 def _eliminated(system: System, x: bytes, values: bytes) -> Elimination | None:
     place = np.frombuffer(x).reshape(1, -1, 3)
     J = constraint_gradients(system, place, np.frombuffer(values)[None] if values else None)[0][:, system.free]
-    from kinetruss.mechanics.null_space import Elimination  # it has compiled kernels
+    from kinetruss.mechanics.elimination import Elimination  # it has compiled kernels
 
     found = Elimination(J, system.row_drive >= 0)
     return found if found.sure else None

@@ -15,12 +15,12 @@ from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
+from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE, pose_gradients, pose_values
 from kinetruss.mechanics.keeping import kept
 from kinetruss.mechanics.measures import measured
 from kinetruss.mechanics.members import DRIVEN, RIGID
 from kinetruss.mechanics.mobility import moves_text
-from kinetruss.mechanics.positions import names_of
 from kinetruss.mechanics.row_gradients import (
     RANK_TOLERANCE,
     constraint_curvature,

@@ -1,13 +1,12 @@
-"""Arrays of the members of a model: kinds, masses, constitutive laws, local axes."""
+"""Arrays of the members of a model: kinds, masses, constitutive laws."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
-from kinetruss.mechanics.keeping import kept
 from kinetruss.model import Active, Bar, Model, PointMass, natural_length, stiffness
 from kinetruss.model.hub_arms import arms_of, clamped_at
 from kinetruss.model.hub_expansion import pivots_of
@@ -15,45 +14,6 @@ from kinetruss.model.hub_expansion import pivots_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics.system import System
-
-
-class Orientation(NamedTuple):
-    """Plane 1-2 is spanned by the member and node (m,), or if that is -1 by the direction reference (m, 3)."""
-
-    node: NDArray[np.int32]
-    reference: NDArray[np.float64]
-
-
-@kept()
-def orientation(system: System) -> Orientation:
-    """Orientation of all members in the start configuration."""
-    members = system.model.members.values()
-    node = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
-    return Orientation(node, start_references(system.x0[:, : system.dim], system.p, system.q))
-
-
-def start_references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Reference directions (m, 3) in space: z, or x for members within 18 deg of z at the positions x0 (n, dim)."""
-    reference = np.zeros((len(p), 3))
-    if x0.shape[1] == 3:
-        d = x0[q] - x0[p]
-        upright = np.abs(d[:, 2]) > 0.95 * np.linalg.norm(d, axis=1)
-        reference[:, 2], reference[:, 0] = ~upright, upright
-    return reference
-
-
-def local_axes(system: System, position: NDArray[np.float64], member: Any = slice(None)) -> NDArray[np.float64]:
-    """Axes 1, 2, 3 of members (k,), all by default, as rows (t, k, 3, 3), at positions (t, n, dim)."""
-    from kinetruss.kernels.sections.sections import member_axes  # compiled; callers that only draw do not need it
-
-    node, reference = (one[member] for one in orientation(system))
-    out = np.empty((len(position), len(node), 3, 3))
-    member_axes(np.ascontiguousarray(position), system.p[member], system.q[member], node, reference, out)
-    return out
-
-
-# Arrays of the members of a model: kinds, masses, constitutive laws.
 
 RIGID, DRIVEN, ELASTIC, FREE = range(4)
 _KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "cable": ELASTIC, "free": FREE}

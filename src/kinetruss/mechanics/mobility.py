@@ -12,10 +12,10 @@ from scipy.sparse import coo_array, csr_array, diags_array, vstack
 from kinetruss.display import counted
 from kinetruss.errors import Fault, InputError, few
 from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.mechanics.arguments import positions_of
 from kinetruss.mechanics.arrangement import eliminated
 from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.null_space import Spaces, outside
-from kinetruss.mechanics.positions import positions_of
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_jacobian, ends_of, row_directions, row_ends
 from kinetruss.mechanics.system import System, compile
 from kinetruss.model import CoordinateDrive, Model
@@ -344,7 +344,7 @@ def mobility_at(
     else:
         J = csr_array(vstack([J, more]))
         if max(J.shape) <= QUICK:
-            from kinetruss.mechanics.null_space import Elimination  # kernels, which few checks need
+            from kinetruss.mechanics.elimination import Elimination  # kernels, which few checks need
 
             whole = Elimination(J.toarray(), ~own)
             sure = whole if whole.sure else None

@@ -13,7 +13,7 @@ import numpy as np
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.continua import Continua, compiled_continua, pair_arrays
-from kinetruss.mechanics.measures import measure_arrays
+from kinetruss.mechanics.measure_arrays import measure_arrays
 from kinetruss.mechanics.members import DRIVEN, RIGID, member_arrays
 from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, inner_parts
 

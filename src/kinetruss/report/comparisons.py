@@ -16,7 +16,7 @@ from kinetruss.report.page import Page
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
 from kinetruss.report.run_tables import poses_of
 from kinetruss.results.records import check_samples
-from kinetruss.runs.many import short_paths
+from kinetruss.runs.variant_sets import short_paths
 from kinetruss.strength import sections, stresses
 from kinetruss.units import EITHER, NUMBER, unit_of
 

@@ -14,7 +14,7 @@ import numpy as np
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.members import local_axes
+from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.model import inner_parts
 from kinetruss.report.page import Page
 from kinetruss.report.run_tables import pose_at

@@ -392,7 +392,7 @@ def _read(path: Path, group: str, ledger: Ledger) -> xr.Dataset:
 def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
     import xarray as xr
 
-    from kinetruss.results.zarr_files import RunArrays
+    from kinetruss.results.array_reading import RunArrays
 
     try:
         root = RunArrays(path / ARRAYS, blocks=blocks)

@@ -1,10 +1,14 @@
-"""Arrays of a run folder: Zarr version 3 written directly, read by zarr, and files that appear completely or not at all."""
+"""Arrays of a run folder in Zarr version 3, written directly, and files that appear completely or not at all.
+
+The zarr package takes 5 ms per array and block, mostly to pass work between threads; this module takes a tenth of it. A
+run has some seventy arrays. Reading is done by zarr. Chunks are whole along every axis but the first.
+Source: Zarr core specification, version 3.
+"""
 
 from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -12,10 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numcodecs.zstd import Zstd
-from zarr.storage import LocalStore
 
-from kinetruss.errors import StoreError
-from kinetruss.results.folder import MODEL, atomic, stamp_of
+from kinetruss.results.folder import atomic
 from kinetruss.results.lock import cannot_write
 
 if TYPE_CHECKING:
@@ -46,12 +48,6 @@ def whole_file(path: Path) -> Iterator[Path]:
         with suppress(OSError):
             draft.unlink(missing_ok=True)
 
-
-# Zarr version 3 written directly: one JSON file that describes an array, one file per chunk.
-#
-# The zarr package takes 5 ms per array and block, mostly to pass work between threads; this module takes a tenth of it. A
-# run has some seventy arrays. Reading is done by zarr. Chunks are whole along every axis but the first.
-# Source: Zarr core specification, version 3.
 
 DESCRIPTION = "zarr.json"
 LEVEL = 0  # level of zstd, its default: higher levels do not compress floating-point numbers better
@@ -120,8 +116,6 @@ def write_chunk(folder: Path, index: int, values: NDArray[Any], rows: int) -> No
 
 def encoded(values: NDArray[Any], level: int = LEVEL) -> bytes:
     """The content of a chunk, with its checksum."""
-    from numcodecs.zstd import Zstd
-
     found: bytes = Zstd(level=level, checksum=True).encode(np.ascontiguousarray(values, values.dtype.newbyteorder("<")))
     return found
 
@@ -173,52 +167,3 @@ def is_array(description: Path) -> bool:
 
 def _chunk(shape: Sequence[int], rows: int) -> list[int]:
     return [max(1, n) for n in (rows, *shape[1:])] if shape else []
-
-
-# Reads the arrays of a run folder by zarr, but a missing or damaged chunk is an error instead of NaN or 0.
-
-CHUNK = re.compile(r"(?:.*/)?(\d+)(?:\.\d+)*")
-
-
-class RunArrays(LocalStore):
-    """Reads the arrays of one run; it is an error if another run replaces it in the folder.
-
-    The model file identifies a run: it is written once, as the last step of the start, and removed first when the run is
-    replaced. blocks : number of chunks along the first axis; a running analysis may have more.
-    """
-
-    def __init__(self, root: Path | str, *, blocks: int = 0, read_only: bool = True) -> None:
-        super().__init__(root, read_only=read_only)
-        self._blocks = blocks
-        self._model = Path(root).parent / MODEL
-        self._stamp = stamp_of(self._model)
-
-    def with_read_only(self, read_only: bool = False) -> RunArrays:
-        """Returns the store itself: it is always read-only."""
-        return RunArrays(self.root, blocks=self._blocks, read_only=read_only)
-
-    async def get(self, key: str, *given: Any, **more: Any) -> Any:
-        """Read one file. Raises StoreError if a chunk is missing, or another run has replaced this one."""
-        return self._checked(key, await super().get(key, *given, **more))
-
-    def get_sync(self, key: str, **more: Any) -> Any:
-        """The same without asyncio."""
-        return self._checked(key, super().get_sync(key, **more))
-
-    def _checked(self, key: str, found: Any) -> Any:
-        if stamp_of(self._model) != self._stamp:
-            raise StoreError(f"{self.root.parent} was replaced by another run while it was read. Read it again.")
-        if (chunk := CHUNK.fullmatch(key)) and int(chunk[1]) < self._blocks and (what := _wrong(found)):
-            raise StoreError(f"{self.root.parent} is damaged: {key} {what}. Run it again with --overwrite.")
-        return found
-
-
-def _wrong(chunk: Any) -> str:
-    """The fault of a chunk as text: it is missing, or its checksum is wrong."""
-    if chunk is None:
-        return "is missing"
-    try:
-        Zstd().decode(chunk.to_bytes())
-    except RuntimeError:
-        return "is not what was written"
-    return ""

@@ -16,10 +16,11 @@ if TYPE_CHECKING:
         forces_at_rest as forces_at_rest,
     )
     from kinetruss.runs.joining import gauge_strains as gauge_strains
-    from kinetruss.runs.many import VariantRuns as VariantRuns, run_variants as run_variants, variants as variants
+    from kinetruss.runs.many import VariantRuns as VariantRuns, run_variants as run_variants
     from kinetruss.runs.mission_results import MissionRun as MissionRun, load as load
     from kinetruss.runs.results import RunResult as RunResult
     from kinetruss.runs.running import resume as resume, run as run
     from kinetruss.runs.uncertain import standard_errors as standard_errors
+    from kinetruss.runs.variant_sets import variants as variants
 
 __getattr__, __dir__, __all__ = late(__name__)

@@ -12,9 +12,9 @@ from kinetruss.errors import InputError
 from kinetruss.model.runs import FLEXIBLE, STATIC
 from kinetruss.results import Motion, Status
 from kinetruss.runs.at_rest import along, standing
-from kinetruss.runs.instants import simulated
 from kinetruss.runs.plans import SIMULATED, Block, Plan, followed, judged
 from kinetruss.runs.results import RunResult
+from kinetruss.runs.simulated import simulated
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -1,93 +1,25 @@
-"""A run at given instants: its forces without computing the whole run, simulations continued, derived results."""
+"""A run at given instants: its forces without computing the whole run, and results that follow from motion and forces."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from kinetruss import dynamics, kinematics
-from kinetruss.dynamics.motor_stepping import stepper_for
-from kinetruss.dynamics.simulation_problem import Options, problem_of
-from kinetruss.dynamics.simulation_records import simulation_of
-from kinetruss.dynamics.stepping import Stepper
-from kinetruss.errors import AnalysisError, InputError, StoreError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.motions import instants
 from kinetruss.model import Model
 from kinetruss.model.runs import STATIC
-from kinetruss.results import Simulation, Status
 from kinetruss.runs.at_rest import along, standing
-from kinetruss.runs.plans import SIMULATED, Block, Plan, followed, judged, plan
+from kinetruss.runs.plans import SIMULATED, Plan, followed, plan
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from kinetruss.results import Demand, Forces, Motion, Sections
-
-
-PATIENCE = 5.0
-"""Seconds of work per block, which is the largest loss by a kill."""
-
-
-def stepper_of(plan: Plan) -> Stepper:
-    """The integration of a run, at its start.
-
-    Raises
-    ------
-    InputError : the simulation cannot be started.
-    """
-    run, t_end = plan.run, float(plan.times[-1])
-    options = Options(trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events, load_case=plan.cases[0])
-    return stepper_for(problem_of(plan.model, t_end, options), t_end)
-
-
-def simulated(
-    plan: Plan, first: int = 0, state: Mapping[str, NDArray[Any]] | None = None, *, fitted: bool = True
-) -> Iterator[Block]:
-    """Results block by block from sample `first` on; `state` is the state of the integration before it.
-
-    fitted : the first block ends after `PATIENCE` seconds, and the others have as many samples. Stops after the block in which
-    the motion ends early; its status gives the reason. Each block has the state after it.
-    """
-    work = stepper_of(plan)
-    if state is not None:
-        work.restore(state)
-    elif first:
-        raise StoreError("The state of the integration is not in the run folder. Run it again with --overwrite.")
-    size = plan.block
-    while first < len(plan.times):
-        last = min(first + size, len(plan.times))
-        trace = work.advance(plan.times[first:last], patience=PATIENCE if fitted and not first else None)
-        if work.status is Status.INTERRUPTED:
-            raise KeyboardInterrupt  # a block is complete or not written
-        simulation = simulation_of(work, trace)
-        count = len(trace.t)
-        if count:
-            found = judged(plan, simulation.motion, {simulation.forces.load_case: simulation.forces})
-        else:
-            found = Block(motion=simulation.motion, forces={}, sections={}, demand={}, verdict=None)
-        yield found.with_(simulation=simulation, state=work.arrays())
-        if work.ended:
-            return
-        if not first:
-            size = count
-        first += count
-
-
-def simulated_at(plan: Plan, t: NDArray[Any]) -> Simulation:
-    """A simulated run at the instants t (s), increasing.
-
-    Raises
-    ------
-    AnalysisError : the run ended before the last instant.
-    """
-    work = stepper_of(plan)
-    found = simulation_of(work, work.advance(t))
-    if found.data.sizes["time"] < len(t):
-        raise AnalysisError(f"Run {plan.name!r} ended early. {found.message or found.status.value}", found)
-    return found
 
 
 # Forces of a run at given instants, without computing the whole run.
@@ -195,6 +127,8 @@ def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
 
     if load_case is not None and case != job.cases[0]:
         raise InputError(f"Run {job.name!r} is simulated under load case {job.cases[0] or 'all'!r} only.")
+    from kinetruss.runs.simulated import simulated_at
+
     return simulated_at(job, t).forces
 
 

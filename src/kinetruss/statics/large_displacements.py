@@ -14,11 +14,11 @@ from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.plan import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, not_unique_note, rearrange
+from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions
 from kinetruss.mechanics.elements import spring_motions
 from kinetruss.mechanics.mobility import moves_text
 from kinetruss.mechanics.null_space import Spaces
-from kinetruss.mechanics.positions import number_of, positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable

@@ -19,11 +19,11 @@ from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.structure.plan import LENGTH
 from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces
 from kinetruss.mechanics.elements import resting_forces, spring_laws
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
-from kinetruss.mechanics.positions import number_of, positions_of
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable

@@ -17,8 +17,9 @@ from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.positions import assembled
 from kinetruss.kinematics.sampling import start_values
 from kinetruss.mechanics import System, arrange, compile, kept
+from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.beam_shapes import shaped
-from kinetruss.mechanics.positions import number_of, row_values, shortest
+from kinetruss.mechanics.positions import row_values, shortest
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Status, variable

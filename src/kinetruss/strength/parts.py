@@ -18,7 +18,7 @@ from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import CABLE, System, compile, ends_of, kept
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.mechanics.members import orientation
+from kinetruss.mechanics.local_axes import orientation
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Active, Bar, BodyCouple, Model
 from kinetruss.model.hub_arms import arm_through

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-    from kinetruss.report.document.figure import Loaded
+    from kinetruss.report.document.figure_contents import Loaded
 
 
 if TYPE_CHECKING:
