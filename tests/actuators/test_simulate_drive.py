@@ -9,7 +9,8 @@ from scipy.integrate import DOP853, Radau
 
 import kinetruss as kt
 from kinetruss.actuators import motor_demand, place_poles, screw_torque, simulate_drive, train_of
-from kinetruss.actuators.steps import Interpolant, finite_rates
+from kinetruss.actuators.events import Interpolant
+from kinetruss.actuators.steps import finite_rates
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kinematics.sampling import sample_profile
 from kinetruss.library.drives import MOTOR_LACY, TRAIN_LACY, TRAIN_LACY_SLEWING

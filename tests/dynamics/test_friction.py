@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics import newton_euler
-from kinetruss.kernels.structure.pins import add_pin_forces
+from kinetruss.kernels.structure.laws import add_pin_forces
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import friction_tangents

@@ -11,9 +11,9 @@ from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.steps.implicit import secant
+from kinetruss.kernels.integrate.fixed_steps import secant
 from kinetruss.kernels.structure.laws import bar_tension, law_energy
-from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
+from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
 from reference.linkages import row_of_four_bars

@@ -10,8 +10,7 @@ from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
 from kinetruss.errors import InputError
-from kinetruss.kernels.collocation import coefficients as table
-from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate import radau_matrices as table, state as m
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853, Radau
 from kinetruss.results import Status

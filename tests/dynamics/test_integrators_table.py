@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import DOP853
 from scipy.integrate._ivp import dop853_coefficients as published
 
-from kinetruss.kernels.steps import dop853 as method, dop853_table as table
+from kinetruss.kernels.integrate import dop853 as method, dop853 as table
 
 
 def full_matrix():

@@ -10,8 +10,8 @@ import kinetruss as kt
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.integrators import control
 from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.integrate.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.solve.kkt import evaluate, prepare_rows, project
-from kinetruss.kernels.steps.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.mass import mass_times
 from kinetruss.library import mechanisms, vgt

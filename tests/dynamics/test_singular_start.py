@@ -117,7 +117,7 @@ def test_the_plan_of_the_first_stretch_integrates_polynomials(both):
         np.testing.assert_allclose(once @ values, (at[:, None] ** (powers + 1) / (powers + 1)) @ c, atol=1e-12)
         np.testing.assert_allclose(twice @ values, (at[:, None] ** (powers + 2) / (powers + 1) / (powers + 2)) @ c, atol=1e-12)
     assert plan.begin @ values == pytest.approx(c[0], abs=1e-11)
-    from kinetruss.kernels.steps.dop853 import interpolate
+    from kinetruss.kernels.integrate.dop853 import interpolate
 
     F, y = plan.back @ (plan.read[:, None] ** np.arange(8)), np.zeros(8)
     interpolate(F, 0.37, y)

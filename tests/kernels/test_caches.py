@@ -304,7 +304,7 @@ USE = """
 import sys, warnings
 import numpy as np
 from kinetruss.kernels.structure.lengths import lengths
-from kinetruss.kernels.constraints.sums import sum_first
+from kinetruss.kernels.structure.sums import sum_first
 print(lengths.entry, sys.modules["kinetruss"].__file__)
 x = np.zeros((1, 6)); x[0, 3:] = (3.0, 4.0, 12.0)
 out = [np.zeros((1, 1)) for _ in range(3)]

@@ -10,8 +10,7 @@ from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.solve.cholesky import cholesky
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
-from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
-from kinetruss.kernels.sweep.sparse_lu import new_order, sparse_again, sparse_first, sparse_solve
+from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, new_order, sparse_again, sparse_first, sparse_solve
 from kinetruss.mechanics import compile
 
 BAD = [np.nan, np.inf, -np.inf]

@@ -14,12 +14,11 @@ import kinetruss.kernels
 from kinetruss.kernels.compiled.caches import Keeper, Kept
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, I1, I2, Record, record
+from kinetruss.kernels.integrate.fixed_steps import Step
 from kinetruss.kernels.integrate.state import Control, Memory, Work
-from kinetruss.kernels.series.workspace import SeriesWork
-from kinetruss.kernels.steps.step import Step
+from kinetruss.kernels.series.orders import SeriesWork
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.plan import Plan
-from kinetruss.kernels.structure.structure import Structure
+from kinetruss.kernels.structure.structure import Plan, Structure
 
 
 @record

@@ -6,14 +6,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.kernels.sweep.blocks import SPARSE, factor, factor_gradients, solve, solve_transposed, workspace
-from kinetruss.kernels.sweep.sparse_lu import (
-    FAILED,
-    new_order,
-    sparse_again,
-    sparse_first,
-    sparse_solve,
-    sparse_solve_transposed,
-)
+from kinetruss.kernels.sweep.lu import FAILED, new_order, sparse_again, sparse_first, sparse_solve, sparse_solve_transposed
 from kinetruss.mechanics import arrange, compile
 
 BEFORE = 3

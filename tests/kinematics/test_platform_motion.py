@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from kinetruss.kernels.motion.platform_motion import platform_motion
+from kinetruss.kernels.motion.gimbal import platform_motion
 
 CENTRE = np.array([0.3, -0.2, 1.1])
 ARMS = np.random.default_rng(0).standard_normal((5, 3))

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 from scipy.linalg import expm
 
-from kinetruss.kernels.motion import profiles as profiles
+from kinetruss.kernels.motion import profiles
 
 TIMES = np.linspace(0.0, 1.7, 41)
 NEAR_ONE = st.floats(-1e-6, 1e-6).map(lambda e: 1 + e)

@@ -13,7 +13,7 @@ import kinetruss as kt
 from frame_models import BEAMS, LOADS, NODES, SIDE, STEEL, G, portal
 from kinetruss import report
 from kinetruss.display import DRIVEN, OVER
-from kinetruss.report.document.figure import loaded
+from kinetruss.report.document.figure_contents import loaded
 from kinetruss.report.document.figure_drawing import HALO, drawn as figure_drawn, lines_of_members
 from kinetruss.report.pictures.drawing import projected
 from reference.plane_frame import solve

@@ -9,7 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.report.document.figure import loaded
+from kinetruss.report.document.figure_contents import loaded
 from kinetruss.report.document.figure_drawing import _arrows
 from kinetruss.report.pictures.drawing import projected
 

@@ -17,8 +17,8 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
 from kinetruss.results.folder import PACKED
-from kinetruss.runs.many import beside, spread
-from kinetruss.runs.variant_sets import short_paths
+from kinetruss.runs.many import beside
+from kinetruss.runs.variant_sets import short_paths, spread
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"

@@ -4,9 +4,18 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
+from kinetruss.kernels.sections.peaks import (
+    GENERAL,
+    MOMENT_RESULTANT,
+    MOMENT_SUM,
+    RECTANGLE,
+    ROUND,
+    UNKNOWN,
+    least_tension,
+    peaks,
+    von_mises,
+)
 from kinetruss.kernels.sections.records import Polynomials
-from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN, von_mises
 
 stress = st.one_of(st.just(0.0), st.floats(1e-6, 1e3), st.floats(-1e3, -1e-6))
 ANGLE = np.linspace(0, 2 * np.pi, 4001)

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions import Action, Bars, CarriedBy, Instants, NotOnBars, bars_of, couple_on_ends, cross
-from kinetruss.kernels.constraints.terms import term_gradients
-from kinetruss.kernels.structure.plan import ANGLE, AROUND
+from kinetruss.kernels.structure.structure import ANGLE, AROUND
+from kinetruss.kernels.structure.terms import term_gradients
 from kinetruss.mechanics import kept
 from kinetruss.model.hub_expansion import Pivot, pivots_of
 
@@ -242,11 +242,10 @@ def _bars_across(system: System, bars: Bars, weights: dict[int, NDArray[np.float
 
 # Hinges of hubs in space: the couples that they pass between a member and the arm of its hub.
 #
-# A hinge is a rigid body of the member and of nodes on the axis that belong to the hub, or two bars of equal lengths from there
-# to the far end of a member whose length changes. The forces of these bars on the hub make a force f at the joint and a couple
-# c
-# about it. Here they are given back to the member: f at its joint, -c as a couple that bends it there; +c twists and bends the
-# arm.
+# A hinge is a rigid body of the member and of nodes on the axis that belong to the hub, or two bars of equal lengths from
+# there to the far end of a member whose length changes. The forces of these bars on the hub make a force f at the joint and a
+# couple c about it. Here they are given back to the member: f at its joint, -c as a couple that bends it there; +c twists and
+# bends the arm.
 
 
 @kept()

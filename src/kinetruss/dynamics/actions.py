@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.kernels.structure.pins import pin_torques
+from kinetruss.kernels.structure.laws import pin_torques
 from kinetruss.mechanics import CABLE, FREE, System, kept
 from kinetruss.mechanics.tables import pins_of, structure_of
 

@@ -19,7 +19,7 @@ from kinetruss.dynamics.hub_arms import (
     actions_of_loads,
     couples_through_members,
 )
-from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, compile, ends_of, kept
 from kinetruss.mechanics.elements import spring_motions
 from kinetruss.model import NodalForce

@@ -19,10 +19,9 @@ from kinetruss.dynamics.bar_actions import (
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.sections.interface import Actives, interface
+from kinetruss.kernels.sections.records import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
-from kinetruss.kernels.structure.structure import EndForces, NodalLoads, States, Structure
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, NodalLoads, States, Structure
 from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import System, kept

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.constraints.motions import POLYNOMIAL
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, Control, Memory, new_memory
 from kinetruss.kernels.structure.equations import DENSE
-from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
+from kinetruss.kernels.structure.rows import POLYNOMIAL
+from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
 from kinetruss.mechanics import System
 from kinetruss.mechanics.sparse_plan import tangent_record
 from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
@@ -140,11 +140,11 @@ def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, budget) -> (code, filled)."""
     integrate: Callable[..., tuple[int, int]]
     if isinstance(method, Radau):
-        from kinetruss.kernels.integrate.run_radau import integrate_radau as integrate
+        from kinetruss.kernels.integrate.runs import integrate_radau as integrate
     elif isinstance(method, DOP853 | Taylor):
-        from kinetruss.kernels.integrate.run_dop853 import integrate_explicit as integrate
+        from kinetruss.kernels.integrate.runs import integrate_explicit as integrate
     else:
-        from kinetruss.kernels.integrate.run_implicit import integrate_implicit as integrate
+        from kinetruss.kernels.integrate.runs import integrate_implicit as integrate
     return integrate
 
 

@@ -12,7 +12,7 @@ from kinetruss.dynamics.action_couples import term_weights
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.free_bodies import determined
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import AROUND, FIXED_AXIS
+from kinetruss.kernels.structure.structure import AROUND, FIXED_AXIS
 from kinetruss.kinematics.joint_motion import shared_nodes
 from kinetruss.kinematics.poses import carried, nodes_of
 from kinetruss.mechanics import compile

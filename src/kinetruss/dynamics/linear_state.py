@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import ELASTIC, ENGINEERING, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.arguments import number_of, positions_of, vectors_of

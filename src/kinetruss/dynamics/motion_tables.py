@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.constraints.motions import POLYNOMIAL, SINE
+from kinetruss.kernels.structure.rows import POLYNOMIAL, SINE
 from kinetruss.kinematics import sample
 from kinetruss.kinematics.time_tables import check_reach, monotone
 from kinetruss.model import ConstantRate, Cyclic, Model, Quintic, Sine, Spline, Tabulated, Trapezoid, moved_by

@@ -22,7 +22,7 @@ from kinetruss.dynamics.motors import StructureBody
 from kinetruss.dynamics.stepping import Stepper
 from kinetruss.errors import AnalysisError, StoreError
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.between import TURN
+from kinetruss.kernels.integrate.samples import TURN
 from kinetruss.kernels.integrate.state import COORDINATE, LENGTH, Samples, new_memory
 from kinetruss.kernels.structure.lengths import turn_rates
 
@@ -199,7 +199,7 @@ class MotorStepper(Stepper):
         self.step, self.sampled = None, []
 
     def _note(self, step: _Taken) -> None:
-        """Keep states between samples, as kernels.integrate.between does."""
+        """Keep states between samples, as kernels.integrate.samples does."""
         memory, h, places = self.memory, step.end - step.begin, (step.begin, 0.5 * (step.begin + step.end), step.end)
         if not h > 0:
             return

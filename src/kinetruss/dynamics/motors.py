@@ -17,7 +17,7 @@ from kinetruss.dynamics.integrators import jumps
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.solve.kkt import kinetic, prepare_rows, row_along
 from kinetruss.kernels.solve.motors import MotorPlaces, MotorResponse, motor_project, motor_response
-from kinetruss.kernels.structure.plan import ANGLE, SUM
+from kinetruss.kernels.structure.structure import ANGLE, SUM
 from kinetruss.mechanics import System
 from kinetruss.model import DOP853, MOTOR_TASKS, DriveLoad, GivenForce, Hold, LengthDrive, StepInput, TableInput
 from kinetruss.results import Column, variable

@@ -16,8 +16,7 @@ from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_direct
 from kinetruss.dynamics.force_tables import Read, carried, force_arrays, solved_in_space
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.structure.plan import NONE
-from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.structure.structure import NONE, EndForces, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import (

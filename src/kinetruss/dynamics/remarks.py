@@ -10,9 +10,8 @@ from kinetruss.dynamics.integrators import described
 from kinetruss.errors import AnalysisError, few
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import NEAR
-from kinetruss.kernels.solve.balance import balance
-from kinetruss.kernels.solve.kkt import evaluate
-from kinetruss.kernels.structure.plan import CABLE, NONE
+from kinetruss.kernels.solve.kkt import balance, evaluate
+from kinetruss.kernels.structure.structure import CABLE, NONE
 from kinetruss.mechanics import System
 from kinetruss.mechanics.elements import spring_laws
 from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Taylor
@@ -253,10 +252,9 @@ def _mend(work: Integration, stepped: bool) -> str:
 # Accelerations and forces next to singular positions: refined by what the equations still lack, their lost digits counted.
 #
 # There the rows of the Jacobian all but depend on each other, most of all where light and heavy bodies meet: the Schur
-# complement
-# of the equations of motion loses the square of what the equations themselves lose. A residual of the equations gives it back
-# (`solve_refined` of the kernels). What round-off of the positions does to the forces no solver can mend: it is measured, by
-# positions that differ in their last digit.
+# complement of the equations of motion loses the square of what the equations themselves lose. A residual of the equations
+# gives it back (`solve_refined` of the kernels). What round-off of the positions does to the forces no solver can mend: it is
+# measured, by positions that differ in their last digit.
 
 if TYPE_CHECKING:
     Floats = NDArray[np.float64]

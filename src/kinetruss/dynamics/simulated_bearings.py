@@ -19,11 +19,10 @@ from kinetruss.dynamics.prescribed import apply_loads, jammed, take_sum_forces, 
 from kinetruss.dynamics.user_forces import UserForce
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.constraints.row_forces import row_forces
 from kinetruss.kernels.solve.kkt import accelerate_under, evaluate
-from kinetruss.kernels.structure.applied import applied as forces_on_nodes, no_force
+from kinetruss.kernels.structure.applied import applied as forces_on_nodes, no_force, python_force
+from kinetruss.kernels.structure.rows import row_forces
 from kinetruss.kernels.structure.structure import EndForces, States
-from kinetruss.kernels.structure.user_call import python_force
 from kinetruss.mechanics import ends_of
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.positions import drive_values

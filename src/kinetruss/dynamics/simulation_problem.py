@@ -16,7 +16,7 @@ from kinetruss.kernels.structure.equations import (
     Equations,
     Workspace,
 )
-from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System
 from kinetruss.model import (
     GivenForce,

@@ -13,9 +13,8 @@ from kinetruss.dynamics.motors import motor_histories, motor_names
 from kinetruss.dynamics.prescribed import rubbing
 from kinetruss.dynamics.remarks import energy_kept
 from kinetruss.dynamics.simulated_bearings import Rubbing, solved_along, with_forces
-from kinetruss.kernels.solve.balance import balance
-from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kernels.structure.structure import States
+from kinetruss.kernels.solve.kkt import balance
+from kinetruss.kernels.structure.structure import LENGTH, States
 from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.turns import refined
 from kinetruss.mechanics.loads import Loads, case_loads

@@ -18,7 +18,7 @@ from kinetruss.dynamics.user_forces import user_force_of
 from kinetruss.errors import InputError, ModelError, few, shown
 from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.time_tables import table_notes
 from kinetruss.mechanics import ByIdentity, System, compile, kept, not_unique_note, rearrange
 from kinetruss.mechanics.coordinates import released

@@ -21,11 +21,11 @@ from kinetruss.dynamics.equations import held_by_none
 from kinetruss.dynamics.integrators import jumps
 from kinetruss.dynamics.starting import EXACTLY, SINGULAR, Singular
 from kinetruss.errors import InputError
+from kinetruss.kernels.integrate.dop853 import interpolate
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
-from kinetruss.kernels.steps.dop853 import interpolate
 from kinetruss.kernels.structure.equations import SUM_FORCE
-from kinetruss.kernels.structure.plan import CABLE
+from kinetruss.kernels.structure.structure import CABLE
 from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.mobility import beam_deformations, mobility_at, moves_text
 from kinetruss.model import DOP853, ERROR_CONTROLLED, Taylor
@@ -67,7 +67,7 @@ class _Plan:
 
     once, twice (k, k) : single and double integrals from 0 to s. begin (k,) : the value at 0. last (2, k) : the last two
     Chebyshev coefficients. read (8,) : instants of the interpolant; read_once, read_twice (8, k) : integrals from 0 to them.
-    back (8, 8) : from states at `read` to the interpolant of a step (see kernels.steps.dop853.interpolate).
+    back (8, 8) : from states at `read` to the interpolant of a step (see kernels.integrate.dop853.interpolate).
     """
 
     s: NDArray[np.float64]

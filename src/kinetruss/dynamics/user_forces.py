@@ -10,9 +10,8 @@ import numpy as np
 
 from kinetruss.dynamics.force_tables import fictitious_forces, in_space
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.applied import no_force
+from kinetruss.kernels.structure.applied import call_force, calling, compiled_force, no_force, python_force
 from kinetruss.kernels.structure.structure import States
-from kinetruss.kernels.structure.user_call import call_force, calling, compiled_force, python_force
 from kinetruss.mechanics import System
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.model import nearest

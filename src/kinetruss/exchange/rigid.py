@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.exchange.robots import LeftOut
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.library.bodies import MassProperties, combined, properties_of, rod_properties
 from kinetruss.limits import hold
 from kinetruss.mechanics import compile, constraint_jacobian

@@ -135,10 +135,9 @@ def spans_of(robot: Robot, ends: Mapping[str, str]) -> tuple[dict[str, Bar], dic
 
 # A model from a robot in its closed pose: rigid bodies with shared nodes.
 #
-# Links that are fixed to each other become one body. A revolute joint is two shared nodes on its axis, a ball one shared node,
-# a
-# slider the Sarrus linkage of `library.joints`. The drive of a revolute joint measures the value of the joint itself: two nodes
-# at the same distance from the axis, one in each body, are at one place where the value is 0.
+# Links that are fixed to each other become one body. A revolute joint is two shared nodes on its axis, a ball one shared
+# node, a slider the Sarrus linkage of `library.joints`. The drive of a revolute joint measures the value of the joint itself:
+# two nodes at the same distance from the axis, one in each body, are at one place where the value is 0.
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

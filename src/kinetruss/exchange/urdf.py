@@ -128,8 +128,7 @@ def read_closures(path: Path, max_size: int) -> Closures:
 # A robot from URDF, with the closures of its loops in a YAML file.
 #
 # URDF describes a tree. The YAML file beside it, as robots of the collection example-parallel-robots have it (Gepetto team,
-# LAAS-
-# CNRS), adds pairs of frames that stay together, motors, and joints with more freedoms than URDF knows.
+# LAAS- CNRS), adds pairs of frames that stay together, motors, and joints with more freedoms than URDF knows.
 
 KINDS: Mapping[str, JointKind] = {
     "revolute": "revolute",

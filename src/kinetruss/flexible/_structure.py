@@ -19,7 +19,7 @@ import numpy as np
 from scipy.sparse import csr_array, diags_array
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows

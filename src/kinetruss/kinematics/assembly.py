@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.kinematics.homotopy import Quadratics, carry, generic, polished, solve_all
 from kinetruss.kinematics.jacobians import singularity_at
 from kinetruss.kinematics.known_platform import all_places, known_platform

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.actuators.shafts import parts_of
 from kinetruss.display import number
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.kinematics.jacobians import sensitivities
 from kinetruss.mechanics import jacobian
 from kinetruss.mechanics.arguments import number_of

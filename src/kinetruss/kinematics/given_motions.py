@@ -11,7 +11,7 @@ from kinetruss.arrays import array_of
 from kinetruss.errors import InputError, ModelError, few
 from kinetruss.io import NodeHistory, read_history
 from kinetruss.io.histories import history_faults
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.motions import Course, instants, motion_of
 from kinetruss.kinematics.own_motion import OWN, lengths_of, misfits
 from kinetruss.kinematics.turns import refuse_uncounted

@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.arrays import array_of
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels.motion.platform_motion import platform_motion
+from kinetruss.kernels.motion.gimbal import platform_motion
 from kinetruss.kinematics.drive_limits import limits_of, reported
 from kinetruss.kinematics.motions import Course, Swept, course_at, instants, motion_of, sweep_path, with_note
 from kinetruss.kinematics.objectives import KNOTTED, best_state

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ALONE, Plan
+from kinetruss.kernels.structure.structure import ALONE, Plan
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, arrange, compile, constraint_curvature, constraint_jacobian, rearrange
 from kinetruss.mechanics.arguments import positions_of

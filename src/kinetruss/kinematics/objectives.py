@@ -165,8 +165,8 @@ def _as_far(
 # The least of an objective among the drives that meet the tasks: sequential quadratic programming on their surface.
 #
 # A step is least for a quadratic model of the objective, along the surface to first order, within the strokes and a trust
-# region
-# (Conn, Gould and Toint, 2000); the nearest drives that meet the tasks follow it. So every state on the way meets them.
+# region (Conn, Gould and Toint, 2000); the nearest drives that meet the tasks follow it. So every state on the way meets
+# them.
 
 FIRST, LARGEST, SMALLEST = 0.2, 0.5, 1e-6
 """Trust region at first, at most and at the end, in units of the shortest bar, or rad."""

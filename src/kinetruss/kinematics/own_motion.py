@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import numpy as np
 
 from kinetruss.errors import InputError, shown
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics import System, kept, measured
 from kinetruss.mechanics.positions import drive_places, shortest
 from kinetruss.mechanics.transfer import flat_positions

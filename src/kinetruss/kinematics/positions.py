@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError, InputError, shown
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kernels.sweep.follow import continuation
 from kinetruss.kinematics.redundant import AGREE, LEAST, Path, contradicts, misses, walked
 from kinetruss.mechanics import System, arrange, compile, jacobian, kept

@@ -15,8 +15,7 @@ import numpy as np
 from kinetruss.errors import InputError, few
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import distances
-from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kernels.structure.structure import States
+from kinetruss.kernels.structure.structure import LENGTH, States
 from kinetruss.kernels.sweep import follow as kernel
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian, measured, rearrange
 from kinetruss.mechanics.mobility import mobility_at

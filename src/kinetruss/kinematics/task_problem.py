@@ -14,7 +14,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.tasks import reach as cold, track as warm
-from kinetruss.kernels.tasks.sweeps import Drives, Room, room_of
+from kinetruss.kernels.tasks.tape import Drives, Room, room_of
 from kinetruss.kinematics.motions import Swept, sweep_path
 from kinetruss.kinematics.positions import own_start
 from kinetruss.kinematics.redundant import LEAST, Path
@@ -29,7 +29,7 @@ from kinetruss.model import Active, LengthDrive
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.kernels.structure.plan import Plan
+    from kinetruss.kernels.structure.structure import Plan
     from kinetruss.kernels.tasks.tape import Tape
 
 

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.structure import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kinematics.expressions import Program, Scalar, Vector, angle, cross, dot, minus, root, size, total, unit
 from kinetruss.kinematics.poses import start_frame
 from kinetruss.mechanics import System
@@ -352,7 +352,7 @@ def _coordinate(made: Tasks, program: Program, one: Coordinate) -> Any:
 
 
 def measure_of(system: System, program: Program, m: int) -> Any:
-    """A measure: the sum of its terms (kernels.constraints.terms)."""
+    """A measure: the sum of its terms (kernels.structure.terms)."""
     found: Any = program.number(0.0)
     for t in range(int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])):
         found = found + _term(system, program, t) * float(system.term_data[t, 0])

@@ -11,7 +11,7 @@ import xarray as xr
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.lengths import turn_rates
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import kept
 from kinetruss.mechanics.transfer import flat_positions

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.kernels.structure.plan import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
+    from kinetruss.kernels.structure.structure import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
     from kinetruss.mechanics.arrangement import (
         Arrangement as Arrangement,
         arrange as arrange,

@@ -14,7 +14,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
 from kinetruss.errors import few
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM, Plan
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM, Plan
 from kinetruss.mechanics.keeping import kept
 from kinetruss.mechanics.measures import flats_of, sum_arrays
 from kinetruss.mechanics.rigid_parts import part_arrays, rigid_parts

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import InputError, ModelError
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics.arrangement import rearrange
 from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.elements import continua_energy, resting_forces, spring_forces, spring_laws, spring_motions

@@ -55,19 +55,16 @@ def beam_curves(system: System) -> BeamCurves | None:
 
 # Forces and moments at the ends and along beams, in closed form from the deformation modes and the load along the beam.
 #
-# With the stresses S = rigidity x mode of each mode, the nodes of an end exert on the beam the force sum S B of their gradients
-# B
-# and its moment about the end: the same forces that balance the nodes, so that every beam is in balance with its neighbours,
-# its
-# supports and its loads however far it turns. For small deformations these are N = S_e/l; M_3 = S_D - S_S at the first end,
-# S_D + S_S at the second; M_2 the same; M_1 = S_t, in the axes of the deformed beam (1 along the chord).
+# With the stresses S = rigidity x mode of each mode, the nodes of an end exert on the beam the force sum S B of their
+# gradients B and its moment about the end: the same forces that balance the nodes, so that every beam is in balance with its
+# neighbours, its supports and its loads however far it turns. For small deformations these are N = S_e/l; M_3 = S_D - S_S at
+# the first end, S_D + S_S at the second; M_2 the same; M_1 = S_t, in the axes of the deformed beam (1 along the chord).
 #
-# The load along the beam, q = line (g - r''), is carried to the nodes by Hermite's polynomials, as its mass is; what the nodes
-# exert on the beam is the force of the modes less that, and sections between follow from equilibrium of the part before them,
-# on the deflected axis w = l (H2 f_p + H4 f_q) from the chord and in the axes of the section, which turn with its slope. Rotary
-# inertia is a couple along the beam, linear in s. All are exerted by the part behind the section on the part before it, as
-# those
-# of bars: N > 0 is tension, dM_3/ds = -V_2, dM_2/ds = V_3.
+# The load along the beam, q = line (g - r''), is carried to the nodes by Hermite's polynomials, as its mass is; what the
+# nodes exert on the beam is the force of the modes less that, and sections between follow from equilibrium of the part before
+# them, on the deflected axis w = l (H2 f_p + H4 f_q) from the chord and in the axes of the section, which turn with its
+# slope. Rotary inertia is a couple along the beam, linear in s. All are exerted by the part behind the section on the part
+# before it, as those of bars: N > 0 is tension, dM_3/ds = -V_2, dM_2/ds = V_3.
 
 Floats = Any
 POINTS = 0.5 - 0.5 * np.cos(np.pi * (np.arange(4) + 0.5) / 4)

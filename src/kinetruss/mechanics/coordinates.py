@@ -14,7 +14,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, vstack
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE, pose_gradients, pose_values
 from kinetruss.mechanics.keeping import kept

@@ -10,8 +10,8 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.errors import AnalysisError
-from kinetruss.kernels.constraints.springs import add_spring_forces, spring_blocks, spring_histories, spring_slopes
 from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
+from kinetruss.kernels.structure.springs import add_spring_forces, spring_blocks, spring_histories, spring_slopes
 from kinetruss.mechanics.beam_elements import damping_forces, mode_rates
 from kinetruss.mechanics.keeping import kept
 from kinetruss.mechanics.tables import elements, structure_of

@@ -41,7 +41,7 @@ def bar_laws(
     return BarLaws(*found)
 
 
-# Stiffness and damping of friction about pins (kernels.structure.pins), as sparse matrices.
+# Stiffness and damping of friction about pins (kernels.structure.laws), as sparse matrices.
 
 
 def friction_tangents(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None) -> tuple[Any, Any]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.structure import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.model import Model, turns
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
 
 def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np.float64]) -> dict[str, Any]:
     """Scale, period and start value of every measure."""
-    from kinetruss.kernels.constraints.terms import measure_gradient, measure_value, nearest_turn
+    from kinetruss.kernels.structure.terms import measure_gradient, measure_value, nearest_turn
 
     arrays, ptr = (found["term_kind"], found["term_at"], found["term_data"]), found["measure_ptr"]
     driven = len(sums) - len(model.couplings) - len(model.springs)

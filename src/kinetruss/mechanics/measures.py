@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import ANGLE
-from kinetruss.kernels.structure.structure import States
+from kinetruss.kernels.structure.structure import ANGLE, States
 from kinetruss.mechanics.measure_arrays import terms_of
 from kinetruss.model import turns
 
@@ -30,7 +29,7 @@ def measured(
 
     along : values unwrapped from one time to the next; else each by itself is the nearest to that at the start.
     """
-    from kinetruss.kernels.constraints.terms import measure_rates
+    from kinetruss.kernels.structure.terms import measure_rates
 
     size = system.x0.size  # given explicitly: there may be no times
     flat = [np.ascontiguousarray(np.zeros_like(x) if y is None else y, dtype=float).reshape(len(x), size) for y in (x, v, a)]
@@ -49,7 +48,7 @@ def coordinate_derivatives(
     system: System, coordinate: Any, x: NDArray[np.float64], v: NDArray[np.float64], a: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Value, rate and second rate (times, 3) of any coordinate record along x, v, a (times, n, 3); angles unwrapped."""
-    from kinetruss.kernels.constraints.terms import measure_rates
+    from kinetruss.kernels.structure.terms import measure_rates
 
     index = {name: i for i, name in enumerate(system.nodes)}
     kinds, places, data = zip(*terms_of(system.model, index, system.x0, coordinate, 1.0), strict=True)
@@ -64,7 +63,7 @@ def coordinate_derivatives(
 
 def measure_gradients(system: System, m: Any, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Gradients (times, 3 n) of measure m at x (times, n, 3)."""
-    from kinetruss.kernels.constraints.terms import measure_gradient
+    from kinetruss.kernels.structure.terms import measure_gradient
 
     found = np.zeros((len(x), system.x0.size))
     scratch, (first, last) = np.zeros(10), system.measure_ptr[m : m + 2]

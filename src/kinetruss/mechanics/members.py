@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import CABLE, ENGINEERING, GREEN
+from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN
 from kinetruss.model import Active, Bar, Model, PointMass, natural_length, stiffness
 from kinetruss.model.hub_arms import arms_of, clamped_at
 from kinetruss.model.hub_expansion import pivots_of

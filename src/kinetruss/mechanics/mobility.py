@@ -11,7 +11,7 @@ from scipy.sparse import coo_array, csr_array, diags_array, vstack
 
 from kinetruss.display import counted
 from kinetruss.errors import Fault, InputError, few
-from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics.arguments import positions_of
 from kinetruss.mechanics.arrangement import eliminated
 from kinetruss.mechanics.beam_elements import mode_gradients
@@ -133,10 +133,9 @@ def _shown(value: float) -> str:
 
 # What beams, membranes and solids resist besides the rows of a system: gradients of their strains, as rows of unit size.
 #
-# Stiffnesses do not enter, only whether there is one: a change of positions that leaves all these strains and all rows as they
-# are is a mechanism, whatever the slenderness of the parts. The rank of unit rows decides this for long chains of slender
-# beams,
-# where the least eigenvalue of a stiffness is far below the rounding of the largest.
+# Stiffnesses do not enter, only whether there is one: a change of positions that leaves all these strains and all rows as
+# they are is a mechanism, whatever the slenderness of the parts. The rank of unit rows decides this for long chains of
+# slender beams, where the least eigenvalue of a stiffness is far below the rounding of the largest.
 
 STRAINED = 1e-10
 """Eigenvalues of the stiffness of an element above this fraction of its largest belong to strains."""

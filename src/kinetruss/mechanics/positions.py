@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths as length_rates
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.keeping import kept
 from kinetruss.mechanics.measures import measured

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
+from kinetruss.kernels.structure.structure import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
 from kinetruss.mechanics.keeping import kept
 
 if TYPE_CHECKING:

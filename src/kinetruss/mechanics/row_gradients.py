@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.kernels.structure.plan import ALONG, ANGLE, COSINE, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.structure.structure import ALONG, ANGLE, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.mechanics.keeping import kept
 from kinetruss.mechanics.measures import measure_flats, measure_gradients
 
@@ -258,7 +258,7 @@ def _hessian_times(system: System, m: Any, x: NDArray[Any], v: NDArray[Any]) -> 
 def _rates(
     kind: int, data: NDArray[np.float64], r: NDArray[Any], b: NDArray[Any], rd: NDArray[Any], bd: NDArray[Any]
 ) -> tuple[Any, Any, Any, Any]:
-    """g, s of a term and their rates (see kernels.constraints.terms), from r = x_P - x_1, b = x_2 - x_1 and their rates."""
+    """g, s of a term and their rates (see kernels.structure.terms), from r = x_P - x_1, b = x_2 - x_1 and their rates."""
     factor, e1, e2 = data[0], data[1:4], data[4:7]
     if kind == NODE:
         return e1, 0.0, 0.0 * e1, 0.0

@@ -244,7 +244,7 @@ REGULAR = 1e-10
 
 
 def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
-    """What `kernels.steps.tangent` needs: pattern of L, places of blocks, constant part of the matrix."""
+    """What `kernels.integrate.tangent` needs: pattern of L, places of blocks, constant part of the matrix."""
     place, row_place = _tangent_order(eq)
     n = place.size + row_place.size
     mass = mass_matrix(system, system.x0)[eq.free][:, eq.free].tocoo()

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError, shown
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.continua import Continua, compiled_continua, pair_arrays
 from kinetruss.mechanics.measure_arrays import measure_arrays
 from kinetruss.mechanics.members import DRIVEN, RIGID, member_arrays
@@ -32,7 +32,7 @@ class System:
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
     tube, each the uniform rod with the same moments as that with its masses; own_rods (m, 6): likewise, without the masses, and
     clamped (c, 3) these: 2 member for one on its base, 2 member + 1 on its tube; fraction from the end towards A; kg;
-    law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.plan), with spring (m,) k, N/m, else 0, natural (m,) l0,
+    law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.structure), with spring (m,) k, N/m, else 0, natural (m,) l0,
     m, and damping (m,) c, N s/m; friction (m, 2) of the bearings at its ends, N m s; compliance (m,) 1/(E A), or 1/(k l0), 1/N,
     NaN unknown, and yielding (m,) m/N, which adds to compliance times length;
     is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
@@ -42,11 +42,11 @@ class System:
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths, angles and sums; row_member (of a sum any), row_kind, row_drive (-1 none), row_value,
     row_measure (-1 none).
-    Measures (kernels.constraints.terms), of drives first, then of couplings, then of springs: measures (k,) names, measure_ptr
+    Measures (kernels.structure.terms), of drives first, then of couplings, then of springs: measures (k,) names, measure_ptr
     (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
     those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
-    Springs (kernels.constraints.springs): springs (s,) names, spring_measure (s,), spring_law (s, 7) : stiffness, rest,
+    Springs (kernels.structure.springs): springs (s,) names, spring_measure (s,), spring_law (s, 7) : stiffness, rest,
     damping, friction, slip, play, preload; spring_table_ptr (s + 1,), spring_table (p, 4) points: deflection, force, slope,
     energy.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import Plan
-from kinetruss.kernels.sweep.transfer import transfer
+from kinetruss.kernels.structure.structure import Plan
+from kinetruss.kernels.sweep.blocks import transfer
 from kinetruss.mechanics.arrangement import arrange, rearrange
 from kinetruss.mechanics.measures import measure_gradients
 from kinetruss.mechanics.mobility import underdriven

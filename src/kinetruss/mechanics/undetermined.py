@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.errors import InputError, few
-from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.arrangement import Arrangement, rearrange
 from kinetruss.mechanics.measures import flats_of, measured
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_jacobian, jacobian

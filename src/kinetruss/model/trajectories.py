@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, Tag, model_validator
 
 from kinetruss.errors import Fault, InputError
-from kinetruss.kernels.motion import profiles as profiles
+from kinetruss.kernels.motion import profiles
 from kinetruss.model.drives import LengthDrive
 from kinetruss.model.loads import Shape, check_times
 from kinetruss.model.record import (

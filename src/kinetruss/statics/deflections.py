@@ -11,8 +11,7 @@ import xarray as xr
 
 from kinetruss.dynamics.prescribed import apply_loads
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics import platform_jacobian
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, arrange, compile

@@ -12,7 +12,7 @@ import xarray as xr
 from kinetruss.dynamics.actions import CarriedBy
 from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, not_unique_note, rearrange
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions

@@ -17,7 +17,7 @@ import xarray as xr
 from kinetruss.dynamics.actions import CarriedBy
 from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError, few
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces

@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.arrays import array_of
 from kinetruss.dynamics.prescribed import at_rest
 from kinetruss.errors import AnalysisError, InputError, ModelError
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.positions import assembled

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array, diags_array
 from scipy.sparse.linalg import LinearOperator, onenormest, splu
 
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import System, constraint_jacobian, row_directions, row_ends
 from kinetruss.mechanics.mobility import moves_text, ranked
 from kinetruss.mechanics.null_space import Spaces

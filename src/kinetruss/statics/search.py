@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from kinetruss.kernels.structure.plan import ANGLE
+from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
 from kinetruss.mechanics.balance import Balance
 from kinetruss.mechanics.elements import continua_stiffness, densities, resting_forces, squared_changes

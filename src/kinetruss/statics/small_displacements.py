@@ -9,7 +9,7 @@ import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, vstack
 
 from kinetruss.errors import InputError, few
-from kinetruss.kernels.structure.plan import LENGTH, SUM
+from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics import FREE, NONE, System, constraint_jacobian, ends_of, kept, without_beams
 from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.elements import material_stiffness, spring_laws

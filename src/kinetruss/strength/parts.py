@@ -12,9 +12,9 @@ from kinetruss.dynamics.action_couples import couples_at_hinges
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.bearing_friction import friction_on_arms
 from kinetruss.errors import InputError
+from kinetruss.kernels.sections.peaks import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
-from kinetruss.kernels.sections.stress import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import CABLE, System, compile, ends_of, kept
 from kinetruss.mechanics.loads import case_loads
@@ -40,7 +40,7 @@ class Parts:
 
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
     index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
-    length (parts,): m, NaN for bars. shape (parts,): codes of `kernels.sections.stress`. area m^2, I2, I3 m^4, c2, c3 m, factor
+    length (parts,): m, NaN for bars. shape (parts,): codes of `kernels.sections.peaks`. area m^2, I2, I3 m^4, c2, c3 m, factor
     (shear), E, G, yield_strength Pa: NaN where not known. twist: largest shear stress of torsion over torque, 1/m^3.
     """
 

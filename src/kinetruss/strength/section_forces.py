@@ -13,8 +13,8 @@ from kinetruss.arrays import array_of
 from kinetruss.dynamics import NotOnBars, not_on_bars
 from kinetruss.errors import InputError, few
 from kinetruss.kernels.compiled.workspace import allocate
+from kinetruss.kernels.sections.peaks import section_von_mises
 from kinetruss.kernels.sections.sections import section_forces
-from kinetruss.kernels.sections.stress import section_von_mises
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import BodyCouple, Model
 from kinetruss.model.hub_arms import hub_of

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, least_tension, peaks
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, ROUND, least_tension, peaks
 from kinetruss.kernels.sections.records import Polynomials
-from kinetruss.kernels.sections.stress import ROUND
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.mechanics import System, compile, kept
 from kinetruss.model import Model

@@ -24,10 +24,9 @@ from models import Case
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.linear_state import moving_forces
 from kinetruss.dynamics.prescribed import apply_loads as left_over
-from kinetruss.kernels.solve import kkt as kkt
+from kinetruss.kernels.solve import kkt
 from kinetruss.kernels.structure.applied import applied, no_force
-from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
-from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.structure.structure import ANGLE, GREEN, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import System, compile, jacobian, measured
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness

@@ -9,8 +9,8 @@ from numba.core.typing.templates import AttributeTemplate, infer_getattr as _inf
 from numba.cpython.tupleobj import namedtuple_getattr
 from numba.extending import lower_getattr as _lower_getattr, lower_setattr as _lower_setattr
 
-from kinetruss.kernels.compiled.parts import array_on
 from kinetruss.kernels.compiled.record import Field, on_declaration
+from kinetruss.kernels.compiled.words import array_on
 
 __all__: list[str] = []
 

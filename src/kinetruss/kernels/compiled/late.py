@@ -30,8 +30,7 @@ from numba.core.errors import TypingError
 
 from kinetruss.kernels.compiled.caches import Kept
 from kinetruss.kernels.compiled.jit import DRAFT, HOT, as_called, keeper, kernel, kernel_bare
-from kinetruss.kernels.compiled.parts import intrinsic
-from kinetruss.kernels.compiled.words import Kind, kind_of, number_of
+from kinetruss.kernels.compiled.words import Kind, intrinsic, kind_of, number_of
 
 __all__ = ["compile_late", "kernel_late"]
 

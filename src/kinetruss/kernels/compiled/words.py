@@ -1,4 +1,4 @@
-"""How arguments of kernels are handed over as plain words: numbers, and of arrays address and shape.
+"""Arguments of kernels as plain words, numbers and addresses of arrays; and arrays on memory that somebody else keeps.
 
 A kind knows the words of an argument, in Numba's types and those of C; which types of Numba it takes; the words of a value; and
 the text that makes the argument of the names of words.
@@ -14,12 +14,11 @@ from typing import Annotated, Any, Protocol, get_args, get_type_hints
 import numba
 import numpy as np
 from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic as _intrinsic
 from numpy.typing import NDArray
 
-from kinetruss.kernels.compiled.parts import array_at, matrix_at
 from kinetruss.kernels.compiled.record import Record
-
-__all__ = ["B2", "U1", "U2", "Kind", "kind_of", "number_of"]
 
 U1 = Annotated[NDArray[np.uint32], None, 1]
 U2 = Annotated[NDArray[np.uint32], None, 2]
@@ -132,3 +131,54 @@ class Members:
         """The class of the members."""
         parts[self.made.__name__] = self.made
         return f"{self.made.__name__}({', '.join(one.text(names, parts) for one in self.kinds)})"
+
+
+# Arrays on memory that somebody else keeps: views without a reference count.
+
+intrinsic: Any = _intrinsic  # its annotations are of the first of its two forms
+
+
+def array_on(context: Any, builder: Any, result: Any, data: Any, shape: Any) -> Any:
+    """A C-contiguous array of this type and shape on memory that somebody else keeps."""
+    array = context.make_array(result)(context, builder)
+    size = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(result.dtype)))
+    strides = [size] if len(shape) == 1 else [builder.mul(shape[1], size), size]
+    pack_array: Any = cgutils.pack_array
+    context.populate_array(
+        array, data=data, shape=pack_array(builder, shape), strides=pack_array(builder, strides), itemsize=size, meminfo=None
+    )
+    return array._getvalue()
+
+
+@intrinsic
+def view(typing_context: Any, array: Any, offset: Any, count: Any) -> Any:  # noqa: ARG001
+    """array[offset:offset + count] without a reference count; counted from 0, it needs no look at the sign of an index."""
+    result = types.Array(array.dtype, 1, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        whole = context.make_array(array)(context, builder, args[0])
+        return array_on(context, builder, result, builder.gep(whole.data, [args[1]]), [args[2]])
+
+    return result(array, types.int64, types.int64), codegen
+
+
+@intrinsic
+def array_at(typing_context: Any, pointer: Any, count: Any) -> Any:  # noqa: ARG001
+    """Array (count,) at an address."""
+    result = types.Array(pointer.dtype, 1, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        return array_on(context, builder, result, args[0], [args[1]])
+
+    return result(pointer, types.int64), codegen
+
+
+@intrinsic
+def matrix_at(typing_context: Any, pointer: Any, rows: Any, columns: Any) -> Any:  # noqa: ARG001
+    """Array (rows, columns) at an address."""
+    result = types.Array(pointer.dtype, 2, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:  # noqa: ARG001
+        return array_on(context, builder, result, args[0], [args[1], args[2]])
+
+    return result(pointer, types.int64, types.int64), codegen

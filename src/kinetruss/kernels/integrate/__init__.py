@@ -1,1 +1,1 @@
-"""Integration in time: the machine that steps, looks for events and fills samples."""
+"""Integration in time: single steps, the machine that asks for them, looks for events and fills samples."""

@@ -10,12 +10,11 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.between import keep_between, must_drain
+from kinetruss.kernels.integrate.dop853_step import begin_step, got_new, got_stage, try_step
 from kinetruss.kernels.integrate.events import begin_watch, got_look, got_root, next_root, scan, wanted
-from kinetruss.kernels.integrate.samples import ask_at, ask_state, got_last, got_sample, next_sample
+from kinetruss.kernels.integrate.samples import ask_at, ask_state, got_last, got_sample, keep_between, must_drain, next_sample
 from kinetruss.kernels.integrate.singular import begin_passage, passage_left, passage_middle, passage_right, passage_vertex
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
-from kinetruss.kernels.steps.dop853_step import begin_step, got_new, got_stage, try_step
 
 __all__ = ["proceed"]
 

@@ -12,9 +12,9 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.dop853 import C
 from kinetruss.kernels.integrate.samples import ask_at
 from kinetruss.kernels.integrate.state import Control, Memory, Work
-from kinetruss.kernels.steps.dop853_table import C
 
 __all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_avoiding"]
 

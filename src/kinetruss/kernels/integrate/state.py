@@ -118,7 +118,7 @@ PATTERN = (
     "space",
     "sum_at",
 )
-"""Fields of `Control` that hold the pattern of the matrix of an implicit method (kernels.steps.tangent)."""
+"""Fields of `Control` that hold the pattern of the matrix of an implicit method (kernels.integrate.tangent)."""
 _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_kind": (0,), "angle_at": (0, 4), "angle_data": (0, 7)}
 """Shapes of those that say what turns, where nothing does."""
 
@@ -130,7 +130,7 @@ class Control(Record):
     Numbers: what the method is asked for. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates
     of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
     jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. pairs (k, 2) :
-    flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see constraints.terms) that do.
+    flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
     Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE; event_A, event_B (e,) flat coordinates, A of a force its row;
     event_value (e,) m or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run ends there;
     event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates of both

@@ -17,10 +17,17 @@ from typing import Any, NamedTuple
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Floats, Record, record
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, Measure, largest_parabola, part_tension, part_top
+from kinetruss.kernels.sections.peaks import (
+    MOMENT_RESULTANT,
+    MOMENT_SUM,
+    ROUND,
+    Measure,
+    largest_parabola,
+    part_tension,
+    part_top,
+)
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import member_polynomials
-from kinetruss.kernels.sections.stress import ROUND
 
 __all__ = ["BEAM_COLUMN", "BUCKLING", "COLUMNS", "YIELD", "Kept", "Rules", "envelope"]
 

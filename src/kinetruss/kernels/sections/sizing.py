@@ -16,9 +16,8 @@ from typing import Any, NamedTuple
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F0, F1, I1, Floats, Ints, Record, record
-from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, Measure, largest_parabola, part_least_tension, part_top
+from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, ROUND, Measure, largest_parabola, part_least_tension, part_top
 from kinetruss.kernels.sections.records import Polynomials
-from kinetruss.kernels.sections.stress import ROUND
 
 __all__ = ["Sized", "assess", "scan"]
 

@@ -12,13 +12,11 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
-from kinetruss.kernels.series.forces import given_order, law_lengths, law_order
-from kinetruss.kernels.series.motions import motion_series, row_series
-from kinetruss.kernels.series.workspace import SeriesWork
+from kinetruss.kernels.series.orders import SeriesWork, given_order, law_lengths, law_order, motion_series, row_series
 from kinetruss.kernels.solve.kkt import row_along, solve_refined
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_times
-from kinetruss.kernels.structure.plan import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH
 
 __all__ = ["series"]
 

@@ -1,47 +1,59 @@
-"""Equations of motion, one interface over three solvers: factor, solve, evaluate, project; energies and momenta.
-
-What holds redundant rows together is the same everywhere: sum w N^2 is least.
-"""
+"""Equations of motion, one interface over three solvers: factor, solve, evaluate, project; energies and momenta."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2
-from kinetruss.kernels.constraints.motions import motions
-from kinetruss.kernels.constraints.rows import (
-    add_row_forces,
-    along_rows,
-    gradients,
-    position_residuals,
-    row_second,
-    targets,
-    velocity_residuals,
-)
-from kinetruss.kernels.constraints.springs import spring_energies
-from kinetruss.kernels.constraints.sum_rows import (
-    add_sum_forces,
-    sum_along,
-    sum_gammas,
-    sum_gaps,
-    sum_gradients,
-    sum_rate_gaps,
-)
-from kinetruss.kernels.solve.kkt_entries import call_factor, call_solve
+from kinetruss.kernels.solve.kkt_dense import dense_factor, dense_solve
+from kinetruss.kernels.solve.kkt_sparse import sparse_factor, sparse_solve
+from kinetruss.kernels.solve.kkt_sweep import sweep_factor, sweep_solve
+from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import continua_energy
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_energies
 from kinetruss.kernels.structure.mass import between, direction, mass_times, momenta_of
+from kinetruss.kernels.structure.rows import (
+    add_row_forces,
+    along_rows,
+    gradients,
+    motions,
+    position_residuals,
+    row_second,
+    targets,
+    velocity_residuals,
+)
+from kinetruss.kernels.structure.springs import spring_energies
+from kinetruss.kernels.structure.sums import add_sum_forces, sum_along, sum_gammas, sum_gaps, sum_gradients, sum_rate_gaps
 
-__all__ = [
-    "accelerate", "accelerate_under", "evaluate", "factor", "kinetic", "momenta", "potential", "prepare_rows", "project",
-    "project_near", "row_along", "row_gammas", "row_gaps", "row_gradients", "add_constraint_forces", "row_rate_gaps", "solve",
-    "solve_refined",
-]  # fmt: skip
+
+# Factor and solve with the solver at hand; no other is compiled.
+@kernel_bare
+def call_factor(eq: Equations, ws: Workspace, x: F1) -> float:
+    """`factor` of the solver at hand."""
+    if eq.solver == e.DENSE:
+        return dense_factor(eq, ws, x)
+    if eq.solver == e.SPARSE:
+        return sparse_factor(eq, ws, x)
+    return sweep_factor(eq, ws, x)
+
+
+@kernel_bare
+def call_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
+    """`solve` with the factors at hand."""
+    if eq.solver == e.DENSE:
+        dense_solve(eq, ws, f, gamma, a, N)
+    elif eq.solver == e.SPARSE:
+        sparse_solve(eq, ws, f, gamma, a, N)
+    else:
+        sweep_solve(eq, ws, f, gamma, a, N)
+
+
+# What holds redundant rows together is the same everywhere: sum w N^2 is least.
 
 FRESH = 1e-6
 """Error of a length, as a share of it, that factors of positions near by may take away."""
@@ -366,3 +378,19 @@ def momenta(eq: Equations, ws: Workspace, x: F1, v: F1, out: F1) -> None:
     h = ws.h
     mass_times(eq, x, v, h)
     momenta_of(x, h, out)
+
+
+# Energies and momenta of the samples of a simulation.
+
+
+@kernel
+def balance(eq: Equations, ws: Workspace, x: F2, v: F2, out: F2) -> None:
+    """Kinetic and potential energy (J), momentum (kg m/s), its moment about the origin (kg m^2/s) into out (samples, 8).
+
+    x, v (samples, 3 n).
+    """
+    # T, V, p and the angular momentum of each sample
+    for i in range(x.shape[0]):
+        out[i, 0] = kinetic(eq, ws, x[i], v[i])
+        out[i, 1] = potential(eq, x[i])
+        momenta(eq, ws, x[i], v[i], out[i, 2:])

@@ -11,12 +11,11 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
-from kinetruss.kernels.constraints.sum_rows import sum_columns, sum_row_of, sum_vector
-from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
-from kinetruss.kernels.solve.drop_cholesky import backward, drop_cholesky, forward, share
+from kinetruss.kernels.solve.cholesky import backward, cholesky, cholesky_solve, drop_cholesky, forward, share
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 from kinetruss.kernels.structure.structure import Structure
+from kinetruss.kernels.structure.sums import sum_columns, sum_row_of, sum_vector
 
 __all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "dense_factor", "dense_solve"]
 

@@ -14,12 +14,12 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.parts import view
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
-from kinetruss.kernels.constraints.rows import add_row_forces, along_rows
-from kinetruss.kernels.constraints.sum_rows import add_sum_forces, sum_along, sum_entries
+from kinetruss.kernels.compiled.words import view
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
+from kinetruss.kernels.structure.rows import add_row_forces, along_rows
+from kinetruss.kernels.structure.sums import add_sum_forces, sum_along, sum_entries
 
 __all__ = ["NODE", "OWN", "REDUNDANT", "sparse_factor", "sparse_solve", "sparse_targets", "sparse_tree"]
 

@@ -11,11 +11,11 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
-from kinetruss.kernels.constraints.sum_rows import sum_row_of
-from kinetruss.kernels.constraints.terms import term_along, term_gradient, term_value
 from kinetruss.kernels.solve.kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.plan import ANGLE, SUM
+from kinetruss.kernels.structure.structure import ANGLE, SUM
+from kinetruss.kernels.structure.sums import sum_row_of
+from kinetruss.kernels.structure.terms import term_along, term_gradient, term_value
 
 __all__ = ["MotorPlaces", "MotorResponse", "motor_project", "motor_response"]
 

@@ -29,10 +29,10 @@ class Equations(Structure):
     held (h,) prescribed coordinates that move and held_motion (h,) the motion of each.
     Rows: row (r,) index in the system; A, B (r,) flat first coordinates of the ends; kind (r,) LENGTH, ANGLE, SUM; motion (r,)
     of the value or -1; value (r,); weight (r,) of the least-squares share; redundant_row (r,) redundant at the start.
-    Motions (constraints.motions): motion_kind (d,), motion_data (d, 4), motion_ptr (d + 1,), piece_start (p,), piece (p, w).
+    Motions (structure.rows): motion_kind (d,), motion_data (d, 4), motion_ptr (d + 1,), piece_start (p,), piece (p, w).
     constant (3 n,) : weight of constant masses; gravity (3,), lump_gravity (n, 3).
     Sums: sum_row (s,) the rows of kind SUM; terms sum_ptr[j]:sum_ptr[j+1] of sum j in term_kind (t,), term_at (t, 4),
-    term_data (t, 7) as in constraints.terms, behind them those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
+    term_data (t, 7) as in structure.terms, behind them those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
     Given forces: force_kind, force_A, force_B (g,) coordinates (of a SUM_FORCE first and last term), force_ptr (g + 1,),
     force_time, force_value; force_drive (g,) or -1.
     Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),

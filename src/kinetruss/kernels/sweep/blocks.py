@@ -1,7 +1,7 @@
-"""One block of the block triangular form: its rows, its Jacobian and factors, its Newton step.
+"""One block of the block triangular form: its rows, Jacobian, factors and Newton step; first-order transfer along the blocks.
 
 Row of a bar, d = x_B - x_A: residual (|d|^2/L - L)/2, gradient d/L; of an angle: n . d with n = (-sin, cos), gradient n.
-Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared. Sums: see constraints.sums.
+Scaled like this, all gradients are unit vectors at the solution, and pivots can be compared. Sums: see structure.sums.
 """
 
 from __future__ import annotations
@@ -13,37 +13,24 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I1
+from kinetruss.kernels.compiled.record import F1, F2, I1, Floats
 from kinetruss.kernels.compiled.words import B2
-from kinetruss.kernels.constraints.rows import row_gradient, row_residual
-from kinetruss.kernels.constraints.sums import sum_jacobian, sum_residuals, sum_terms
 from kinetruss.kernels.structure.mass import between, dot
-from kinetruss.kernels.structure.plan import LENGTH, Plan
-from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, lu_solve_transposed
-from kinetruss.kernels.sweep.sparse_lu import (
+from kinetruss.kernels.structure.rows import row_gradient, row_residual, unit_gradient
+from kinetruss.kernels.structure.structure import LENGTH, Plan
+from kinetruss.kernels.structure.sums import sum_jacobian, sum_known, sum_residuals, sum_terms
+from kinetruss.kernels.sweep.lu import (
     FAILED,
     Order,
+    lu_factor,
+    lu_solve,
+    lu_solve_transposed,
     new_order,
     sparse_again,
     sparse_first,
     sparse_solve,
     sparse_solve_transposed,
 )
-
-__all__ = [
-    "Workspace",
-    "set_targets",
-    "factor",
-    "factor_gradients",
-    "gradients",
-    "known",
-    "newton_block",
-    "newton_step",
-    "residuals",
-    "solve",
-    "solve_transposed",
-    "workspace",
-]
 
 SMALL = 12
 """Rows up to which a block is factored as a full matrix: it is faster than counting zeros."""
@@ -264,3 +251,51 @@ def newton_block(plan: Plan, w: Workspace, b: int, x: F2, i: int, limit: float) 
         if step < 1e-10 * limit:
             return True
     return False
+
+
+# First-order geometric transfer: how far every coordinate goes when the rows change by given amounts, J y = r.
+#
+# One forward sweep over the blocks of the block triangular form for each right-hand side, with the same factors. Gradients
+# are taken from the positions themselves, so that it does not matter whether they meet the prescribed values to round-off.
+
+
+@kernel_inline
+def _gradients(plan: Plan, w: Workspace, x: F2, i: int) -> None:
+    """Unit gradients of the rows of all blocks at x[i]."""
+    # rows of J: u, or n of an angle
+    for k in range(plan.ptr[-1]):
+        g = unit_gradient(plan.kind[k], between(x[i], plan.A[k], plan.B[k]))
+        w.gradient[k, 0], w.gradient[k, 1], w.gradient[k, 2] = g
+
+
+@kernel_inline
+def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -> None:
+    """Solve for y[i, s] with the factors at sample i."""
+    # block b: A y_b = r_b - J y of the earlier blocks
+    for b in range(plan.ptr.size - 1):
+        first = plan.ptr[b]
+        for k in range(first, plan.ptr[b + 1]):
+            w.work[k - first] = rhs[i, s, k] - known(plan, w, k, y[i], s)
+        sum_known(plan, b, first, y[i, s], w.terms, w.work)
+        solve(plan, w, b, w.work)
+        for k in range(first, plan.ptr[b + 1]):
+            y[i, s, plan.col[k]] = w.work[k - first]
+
+
+@kernel
+def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats) -> None:
+    """Solve J y = rhs at every sample; redundant rows are left out.
+
+    x (times, 3 n) m; rhs (times, k, rows) in the plan's order of rows: change of length, m, of angle times length, m,
+    or of a sum times its scale.
+    y (times, k, 3 n): holds the changes of prescribed coordinates, m, and zeros; receives those of the free ones.
+    """
+    w = workspace(plan)
+    # factors once a sample, one forward sweep for each right-hand side
+    for i in range(x.shape[0]):
+        _gradients(plan, w, x, i)
+        for b in range(plan.ptr.size - 1):
+            sum_terms(plan, b, x[i], w.terms)
+            factor_gradients(plan, w, b)
+        for s in range(rhs.shape[1]):
+            _changes(plan, w, rhs, y, i, s)

@@ -14,11 +14,10 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2
-from kinetruss.kernels.constraints.rows import row_rate, row_second
-from kinetruss.kernels.constraints.sums import sum_first, sum_known, sum_second
 from kinetruss.kernels.structure.mass import between, dot
-from kinetruss.kernels.structure.plan import ALONE, ANGLE, LENGTH, RIGID_SHAPE, Plan
-from kinetruss.kernels.structure.structure import States
+from kinetruss.kernels.structure.rows import row_rate, row_second
+from kinetruss.kernels.structure.structure import ALONE, ANGLE, LENGTH, RIGID_SHAPE, Plan, States
+from kinetruss.kernels.structure.sums import sum_first, sum_known, sum_second
 from kinetruss.kernels.sweep.blocks import (
     Workspace,
     factor,

@@ -11,13 +11,11 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
-from kinetruss.kernels.constraints.springs import add_spring_forces, spring_balance
-from kinetruss.kernels.constraints.sums import add_sum_forces, sum_of, sum_terms
-from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rate
+from kinetruss.kernels.structure.laws import add_pin_forces, law_energy, law_tension, length_rate, pin_loss
 from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
-from kinetruss.kernels.structure.pins import add_pin_forces, pin_loss
-from kinetruss.kernels.structure.plan import Plan
-from kinetruss.kernels.structure.structure import EndForces, NodalLoads, States, Structure
+from kinetruss.kernels.structure.springs import add_spring_forces, spring_balance
+from kinetruss.kernels.structure.structure import EndForces, NodalLoads, Plan, States, Structure
+from kinetruss.kernels.structure.sums import add_sum_force, sum_of, sum_terms
 from kinetruss.kernels.sweep.blocks import Workspace, factor, gradients, set_targets, solve_transposed, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
@@ -48,7 +46,7 @@ def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> None:
             N[k] = w.work[k - first]
             _add_row(plan, w, k, N[k], rest)
         for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
-            add_sum_forces(plan, j, w.terms, N[plan.sum_row[j]], rest)
+            add_sum_force(plan, j, w.terms, N[plan.sum_row[j]], rest)
 
 
 @kernel_inline
@@ -57,7 +55,7 @@ def _force_of(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None
     _add_row(plan, w, k, amount, rest)
     j = sum_of(plan.sum_row, k)
     if j >= 0:
-        add_sum_forces(plan, j, w.terms, amount, rest)
+        add_sum_force(plan, j, w.terms, amount, rest)
 
 
 @kernel_late(allocates=True)

@@ -11,12 +11,11 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.structure.plan import Plan
+from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, factor, set_targets
 from kinetruss.kernels.sweep.follow import chord, closed_block, faces, righted
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
-from kinetruss.kernels.tasks.sweeps import Drives, Room, carry, gradient, scales
-from kinetruss.kernels.tasks.tape import Tape, forward
+from kinetruss.kernels.tasks.tape import Drives, Room, Tape, carry, forward, gradient, scales
 
 __all__ = ["closed", "corrected", "matrix", "rates", "residual", "task_rows"]
 

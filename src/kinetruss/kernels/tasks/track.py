@@ -8,11 +8,10 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.record import F1, Floats
-from kinetruss.kernels.structure.plan import Plan
+from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.tasks.kkt import corrected, matrix, rates
-from kinetruss.kernels.tasks.sweeps import Drives, Room, gradient, let_go
-from kinetruss.kernels.tasks.tape import Tape
+from kinetruss.kernels.tasks.tape import Drives, Room, Tape, gradient, let_go
 
 __all__ = ["DONE", "FAST", "STUCK", "Given", "Tracked", "track"]
 

@@ -12,15 +12,13 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.dop853_step import LEAST, target
+from kinetruss.kernels.integrate.samples import state_within
 from kinetruss.kernels.integrate.state import Control, Memory, Work
+from kinetruss.kernels.series.orders import SeriesWork
 from kinetruss.kernels.series.recurrence import series
-from kinetruss.kernels.series.workspace import SeriesWork
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
-from kinetruss.kernels.steps.dop853_step import LEAST, target
-from kinetruss.kernels.steps.interpolants import state_within
 from kinetruss.kernels.structure.equations import Equations, Workspace
-
-__all__ = ["taylor_step"]
 
 END_SHARE = 0.3
 """Least ratio of the scaled pivot at the end of a step to that at its start; below it the step ends somewhere else."""

@@ -1,34 +1,19 @@
-"""Rows of the equations: gradients, residuals on all three levels, constraint forces.
+"""Rows of the equations between two nodes: gradients, residuals on all three levels, forces, and motions given in time.
 
 Length row: d/L . (...), residual (|d|^2/L - L)/2, rate d/L . d' = L', d/L . d'' = (L'^2 + L L'' - |d'|^2)/L.
 Angle row, n = (-sin, cos): n . d = 0, n . d' = w l, n . d'' = w' l + 2 w (c . d') + w^2 (n . d), c = (cos, sin), l = c . d.
-Rows of kind SUM depend on more than two nodes: they have gradient 0 here, and are added by sum_rows (constraints.sums in
-sweeps).
+Rows of kind SUM depend on more than two nodes: they have gradient 0 here, and are added by structure.sums.
 """
 
 from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_inline
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
+from kinetruss.kernels.compiled.record import F1, F2, I1, Floats, Ints, Vector
 from kinetruss.kernels.structure.mass import between, dot
-from kinetruss.kernels.structure.plan import ANGLE, LENGTH, SUM
-
-__all__ = [
-    "add_row_forces",
-    "targets",
-    "along_rows",
-    "gradients",
-    "position_residuals",
-    "row_gradient",
-    "row_rate",
-    "row_residual",
-    "row_second",
-    "unit_gradient",
-    "velocity_residuals",
-]
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 
 
 @kernel_inline
@@ -140,3 +125,74 @@ def velocity_residuals(kind: I1, A: I1, B: I1, x: F1, v: F1, target: F2, u: F2, 
         out[k] = dot(g, between(v, A[k], B[k])) - row_rate(kind[k], g, between(x, A[k], B[k]), target[1, k])
         largest = larger(largest, abs(out[k]))
     return largest
+
+
+# Known forces of rows put onto joints and nodes.
+
+
+@kernel
+def row_forces(member: Ints, kind: Ints, A: Ints, B: Ints, x: F2, N: F2, joint: Floats, rest: F2) -> None:
+    """Add the force of every row to joint (times, members, 2, 3), and take it from rest (times, 3 n). Sums are left out.
+
+    member, kind, A, B (rows,): member of the row, LENGTH or ANGLE, flat first coordinates of its ends. x (times, 3 n) positions
+    that fulfil the rows; N (times, rows): tension, or of an angle row minus the torque over the length.
+    """
+    # J^T N row by row: tension N along g, -N g on the member at A, +N g at B; the nodes take the opposite
+    for i in range(x.shape[0]):
+        for k in range(A.size):
+            if kind[k] == SUM:
+                continue
+            a, b, m = A[k], B[k], member[k]
+            g = unit_gradient(kind[k], between(x[i], a, b))
+            for c in range(3):
+                force = N[i, k] * g[c]
+                joint[i, m, 0, c] -= force
+                joint[i, m, 1, c] += force
+                rest[i, a + c] += force
+                rest[i, b + c] -= force
+
+
+# Motions of drives and supports at any time inside a kernel: piecewise polynomials and sines, exact in all derivatives.
+
+POLYNOMIAL, SINE = 0, 1
+
+
+@kernel_bare
+def piece_at(ptr: I1, start: F1, d: int, t: float) -> int:
+    """The piece of motion d that holds at t."""
+    low, high = ptr[d], ptr[d + 1]
+    # bisection for the last piece that starts at t or before
+    while high - low > 1:
+        middle = (low + high) // 2
+        if start[middle] <= t:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@kernel_bare
+def motions(kind: I1, data: F2, ptr: I1, start: F1, piece: F2, t: float, now: F2) -> None:
+    """Value, rate and acceleration of every motion at t into now (3, d).
+
+    POLYNOMIAL: pieces ptr[d]:ptr[d+1], piece i from start[i] on: sum_k piece[i, k] (t - start[i])^k; the first piece also holds
+    before its start. SINE: data = mean, amplitude, angular frequency, phase.
+    """
+    # q(t), q'(t), q''(t) of each prescribed motion
+    for d in range(kind.size):
+        if kind[d] == SINE:
+            w = data[d, 2]
+            angle = w * t + data[d, 3]
+            now[0, d] = data[d, 0] + data[d, 1] * math.sin(angle)
+            now[1, d] = data[d, 1] * w * math.cos(angle)
+            now[2, d] = -data[d, 1] * w * w * math.sin(angle)
+            continue
+        low = piece_at(ptr, start, d, t)
+        s = t - start[low]
+        value, rate, half = 0.0, 0.0, 0.0
+        # Horner's scheme for the polynomial, its derivative and half its second derivative
+        for k in range(piece.shape[1] - 1, -1, -1):
+            half = half * s + rate
+            rate = rate * s + value
+            value = value * s + piece[low, k]
+        now[0, d], now[1, d], now[2, d] = value, rate, 2.0 * half

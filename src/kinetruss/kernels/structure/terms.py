@@ -14,21 +14,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
-from kinetruss.kernels.structure.plan import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
-from kinetruss.kernels.structure.structure import States
-
-__all__ = [
-    "measure_gradient",
-    "measure_rates",
-    "measure_value",
-    "nearest_turn",
-    "term_along",
-    "term_gradient",
-    "term_gradients",
-    "term_rates",
-    "term_second",
-    "term_value",
-]
+from kinetruss.kernels.structure.structure import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET, States
 
 
 @kernel_bare

@@ -8,14 +8,10 @@ from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.between import TURN, turning
-from kinetruss.kernels.integrate.samples import NEAR, ask_state, gather
+from kinetruss.kernels.integrate.dop853 import C, dense_coefficients, error_norm, next_step, stage_state, stiffness
+from kinetruss.kernels.integrate.samples import NEAR, TURN, ask_state, gather, turning
 from kinetruss.kernels.integrate.singular import crossed, size_avoiding
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
-from kinetruss.kernels.steps.dop853 import dense_coefficients, error_norm, next_step, stage_state, stiffness
-from kinetruss.kernels.steps.dop853_table import C
-
-__all__ = ["begin_step", "got_new", "got_stage", "target", "try_step"]
 
 LEAST = 1e-14
 """Smallest step, as a fraction of the time or of the whole run."""

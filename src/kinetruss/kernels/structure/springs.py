@@ -1,4 +1,4 @@
-"""Springs: laws on measures, sums of coordinate terms (constraints.terms), and what they do to nodes.
+"""Springs: laws on measures, sums of coordinate terms (structure.terms), and what they do to nodes.
 
 With the value c of its measure and e = c - rest, taken the shortest way where c is the same after a period, a spring resists
 with F = V'(e) + R(c'), R = damping c' + friction tanh(c'/slip), and pushes the nodes with -F dc/dx. V' is preload + k s with s
@@ -15,22 +15,9 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Ints, Vector
-from kinetruss.kernels.constraints.terms import nearest_turn, term_along, term_gradient, term_rates, term_value
 from kinetruss.kernels.structure.equations import Equations
-from kinetruss.kernels.structure.plan import ALONG, FIXED_AXIS
-from kinetruss.kernels.structure.structure import Structure
-
-__all__ = [
-    "add_spring_forces",
-    "add_springs",
-    "apply_springs",
-    "spring_balance",
-    "spring_blocks",
-    "spring_energies",
-    "spring_histories",
-    "spring_slopes",
-    "swap_springs",
-]
+from kinetruss.kernels.structure.structure import ALONG, FIXED_AXIS, Structure
+from kinetruss.kernels.structure.terms import nearest_turn, term_along, term_gradient, term_rates, term_value
 
 SMALL = 1e-6
 """Change of a deflection, as a fraction of it, below which the mean force over it is that in its middle."""

@@ -9,17 +9,13 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
-from kinetruss.kernels.constraints.springs import add_springs
-from kinetruss.kernels.constraints.sum_rows import sum_entries
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua, add_damping
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import law_slopes, law_tension, length_rate
-from kinetruss.kernels.structure.pins import add_pins
-from kinetruss.kernels.structure.plan import LENGTH
-from kinetruss.kernels.structure.structure import Structure
-
-__all__ = ["ldl_factor", "ldl_solve", "tangent_factor", "tangent_fill", "tangent_solve"]
+from kinetruss.kernels.structure.laws import add_pins, law_slopes, law_tension, length_rate
+from kinetruss.kernels.structure.springs import add_springs
+from kinetruss.kernels.structure.structure import LENGTH, Structure
+from kinetruss.kernels.structure.sums import sum_entries
 
 
 @kernel_bare

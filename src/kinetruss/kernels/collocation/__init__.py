@@ -1,1 +1,0 @@
-"""Radau IIA: an implicit method whose stages are solved at once by Newton's method, for stiff runs."""

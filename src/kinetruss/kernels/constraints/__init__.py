@@ -1,1 +1,0 @@
-"""Constraints: lengths, angles and sums, their values, gradients and how these turn."""

@@ -1,1 +1,0 @@
-"""Single steps of the integrators, and the states within a step."""
