@@ -7,8 +7,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import report, viewer
-from kinetruss.report.pictures.figures import specifications
 from kinetruss.report.pictures.picture import curves_of
+from kinetruss.report.run_figures import specifications
 from kinetruss.strength.beam_verdict import middle_forces
 from kinetruss.viewer.films.shown import Look, Subject
 

@@ -10,8 +10,8 @@ import kinetruss as kt
 from kinetruss import report, runs, strength
 from kinetruss.errors import InputError
 from kinetruss.report.comparisons import run_labels
-from kinetruss.report.pictures.plots import specification
 from kinetruss.report.pictures.quantities import ALIASES, BUNDLES, ELASTIC, QUANTITIES, SIMULATION, TURNING, curves
+from kinetruss.report.plots import specification
 from samples import fourbar, tripod
 
 LIFT = "runs.lift.trajectory.duration"

@@ -13,7 +13,7 @@ from frame_models import BEAMS, LOADS, NODES, SIDE, STEEL, G, portal
 from kinetruss import report, runs
 from kinetruss.cli import main
 from kinetruss.errors import InputError
-from kinetruss.report.diagram_drawings import drawn, scales_of
+from kinetruss.report.document.diagram_pages import drawn, scales_of
 from kinetruss.report.member_diagrams import governing_diagrams, only, section_lines
 from reference.plane_frame import solve
 from samples import tripod

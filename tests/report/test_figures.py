@@ -11,9 +11,9 @@ from kinetruss import report
 from kinetruss.display import COLOURS
 from kinetruss.errors import InputError, StoreError
 from kinetruss.report.pictures.drawing import projected
-from kinetruss.report.pictures.figures import specifications
-from kinetruss.report.pictures.plots import specification
 from kinetruss.report.pictures.specs import Bars, Histories, Shape, pen
+from kinetruss.report.plots import specification
+from kinetruss.report.run_figures import specifications
 from kinetruss.runs import RunResult, run
 from samples import fourbar, tripod
 

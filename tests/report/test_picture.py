@@ -17,8 +17,8 @@ from kinetruss.cli import main
 from kinetruss.display import palettes as _colours
 from kinetruss.errors import InputError, StoreError
 from kinetruss.report.pictures.draw import draw
-from kinetruss.report.pictures.plots import specification
 from kinetruss.report.pictures.specs import Histories
+from kinetruss.report.plots import specification
 from kinetruss.runs import RunResult, run
 from samples import fourbar, tripod
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings, strategies as st
 import kinetruss as kt
 from kinetruss.cli import main
 from kinetruss.report.document.inputs import members_of, nodes_of, total_mass
-from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.run_figures import specifications
 
 TUBE = kt.Tube(outer=0.0889, inner=0.0789)
 SCALES = {"N": 1.0, "kN": 1e3, "MN": 1e6, "GN": 1e9, "mN": 1e-3}

@@ -13,7 +13,7 @@ from hypothesis import given, settings, strategies as st
 import kinetruss as kt
 from kinetruss import report, runs, strength, viewer
 from kinetruss.cli import main
-from kinetruss.report.pictures.figures import specifications
+from kinetruss.report.run_figures import specifications
 from kinetruss.strength.verdict import highest, strength_histories, unchecked, worst_of
 
 TUBE = kt.Tube(outer=0.02, inner=0.016)

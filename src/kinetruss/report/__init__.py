@@ -6,17 +6,17 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.report.comparisons import beside as beside, compare as compare
-    from kinetruss.report.diagram_drawings import diagrams as diagrams, diagrams_page as diagrams_page
+    from kinetruss.report.document.diagram_pages import diagrams as diagrams, diagrams_page as diagrams_page
     from kinetruss.report.document.run_report import document_page as document_page, lines as lines
     from kinetruss.report.document.sizing_report import read_sizing as read_sizing, sizing_page as sizing_page
     from kinetruss.report.document.writing import write_document as write_document, write_page as write_page
     from kinetruss.report.explanations import explain as explain
     from kinetruss.report.page import Page as Page
-    from kinetruss.report.pictures.figures import figures as figures
     from kinetruss.report.pictures.picture import picture as picture
-    from kinetruss.report.pictures.plots import histories_svg as histories_svg, map_picture as map_picture, plot as plot
     from kinetruss.report.pictures.quantities import curves as curves
+    from kinetruss.report.plots import histories_svg as histories_svg, map_picture as map_picture, plot as plot
     from kinetruss.report.readings import gauges as gauges, gauges_picture as gauges_picture, joints as joints
+    from kinetruss.report.run_figures import figures as figures
     from kinetruss.report.run_summary import summary as summary
     from kinetruss.report.run_tables import variants as variants
 

@@ -12,10 +12,11 @@ from kinetruss.report.document.data import document_record, model_text, plain
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed, summary_parts
 from kinetruss.report.document.inputs import inputs, lists, section_constants, worded
+from kinetruss.report.document.mission_parts import envelopes
 from kinetruss.report.document.result import assumptions, checked_words, governing_entry, result_lines
 from kinetruss.report.document.run_pictures import diagrams_of
 from kinetruss.report.document.worked import Pairs, shown, worked_pairs, worked_record
-from kinetruss.report.mission_tables import TRAIN_UNITS, envelopes, mission_record
+from kinetruss.report.mission_tables import TRAIN_UNITS, mission_record
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import Markup, element, quantity
-from kinetruss.report.diagram_drawings import drawn, scales_of
+from kinetruss.report.document.diagram_pages import drawn, scales_of
 from kinetruss.report.member_diagrams import governing_diagrams
 from kinetruss.report.pictures.specs import Figure, Histories, Panel, Shape
 

@@ -21,8 +21,8 @@ from kinetruss.report.document.worked import shown, worked, worked_record
 from kinetruss.report.member_diagrams import diagrams_record, governing_diagrams
 from kinetruss.report.mission_tables import mission_record
 from kinetruss.report.page import Page
-from kinetruss.report.pictures.figures import specifications
 from kinetruss.report.pictures.specs import Histories
+from kinetruss.report.run_figures import specifications
 from kinetruss.runs import MissionRun
 
 if TYPE_CHECKING:
