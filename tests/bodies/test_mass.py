@@ -7,7 +7,8 @@ from hypothesis import assume, given, strategies as st
 import kinetruss as kt
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
-from kinetruss.model.bodies import body_mass, carried, on_carriers, on_line, quality, second_moments, uniform
+from kinetruss.model import body_mass
+from kinetruss.model.bodies import carried, on_carriers, on_line, quality, second_moments, uniform
 
 seeds = st.integers(0, 2**32 - 1)
 CORNERS = {"O": (0.0, 0.0, 0.0), "X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}

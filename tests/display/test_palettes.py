@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
-from kinetruss.display.palettes import DIVERGING, DRIVEN, ELASTIC, LOAD, OVER, SEQUENTIAL, THEMES, contrast, rgb
+from kinetruss.display import DIVERGING, DRIVEN, ELASTIC, LOAD, OVER, SEQUENTIAL, THEMES, contrast, rgb
 from kinetruss.report.pictures.specs import ALARM, INK, QUIET
 
 TEXT, GRAPHICS = 4.5, 3.0  # WCAG 2.2, 1.4.3 and 1.4.11

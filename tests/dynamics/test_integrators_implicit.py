@@ -13,8 +13,8 @@ import kinetruss as kt
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.fixed_steps import secant
 from kinetruss.kernels.structure.laws import bar_tension, law_energy
-from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN
 from kinetruss.library import mechanisms
+from kinetruss.mechanics import CABLE, ENGINEERING, GREEN
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
 from reference.linkages import row_of_four_bars
 from reference.marching import march

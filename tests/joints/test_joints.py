@@ -336,7 +336,7 @@ def test_faults_of_drives_and_screws():
 def test_info_tells_of_joints(tmp_path):
     from click.testing import CliRunner
 
-    from kinetruss.cli.commands import main
+    from kinetruss.cli import main
 
     model = made("revolute", (GROUND, "B"))
     kt.write(model, tmp_path / "m.yaml")

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.mechanics import compile, eliminated, jacobian, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, compile, eliminated, jacobian, rearrange
 from kinetruss.mechanics.elimination import Elimination
 from kinetruss.mechanics.null_space import Spaces
-from kinetruss.mechanics.row_gradients import RANK_TOLERANCE
 
 SHAPES = ((9, 4), (4, 3, 3))
 

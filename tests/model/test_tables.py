@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.model import Record
-from kinetruss.model.table import ReadOnly
+from kinetruss.model import ReadOnly, Record
 
 EXAMPLES = [kt.read(paths[0]) for paths in kt.library.example_files().values()]
 

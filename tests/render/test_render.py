@@ -15,7 +15,7 @@ from PIL import Image
 import kinetruss as kt
 from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
-from kinetruss.display.palettes import OVER, SKINS, colours_of, limits_of, rgb
+from kinetruss.display import OVER, SKINS, colours_of, limits_of, rgb
 from kinetruss.dynamics import linearise
 from kinetruss.errors import InputError, StoreError
 from kinetruss.viewer.films.copies import box

@@ -9,8 +9,10 @@ import pytest
 import kinetruss as kt
 from kinetruss import report, runs, strength
 from kinetruss.errors import InputError
+from kinetruss.report import curves
 from kinetruss.report.comparisons import run_labels
-from kinetruss.report.pictures.quantities import ALIASES, BUNDLES, ELASTIC, QUANTITIES, SIMULATION, TURNING, curves
+from kinetruss.report.pictures import ALIASES, BUNDLES, QUANTITIES
+from kinetruss.report.pictures.quantities import ELASTIC, SIMULATION, TURNING
 from kinetruss.report.plots import specification
 from samples import fourbar, tripod
 

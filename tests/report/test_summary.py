@@ -8,7 +8,7 @@ import pytest
 import kinetruss as kt
 from kinetruss import report
 from kinetruss.errors import InputError
-from kinetruss.report.pictures.quantities import curves
+from kinetruss.report import curves
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod
 

@@ -26,9 +26,9 @@ from kinetruss.dynamics.linear_state import moving_forces
 from kinetruss.dynamics.prescribed import apply_loads as left_over
 from kinetruss.kernels.solve import kkt
 from kinetruss.kernels.structure.applied import applied, no_force
-from kinetruss.kernels.structure.structure import ANGLE, GREEN, LENGTH, EndForces, States
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
-from kinetruss.mechanics import System, compile, jacobian, measured
+from kinetruss.mechanics import GREEN, System, compile, jacobian, measured
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
 from kinetruss.mechanics.elements import continua_stiffness, strain_balance
 from kinetruss.mechanics.loads import case_loads
