@@ -58,19 +58,15 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
     if path.suffix not in writers:
         raise InputError(f"{path}: a run is exported to {', '.join(writers)}. Choose one of these endings.")
     store = open_store(Path(out))
-    chosen = _chosen(store, groups)
-    with whole_file(path) as draft:
-        writers[path.suffix](store, chosen, draft)
-    return path
-
-
-def _chosen(store: Store, groups: Sequence[str]) -> list[str]:
     if not store.groups or not store.ledger.committed:
         raise StoreError(f"{store.path} has no good sample to export.")
     for wanted in groups:
         if not any(_within(name, wanted) for name in store.groups):
             raise InputError(f"{store.path} has no {wanted!r}. It has: {', '.join(store.groups)}.")
-    return [name for name in store.groups if not groups or any(_within(name, wanted) for wanted in groups)]
+    chosen = [name for name in store.groups if not groups or any(_within(name, wanted) for wanted in groups)]
+    with whole_file(path) as draft:
+        writers[path.suffix](store, chosen, draft)
+    return path
 
 
 def _within(name: str, wanted: str) -> bool:

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from kinetruss.model.record import Name, PositiveLength, PositiveNumber, PositiveRate, Record, Series
-
-if TYPE_CHECKING:
-    pass
-
 
 GROUND = "ground"
 """Name of the fixed frame, in place of a body."""

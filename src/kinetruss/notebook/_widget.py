@@ -86,9 +86,5 @@ class LiveModel(anywidget.AnyWidget):
         if isinstance(found, bytes):
             self.send(header, buffers=[found])
         else:
-            self.send({**header, "text": _text(found)})
+            self.send({**header, "text": json.dumps(found, ensure_ascii=False, allow_nan=False)})
         self.values = dict(self.session.pose.values)
-
-
-def _text(record: dict[str, Any]) -> str:
-    return json.dumps(record, ensure_ascii=False, allow_nan=False)

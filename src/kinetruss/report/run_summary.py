@@ -83,7 +83,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "active_members": len(run.model.active),
         "verdict": headline(run.verdict, run.demand, timed=_timed(run)).record,
         "largest_forces": largest_forces(run),
-        "worst": [_row(row) for row in worst_rows(run)],
+        "worst": [{name: getattr(row, name) for name in row.__slots__} for row in worst_rows(run)],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
         "drive_loads": drive_loads(run, motors(run)),
         "spring_loads": spring_loads(run),
@@ -255,7 +255,13 @@ def motors(run: RunResult) -> list[dict[str, Any]]:
     for case, demand in run.demand.items():
         if not demand.data.sizes["time"]:
             continue
-        nearest = _nearest_limits(demand)
+        # For each active member its entry of highest utilisation.
+        first: dict[str, dict[str, Any]] = {}
+        if "utilisation" in demand.data:
+            for row in demand.table():
+                if row.checked:
+                    first.setdefault(row.part, {"quantity": row.rule, "utilisation": row.utilisation, "time": row.time})
+        nearest = first
         for k, name in enumerate(demand.data["active"].values):
             known = (demand.data[history].values[:, k] for history in ("screw_torque", "motor_torque"))
             if all(np.isnan(values).all() for values in known):
@@ -291,16 +297,6 @@ def _peak(demand: Demand, history: str, k: int) -> float:
     """The value of largest magnitude, with its sign."""
     values = demand.data[history].values[:, k]
     return math.nan if np.isnan(values).all() else float(values[np.nanargmax(np.abs(values))])
-
-
-def _nearest_limits(demand: Demand) -> dict[str, dict[str, Any]]:
-    """For each active member its entry of highest utilisation."""
-    first: dict[str, dict[str, Any]] = {}
-    if "utilisation" in demand.data:
-        for row in demand.table():
-            if row.checked:
-                first.setdefault(row.part, {"quantity": row.rule, "utilisation": row.utilisation, "time": row.time})
-    return first
 
 
 def checks(run: RunResult) -> dict[str, Any]:
@@ -374,10 +370,6 @@ def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
     if found["motors"]:
         yield "motors", f"checked with the forces of this run: {', '.join(found['motors'])}"
     yield from (("strength", sentence) for sentence in found["not_held"])
-
-
-def _row(row: Row) -> dict[str, Any]:
-    return {name: getattr(row, name) for name in row.__slots__}
 
 
 def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:

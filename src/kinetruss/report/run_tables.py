@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss import actuators
 from kinetruss.display import Table, instant, number, quantity
-from kinetruss.model import Spring, turns
+from kinetruss.model import turns
 from kinetruss.report.page import Page
 
 if TYPE_CHECKING:
@@ -146,7 +146,7 @@ def spring_loads(run: RunResult) -> list[dict[str, Any]]:
             found.append(
                 {
                     "spring": name,
-                    "angle": _turns(run.model.springs[name]),
+                    "angle": turns(run.model.springs[name].parts[0][0]),
                     "load": float(push[at, k]),
                     "value": float(value[at, k]),
                     "time": float(time[at]),
@@ -174,11 +174,6 @@ def _spring_cells(one: Mapping[str, Any]) -> tuple[str, ...]:
         instant(one["time"]),
         one["load_case"],
     )
-
-
-def _turns(spring: Spring) -> bool:
-    """Whether its first coordinate is an angle."""
-    return turns(spring.parts[0][0])
 
 
 # Drive trains of a run: torques, permitted data, all exceeded limits.

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from numcodecs.zstd import Zstd
 from zarr.storage import LocalStore
 
 from kinetruss.errors import StoreError
 from kinetruss.results.folder import MODEL, stamp_of
-
-if TYPE_CHECKING:
-    pass
-
 
 CHUNK = re.compile(r"(?:.*/)?(\d+)(?:\.\d+)*")
 

@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError
 from kinetruss.io import read
@@ -22,10 +21,6 @@ from kinetruss.runs.joining import Accumulator, groups_of, in_memory, tail_group
 from kinetruss.runs.missions import resume_mission, run_mission
 from kinetruss.runs.plans import Block, Plan, chosen_run, plan
 from kinetruss.runs.results import RunResult, from_store, model_of
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 
 Progress = Callable[[int, int], None]
 
@@ -136,7 +131,7 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
         store = _unfinished(path)  # read it again, now that no other process writes it
         job = plan(model_of(store), store.ledger.run, store.ledger.block)
         first = store.ledger.committed
-        position, state = (_last_position(store), store.state()) if first else (None, None)
+        position, state = (store.read("motion")["position"].isel(time=-1).values, store.state()) if first else (None, None)
         accumulated = Accumulator(job.model, message=store.ledger.message)
         for block in stored_blocks(job, from_store(store)) if first else ():
             accumulated.add(block)
@@ -205,7 +200,3 @@ def ledger_of(job: Plan, settings: Mapping[str, str] | None = None) -> Ledger:
         options=options | ({"settings": dict(settings)} if settings else {}),
         provenance=provenance(job.origin, run=job.name),
     )
-
-
-def _last_position(store: Store) -> NDArray[Any]:
-    return store.read("motion")["position"].isel(time=-1).values

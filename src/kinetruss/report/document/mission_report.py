@@ -32,7 +32,9 @@ def mission_html(run: MissionRun, front: Front) -> str:
     entries = lined(run, record)
     title = run.model.title or f"Mission {run.name}"
     pairs = Pairs(run)
-    pair = _governing(pairs, entries)
+    # The pair of the governing entry as a run; None if it cannot be done again.
+    worst = governing_entry(entries)
+    pair = pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
     sheets = worked_pairs(pairs, entries)
     record |= {
         "out": None if run.path is None else run.path.resolve().name,
@@ -93,12 +95,6 @@ def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
 def _units(data: xr.Dataset, axis: str) -> dict[str, str]:
     """Units by the names along an axis."""
     return dict(zip(map(str, data[axis].values), map(str, data["unit"].values), strict=True)) if axis in data else {}
-
-
-def _governing(pairs: Pairs, entries: dict[str, Any]) -> RunResult | None:
-    """The pair of the governing entry as a run; None if it cannot be done again."""
-    worst = governing_entry(entries)
-    return pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
 
 
 def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Part]:

@@ -123,7 +123,9 @@ def constants(
     section, material = made_of(model, part)
     of = f" of {part}" if mark else ""
     if section is not None:
-        words = _dimensions(section)
+        from kinetruss.report.document.inputs import worded
+
+        words = worded(section)
         (I2, I3), (c2, c3) = section.second_moments, section.extreme_fibres
         sheet.give(f"A{mark}", f"area{of}", section.area, "m^2", words)
         for axis, I, c in (("", I2, c2),) if section.round else (("_2", I2, c3), ("_3", I3, c2)):
@@ -140,9 +142,3 @@ def constants(
             sheet.give(f"E{mark}", f"modulus of elasticity{of}", material.E, "Pa", source)
         if material.yield_strength is not None:
             sheet.give(f"S_y{mark}", f"yield strength{of}", material.yield_strength, "Pa", source)
-
-
-def _dimensions(section: Any) -> str:
-    from kinetruss.report.document.inputs import worded
-
-    return worded(section)

@@ -145,7 +145,8 @@ def _printed(figure: Histories, width: float) -> Canvas:
 
 
 def _panel(ax: Any, time: Any, panel: Panel, pens: Mapping[str, int] | None = None) -> None:
-    shown = _extent(panel)
+    curves = [*panel.lines.values(), *panel.dashed.values(), *(panel.band or ())]
+    shown = max((float(np.nanmax(np.abs(curve))) for curve in curves if np.isfinite(curve).any()), default=0.0)
     factor, unit = scale(shown, panel.unit)
     if panel.band is not None:
         ax.fill_between(time, *(factor * edge for edge in panel.band), color=BAND, linewidth=0, label="all members")
@@ -187,11 +188,6 @@ def _limit(ax: Any, panel: Panel, factor: float, shown: float) -> None:
         if any(np.nanmax(side * curve, initial=-np.inf) > 0 for curve in panel.lines.values()):
             ax.axhline(side * factor * limit, color=ALARM, linewidth=1.0, linestyle="--", label=label)
             label = "_nolegend_"
-
-
-def _extent(panel: Panel) -> float:
-    curves = [*panel.lines.values(), *panel.dashed.values(), *(panel.band or ())]
-    return max((float(np.nanmax(np.abs(curve))) for curve in curves if np.isfinite(curve).any()), default=0.0)
 
 
 def _bars(figure: Bars) -> Canvas:

@@ -173,7 +173,9 @@ def drawn(figure: Drawing) -> Canvas:
         cell = (width - 0.1) / count
         high_cell = min(cell * float(size[1] / size[0]), 1.5 * max(cell, 2.0))
         above = 0.06 + 0.2 * bool(figure.title) + 0.18 * any(one.caption for one in figure.stands)
-        note = _caption(figure)
+        # The line under the scale: what grey, red and broken members are.
+        missing = "" if figure.colouring is None else figure.colouring.missing
+        note = "; ".join(filter(None, [missing, "broken: not unique" if figure.unsure else ""]))
         below = 0.24 + 0.44 * (figure.colouring is not None) + NOTE * bool(note)
         high_cell = min(high_cell, TALLEST * max(width, WIDTHS["page"] / INCH) - above - below)
         height = above + high_cell + below
@@ -194,12 +196,6 @@ def drawn(figure: Drawing) -> Canvas:
             _legend(canvas, figure.colouring, width, height, NOTE * bool(note))
             canvas.text(1 - 0.08 / width, 0.04 / height, note, ha="right", va="bottom", fontsize=6.5, color=QUIET)
         return canvas
-
-
-def _caption(figure: Drawing) -> str:
-    """The line under the scale: what grey, red and broken members are."""
-    missing = "" if figure.colouring is None else figure.colouring.missing
-    return "; ".join(filter(None, [missing, "broken: not unique" if figure.unsure else ""]))
 
 
 def _box(figure: Drawing) -> tuple[Any, Any]:
