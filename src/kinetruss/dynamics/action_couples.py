@@ -18,7 +18,7 @@ import numpy as np
 from kinetruss.dynamics.actions import Action, Bars, CarriedBy, Instants, NotOnBars, bars_of, couple_on_ends, cross
 from kinetruss.kernels.structure.structure import ANGLE, AROUND
 from kinetruss.kernels.structure.terms import term_gradients
-from kinetruss.mechanics import kept
+from kinetruss.mechanics import cached
 from kinetruss.model.hub_expansion import Pivot, pivots_of
 
 if TYPE_CHECKING:
@@ -130,7 +130,7 @@ def _opposite(t: int, which: int, first: bool, key: tuple[str, str], here: Insta
     return np.stack([-push, push] if first else [push, -push], axis=1)
 
 
-def _loose(system: System, bars: Bars, key: tuple[str, str], nodes: tuple[int, ...]) -> Found:
+def _on_no_bar(system: System, bars: Bars, key: tuple[str, str], nodes: tuple[int, ...]) -> Found:
     """The action that no bar carries; none if the nodes are fixed."""
     if not bars.ground.issuperset(nodes):
         names = tuple(dict.fromkeys(system.nodes[n] for n in nodes))
@@ -147,7 +147,7 @@ def _hinge(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
         if i >= 0:
             yield _pair(system, bars, t, which, i, bars.ends(i).index(axis[which]), key)
         elif not np.abs(shares[1 + which]).max() <= PARALLEL * largest:
-            yield from _loose(system, bars, key, (P, axis[which]))
+            yield from _on_no_bar(system, bars, key, (P, axis[which]))
 
 
 def _offset(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
@@ -160,7 +160,7 @@ def _offset(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
         for which, half in enumerate(halves):
             yield _pair(system, bars, t, which, half, bars.ends(half).index(P), key)
     else:
-        yield from _loose(system, bars, key, (one, two))
+        yield from _on_no_bar(system, bars, key, (one, two))
 
 
 def _pressed(t: int, first: bool, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
@@ -186,7 +186,7 @@ def _pinned(system: System, bars: Bars, weights: dict[int, NDArray[np.float64]],
     weights = {n: w for n, w in weights.items() if w.any()}
     if len(weights) < 3 or not _in_balance(system, weights):
         if any(bars.between(a, b) >= 0 for a, b in combinations(weights, 2)):
-            yield from _loose(system, bars, key, tuple(weights))
+            yield from _on_no_bar(system, bars, key, tuple(weights))
         return
     found = _bars_across(system, bars, weights)
     for i in found:
@@ -204,7 +204,7 @@ def _pinned(system: System, bars: Bars, weights: dict[int, NDArray[np.float64]],
                 worth = push if first else push[::-1]
                 yield _action(i, key, partial(_constant, worth, key), float(bars.ends(i).index(M)))
             return
-    yield from _loose(system, bars, key, tuple(weights))
+    yield from _on_no_bar(system, bars, key, tuple(weights))
 
 
 def _constant(push: NDArray[np.float64], key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
@@ -248,7 +248,7 @@ def _bars_across(system: System, bars: Bars, weights: dict[int, NDArray[np.float
 # bends the arm.
 
 
-@kept()
+@cached()
 def hinges_of(system: System) -> tuple[Pivot, ...]:
     """The hinges of hubs."""
     return tuple(pivots_of(system.model)) if system.model.hubs else ()
@@ -259,7 +259,7 @@ def hinge_bodies(system: System) -> set[str]:
     return {one.body for one in hinges_of(system) if one.steady and not one.clamped}
 
 
-@kept()
+@cached()
 def bars_of_hinges(system: System) -> frozenset[int]:
     """Bars whose forces the members and arms of hinges take."""
     bars = bars_of(system)

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.kernels.structure.laws import pin_torques
-from kinetruss.mechanics import CABLE, FREE, System, kept
+from kinetruss.mechanics import CABLE, FREE, System, cached
 from kinetruss.mechanics.tables import pins_of, structure_of
 
 if TYPE_CHECKING:
@@ -243,7 +243,7 @@ class Bars:
         return found
 
 
-@kept()
+@cached()
 def bars_of(system: System) -> Bars:
     """The bars of a system."""
     return Bars(system)

@@ -20,7 +20,7 @@ from kinetruss.dynamics.hub_arms import (
     couples_through_members,
 )
 from kinetruss.kernels.structure.structure import ANGLE
-from kinetruss.mechanics import System, compile, ends_of, kept
+from kinetruss.mechanics import System, cached, compile, ends_of
 from kinetruss.mechanics.elements import spring_motions
 from kinetruss.model import NodalForce
 from kinetruss.results import Column, variable
@@ -42,7 +42,7 @@ class BarActions:
     loose: tuple[NotOnBars, ...]
 
 
-@kept()
+@cached()
 def actions_of(system: System, case: str) -> BarActions:
     """All actions on bars besides their own weight and inertia. case : name of a load case, else all loads act."""
     model = system.model

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.dynamics.action_couples import hinges_of
 from kinetruss.dynamics.actions import Action, Instants, across_bars, couple_on_ends, cross
 from kinetruss.errors import InputError
-from kinetruss.mechanics import kept
+from kinetruss.mechanics import cached
 from kinetruss.model.hub_arms import is_grounded
 from kinetruss.model.hub_expansion import seat_of
 
@@ -63,7 +63,7 @@ class Sides(NamedTuple):
     sign: NDArray[np.float64]
 
 
-@kept()
+@cached()
 def seats_of(system: System) -> tuple[Seat, ...]:
     """The bearings of a model."""
     index = {name: i for i, name in enumerate(system.members)}
@@ -76,7 +76,7 @@ def seats_of(system: System) -> tuple[Seat, ...]:
     return tuple(found)
 
 
-@kept()
+@cached()
 def _sides(system: System) -> Sides:
     """The sides of all bearings, in the order of the bearings."""
     found = [
@@ -89,7 +89,7 @@ def _sides(system: System) -> Sides:
     return Sides(seat.astype(np.int64), member.astype(np.int64), sign.astype(float))
 
 
-@kept()
+@cached()
 def _turning_pairs(system: System) -> tuple[NDArray[np.float64], tuple[tuple[int, Turn], ...]]:
     """How the rates of sides add up to those of bearings (bearings, sides), and the hinges."""
     sides, seats = _sides(system), seats_of(system)

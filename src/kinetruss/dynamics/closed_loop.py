@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.coordinates import Coordinate
 
 
-def held_input(
+def zero_order_hold(
     A: NDArray[np.float64], B: NDArray[np.float64], period: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """A and B over a period with constant inputs (zero-order hold)."""
@@ -77,7 +77,7 @@ class Feedback(Result):
         given = response_of(lin, A, at, of, wrt)
         names = list(given["input"].values)
         by = response_of(lin, A, at, of, acting)
-        Ad, Bd = held_input(A, B, self.period)
+        Ad, Bd = zero_order_hold(A, B, self.period)
         for j, label in enumerate(names):
             one = next(one for one in lin.inputs if one.label == label)
             columns = lin.data["B"].sel(input=[name for name, _ in one.columns]).values

@@ -67,9 +67,9 @@ def equations(
     Equations, whose rows are ``system.row_*[eq.row]`` (rows of released drives are left out), and a Workspace.
     """
     tasks = dict(tasks or {})
-    reduced = released(system, held_by_none(system, tasks))
+    reduced = released(system, not_prescribed(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
-    fields = _masses(system, load_case) | _held(reduced, column) | _forces(system, load_case, tasks)
+    fields = _masses(system, load_case) | _prescribed_coordinates(reduced, column) | _forces(system, load_case, tasks)
     fields |= continua_arrays(system)
     fields |= stack(list(tables.values()))
     eq, ws = _assembled(system, reduced, fields, column, solver, False)
@@ -157,7 +157,7 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
     }
 
 
-def held_by_none(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
+def not_prescribed(system: System, tasks: Mapping[str, Any]) -> tuple[str, ...]:
     """Drives that prescribe nothing: released, under a given force, or driven by a motor."""
     keeping = (Hold, *TRAJECTORY_TASKS)
     return tuple(name for name in system.drives if name in tasks and not isinstance(tasks[name], keeping))
@@ -182,7 +182,7 @@ def _motions(
     return tables, {name: k for k, name in enumerate(tables)}
 
 
-def _held(system: System, column: dict[str, int]) -> dict[str, Any]:
+def _prescribed_coordinates(system: System, column: dict[str, int]) -> dict[str, Any]:
     """Prescribed coordinates that move."""
     pairs = [(int(flat), column[system.drives[d]]) for flat, d in system.coordinate_drive if system.drives[d] in column]
     for node in system.model.support_motion:

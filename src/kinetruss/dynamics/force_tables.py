@@ -24,7 +24,7 @@ from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, NodalLoads, States, Structure
 from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
-from kinetruss.mechanics import System, kept
+from kinetruss.mechanics import System, cached
 from kinetruss.mechanics.beam_elements import MODES
 from kinetruss.mechanics.elements import beam_losses, refuse_turns, spring_motions, strain_balance
 from kinetruss.mechanics.loads import Loads
@@ -82,7 +82,7 @@ def fictitious_forces(system: System, states: States, space: States) -> NDArray[
     return _nodal(masses, system, space) - _nodal(masses, system, states)
 
 
-@kept()
+@cached()
 def _masses(system: System) -> Structure:
     """The element tables without laws, pins and springs."""
     table = elements(system)
@@ -142,7 +142,7 @@ class Carried(NamedTuple):
     not_unique: NDArray[np.bool_]
 
 
-def carried(
+def forces_of(
     system: System, read: Read, loads: Any, solved: dict[str, Any], at_rest: bool
 ) -> tuple[Carried, BarActions, Acting]:
     """Forces of members, supports and drives, and the actions on bars. `solved` holds flat x, v, a (times, 3 n), N, joint,
@@ -170,9 +170,9 @@ def carried(
 
 
 def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, Any], at_rest: bool) -> Arrays:
-    """All arrays of a Forces record; `solved` as for `carried`."""
+    """All arrays of a Forces record; `solved` as for `forces_of`."""
     dim, per, read = system.dim, ("time", "member"), Read.of(motion)
-    every, found, acting = carried(system, read, loads, solved, at_rest)
+    every, found, acting = forces_of(system, read, loads, solved, at_rest)
     data = {
         "member_force": variable(per, every.member_force, "N", "mean axial force, tension positive"),
         "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at end A (first node), end B"),
@@ -204,24 +204,24 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     return Arrays(_axes(system, loads.name, "mode_force" in solved), motion.arrays["time"].values, data, attrs)
 
 
-@kept()
-def _held(system: System) -> NDArray[np.int64]:
+@cached()
+def _fixed_coordinates(system: System) -> NDArray[np.int64]:
     """Flat coordinates that supports fix; the force of a drive is its drive_force instead."""
     mask = system.prescribed.copy()
     mask[system.coordinate_drive[:, 0]] = False
     return np.flatnonzero(mask)
 
 
-@kept()
+@cached()
 def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
     """Nodes of supports, and the coordinates (supports, 3) that they fix."""
     index = np.array([system.node_index(name) for name in system.supports], np.int64)
     mask = np.zeros(system.x0.shape, np.bool_)
-    mask.reshape(-1)[_held(system)] = True
+    mask.reshape(-1)[_fixed_coordinates(system)] = True
     return index, mask[index]
 
 
-@kept()
+@cached()
 def _row_of(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Index of the length constraint of each member (the last index if it has none), and the mask of members without one."""
     axial = np.flatnonzero(system.row_kind == LENGTH)
@@ -230,7 +230,7 @@ def _row_of(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return row, np.flatnonzero(row < 0)
 
 
-@kept()
+@cached()
 def _driven_rows(system: System) -> tuple[tuple[int, int, float, int], ...]:
     """Constraints of drives: constraint, drive, scale of its value, and the member whose length is its arm (-1: none)."""
     found = []
@@ -267,7 +267,7 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
             joint[:, action.member] -= acting.worth[:, k]
 
 
-@kept()
+@cached()
 def _axes(system: System, case: str, shaped: bool) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
@@ -371,7 +371,7 @@ def _power(
     drive_force: NDArray[np.float64],
 ) -> dict[str, Column]:
     """Energy, its rate, and the power supplied; relative to the base, if it rotates, with the power of fictitious forces."""
-    (x, v, a), held = _relative(solved), _held(system)
+    (x, v, a), held = _relative(solved), _fixed_coordinates(system)
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
     if system.continua is not None:

@@ -16,7 +16,7 @@ import numpy as np
 from kinetruss.dynamics.action_couples import bars_of_hinges, hinge_bodies, hinges_of
 from kinetruss.dynamics.actions import Action, Bars, Instants, NotOnBars, bars_of, couple_on_ends
 from kinetruss.dynamics.bearing_friction import friction_on_hub
-from kinetruss.mechanics import ends_of, kept, turned
+from kinetruss.mechanics import cached, ends_of, turned
 from kinetruss.mechanics.tables import pins_of
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure, body_mass
 from kinetruss.model.bodies import barycentric, placed
@@ -34,7 +34,7 @@ def hub_bodies(system: System) -> set[str]:
     return {f"{hub}.hub" for hub in system.model.hubs} & set(system.model.bodies)
 
 
-@kept()
+@cached()
 def braces_of_hubs(system: System) -> frozenset[int]:
     """Braces whose forces the arms of hubs take: the free body of a node has the arms instead."""
     bars, model, found = bars_of(system), system.model, set[int]()
@@ -69,7 +69,7 @@ def _arms(system: System, bars: Bars, hub: str) -> list[int]:
 
 def _shared(system: System, bars: Bars, hub: str) -> bool:
     """Whether others share the moments of a hub, so that statics alone does not give them."""
-    return hub in loops(system.model) or _held_elsewhere(system, bars, hub, set(_arms(system, bars, hub)))
+    return hub in loops(system.model) or _shared_with_others(system, bars, hub, set(_arms(system, bars, hub)))
 
 
 def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
@@ -116,7 +116,7 @@ def _bent(i: int, load: str, sign: float, here: Instants) -> NDArray[np.float64]
     return couple_on_ends(here.system, here.x, i, sign * here.loads.couples[load])
 
 
-def _held_elsewhere(system: System, bars: Bars, hub: str, own: set[int]) -> bool:
+def _shared_with_others(system: System, bars: Bars, hub: str, own: set[int]) -> bool:
     """Whether other rigid bars or bodies join nodes of the hub too, so that they share its moments."""
     model = system.model
     body = model.bodies.get(f"{hub}.hub")
@@ -175,10 +175,10 @@ def actions_of_friction(system: System) -> Iterator[Action]:
     member, node = np.append(pins.first, pins.second[second]), np.append(pins.node, pins.node[second])
     for i, at in sorted(set(zip(member.tolist(), node.tolist(), strict=True))):
         place = float(system.q[i] == at)
-        yield Action(source=system.nodes[at], kind="friction", member=i, worth=partial(_held_back, i, at), place=place)
+        yield Action(source=system.nodes[at], kind="friction", member=i, worth=partial(_pin_forces, i, at), place=place)
 
 
-def _held_back(i: int, node: int, here: Instants) -> NDArray[np.float64]:
+def _pin_forces(i: int, node: int, here: Instants) -> NDArray[np.float64]:
     """Forces at the ends of bar i, (times, 2, 3) N, equivalent to the couple of all its pairs at a node."""
     pins, torque = pins_of(here.system), here.pin_torque
     at = pins.node == node

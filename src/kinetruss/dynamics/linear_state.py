@@ -18,7 +18,7 @@ from kinetruss.mechanics.beam_elements import damping_forces
 from kinetruss.mechanics.coordinates import Coordinate, chosen_dofs, coordinates, derivatives_of, is_prescribed
 from kinetruss.mechanics.elements import spring_forces
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, turning_inertia, turning_members
-from kinetruss.mechanics.rows import held_rows
+from kinetruss.mechanics.rows import row_derivatives
 from kinetruss.model import Active, AngleDrive, GivenForce, LengthDrive, Model, nearest, turns
 from kinetruss.results import Motion, Result, Simulation
 
@@ -175,7 +175,7 @@ def _accelerations(
     """a (n, 3) and row forces of M a + J^T N = f, J a = -J' v; held drives and supports do not accelerate."""
     system = balance.system
     free = system.free
-    derived = held_rows(system, x, v)
+    derived = row_derivatives(system, x, v)
     J = derived.g[0][:, free].toarray()
     M = mass_matrix(system, x)[free][:, free].toarray()
     gamma = -derived.g[1] @ v.reshape(-1)
@@ -195,7 +195,7 @@ def _check_rates(system: System, x: NDArray[np.float64], v: NDArray[np.float64])
         return
     size = float(np.abs(v).max())
     held = np.abs(v.reshape(-1))[system.prescribed].max(initial=0.0)
-    derived = held_rows(system, x)
+    derived = row_derivatives(system, x)
     rates = np.abs(derived.g[0] @ v.reshape(-1)) if derived.g[0].shape[0] else np.zeros(1)
     if max(held, rates.max()) > 1e-6 * size:
         name = system.members[system.row_member[rates.argmax()]] if rates.max() > held else "a support"

@@ -68,7 +68,7 @@ def refuse_method(model: Any, tasks: Mapping[str, Any], method: Any) -> None:
         raise InputError("Motors are simulated with steps chosen by the error. Take the method DOP853 without a step.")
 
 
-def held_instead(model: Any, tasks: Mapping[str, Any]) -> dict[str, Any]:
+def with_motors_fixed(model: Any, tasks: Mapping[str, Any]) -> dict[str, Any]:
     """The tasks with motor-driven coordinates held: the equations then have their rows."""
     return dict(tasks) | dict.fromkeys(driven_by_motors(model, tasks), Hold())
 

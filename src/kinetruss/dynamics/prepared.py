@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.dynamics.force_tables import Carried, Read, carried
+from kinetruss.dynamics.force_tables import Carried, Read, forces_of
 from kinetruss.dynamics.prescribed import solve, unbalanced, with_friction
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
@@ -162,7 +162,7 @@ class PreparedModel:
         )
         if off := solved.get("off", 0.0):
             raise InputError(unbalanced(off, static))
-        return carried(system, read, loads, solved, static)[0]
+        return forces_of(system, read, loads, solved, static)[0]
 
 
 def prepare(model: Model, load_case: str | None = None) -> PreparedModel:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, seats_of
-from kinetruss.dynamics.force_tables import Read, carried, force_arrays, solved_in_space
+from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, States
@@ -24,15 +24,15 @@ from kinetruss.mechanics import (
     Arrangement,
     System,
     arrange,
+    cached,
     compile,
     jacobian,
-    kept,
     measure_gradients,
     not_unique_note,
     rearrange,
     row_directions,
 )
-from kinetruss.mechanics.beam_shapes import HeldShapes, held_shapes
+from kinetruss.mechanics.beam_shapes import FixedShapes, fixed_shapes
 from kinetruss.mechanics.elements import material_stiffness, with_continua_forces
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.tables import nodal_loads, structure_of
@@ -82,7 +82,7 @@ def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDA
     return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
 
 
-def loose(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
+def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
     """Largest residual (times, 3 n) at free coordinates, N, where elastic bars are not in balance; else 0.
 
     joint (times, members, 2, 3) : forces at the ends of members, N. Without elastic bars there is none: what a mechanism needs
@@ -147,7 +147,7 @@ def with_friction(
     couple, first = np.zeros_like(ways), None
     for _ in range(MOST):
         trial = solved | {"joint": solved["joint"].copy(), "bearing": couple}
-        joint = carried(system, read, loads, trial, False)[0].joint_force
+        joint = forces_of(system, read, loads, trial, False)[0].joint_force
         force = np.stack([np.linalg.norm(joint[:, seat.member, seat.end], axis=1) for seat in seats], axis=1)
         found = -(np.array([seat.arm for seat in seats]) * force)[:, :, None] * ways
         change, couple = np.abs(found - couple).max(initial=0.0), found
@@ -156,7 +156,7 @@ def with_friction(
             break
         if change <= CLOSE * np.abs(found).max(initial=0.0):
             return solved | {"bearing": couple}
-        solved = solve(rubbing(system, loads, x, couple))
+        solved = solve(with_bearing_friction(system, loads, x, couple))
     worst = seats[int(np.argmax(np.abs(couple).max(axis=(0, 2))))].name
     raise jammed(worst)
 
@@ -169,7 +169,7 @@ def jammed(worst: str) -> AnalysisError:
     )
 
 
-def rubbing(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
+def with_bearing_friction(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
     """Loads and the nodal forces of couples of friction."""
     return with_friction_of(loads, *couples_on_ends(system, x, couple))
 
@@ -279,10 +279,10 @@ def solve(system: System, values: NDArray[np.float64], loads: Loads, states: Sta
 
 def _solve(system: System, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
     x, arrangement = states.x, arrange(system)
-    held = None if arrangement.plan is not None else held_shapes(system)
+    held = None if arrangement.plan is not None else fixed_shapes(system)
     # beams that keep their shape carry what rigid ones would
     if held is not None and held.undeformed(x.reshape(len(x), -1, 3)):
-        return _solve_held(held, values, loads, states)
+        return _solve_fixed_shapes(held, values, loads, states)
     values = np.ascontiguousarray(values)
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
@@ -292,7 +292,7 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     if arrangement.plan is None:
         solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
         solved["off"] = out_of_balance(system, loads, x, rest)
-        solved["loose"] = 0.0 if solved["off"] else loose(system, rest, joint)
+        solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint)
         return solved
     loads = with_continua_forces(system, loads, x, states.v)
     for part, used in _pieces(system, arrangement, x, values):
@@ -312,7 +312,7 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     return solved
 
 
-def _solve_held(held: HeldShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
+def _solve_fixed_shapes(held: FixedShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
     """`solve` of beams that keep their shape, with the forces of their modes, ``mode_force`` (times, beams, s), N m; or, where
     balance alone does not decide these, with the names of the beams, ``undecided``.
     """
@@ -348,7 +348,7 @@ def _pieces(
     return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
 
 
-@kept(16)
+@cached(16)
 def _chosen(system: System, x: bytes, values: bytes) -> Arrangement:
     """Arrangement at one sample; equal for all load cases."""
     place, drives = np.frombuffer(x).reshape(-1, 3), np.frombuffer(values)
@@ -357,7 +357,7 @@ def _chosen(system: System, x: bytes, values: bytes) -> Arrangement:
     return found if found.plan is not None else arrange(system)
 
 
-@kept(16)
+@cached(16)
 def _conditioned(system: System, x: bytes, values: bytes) -> tuple[NDArray[np.int64], float]:
     """The independent constraints at one sample, and their smallest singular value."""
     J = jacobian(system, np.frombuffer(x).reshape(-1, 3), np.frombuffer(values))

@@ -31,7 +31,7 @@ from kinetruss.mechanics.coordinates import (
     second_order_of,
 )
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix
-from kinetruss.mechanics.rows import Derivatives, held_rows
+from kinetruss.mechanics.rows import Derivatives, row_derivatives
 from kinetruss.model import Model
 from kinetruss.results import variable
 
@@ -94,7 +94,7 @@ def _columns(state: State, at: Basis, motions: list[Input]) -> tuple[Floats, Flo
     """X0, X1, X2 (3 n, columns)."""
     system, k, m = at.system, len(at.dofs), len(motions)
     rates = (None, None) if state.still else (state.v, state.a)
-    rows, dofs = held_rows(system, state.x, *rates), derivatives_of(system, at.dofs, state.x, *rates)
+    rows, dofs = row_derivatives(system, state.x, *rates), derivatives_of(system, at.dofs, state.x, *rates)
     given = np.zeros((len(rows.r), k + m))
     moved = np.zeros((state.x.size, k + m))
     for j, one in enumerate(motions):

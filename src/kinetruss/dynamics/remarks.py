@@ -186,7 +186,7 @@ def resting(problem: Problem) -> bool:
     return bool(abs(start[0, 1]) <= NOTHING * float(np.sum(np.abs(law[:, 0]) * law[:, 1] ** 2)))
 
 
-def energy_kept(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
+def energy_remark(work: Integration, t: NDArray[np.float64], kinetic: NDArray[np.float64], energy: NDArray[np.float64]) -> str:
     """The message on the energy up to these samples, "" if none; `work.worst` keeps the worst sample so far.
 
     t (s,), s; kinetic, energy (s,), J.

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.bearing_friction import couples_on_ends, relative_rates, seats_of
-from kinetruss.dynamics.force_tables import Read, carried
+from kinetruss.dynamics.force_tables import Read, forces_of
 from kinetruss.dynamics.prescribed import apply_loads, jammed, take_sum_forces, with_friction_of
 from kinetruss.dynamics.user_forces import UserForce
 from kinetruss.errors import InputError
@@ -41,7 +41,7 @@ MOST = 400
 """Rounds of the fixed point."""
 
 
-def rubbing_of(
+def bearing_friction_of(
     system: System,
     function: Callable[..., Any] | None,
     eq: Equations,
@@ -68,7 +68,7 @@ def rubbing_of(
 
 
 def solved_along(system: System, loads: Loads, states: States, N: NDArray[np.float64]) -> dict[str, Any]:
-    """Joint forces and the rest at nodes, as `carried` takes them, of solved states and row forces N (times, rows)."""
+    """Joint forces and the rest at nodes, as `forces_of` takes them, of solved states and row forces N (times, rows)."""
     count = len(states.x)
     joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))
     apply_loads(system, loads, states, EndForces(joint, rest))
@@ -179,7 +179,7 @@ class Rubbing(UserForce):
         loads = with_forces(system, loads, np.broadcast_to(given, a.shape))
         solved = solved_along(system, with_friction_of(loads, node, extra), states, N)
         read = _read(system, states)
-        joint = carried(system, read, loads, solved | {"bearing": couple}, False)[0].joint_force
+        joint = forces_of(system, read, loads, solved | {"bearing": couple}, False)[0].joint_force
         R = np.stack([joint[:, seat.member, seat.end] for seat in seats], axis=1)
         return R[0], R[1:] - R[0]
 

@@ -10,8 +10,8 @@ import numpy as np
 from kinetruss.actuators.modes import unwrapped
 from kinetruss.dynamics.force_tables import force_arrays, solved_in_space
 from kinetruss.dynamics.motors import motor_histories, motor_names
-from kinetruss.dynamics.prescribed import rubbing
-from kinetruss.dynamics.remarks import energy_kept
+from kinetruss.dynamics.prescribed import with_bearing_friction
+from kinetruss.dynamics.remarks import energy_remark
 from kinetruss.dynamics.simulated_bearings import Rubbing, solved_along, with_forces
 from kinetruss.kernels.solve.kkt import balance
 from kinetruss.kernels.structure.structure import LENGTH, States
@@ -49,7 +49,7 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
     """The record of consecutive samples of a simulation, with its status and message so far."""
     problem, system, status = work.problem, work.problem.system, work.status
     data = _histories(work, trace)
-    kept = energy_kept(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
+    kept = energy_remark(work, trace.t, data["kinetic_energy"].values, data["energy"].values)
     message = f"{work.message} {kept}".strip() if work.ended else work.message
     passed = work.passed.within(-np.inf, float(trace.t[-1]) if len(trace.t) else -np.inf)
     course = Course(t=trace.t, x=trace.x, v=trace.v, a=trace.a, drive=_turned(work, trace), passed=passed)
@@ -118,7 +118,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     if isinstance(user, Rubbing):
         each = [user.couples(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)]
         couple = np.array(each).reshape(len(trace.t), -1, 3)
-        rubbed = rubbing(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
+        rubbed = with_bearing_friction(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
         solved = solved_along(system, rubbed, states, trace.N) | {"bearing": couple}
     else:
         solved = solved_in_space(system, loads, states, lambda pushed, space: solved_along(system, pushed, space, trace.N))

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.equations import equations, held_by_none
-from kinetruss.dynamics.motors import held_instead, motors_of, refuse_method
-from kinetruss.dynamics.simulated_bearings import rubbing_of
+from kinetruss.dynamics.equations import equations, not_prescribed
+from kinetruss.dynamics.motors import motors_of, refuse_method, with_motors_fixed
+from kinetruss.dynamics.simulated_bearings import bearing_friction_of
 from kinetruss.dynamics.simulation_problem import Problem
 from kinetruss.dynamics.singular_starts import by_default, refuse_series, singular_note, singular_start
 from kinetruss.dynamics.starting import completed_velocities, given_positions, given_velocities, named_coordinates, start_notes
@@ -20,7 +20,7 @@ from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.time_tables import table_notes
-from kinetruss.mechanics import ByIdentity, System, compile, kept, not_unique_note, rearrange
+from kinetruss.mechanics import ByIdentity, System, cached, compile, not_unique_note, rearrange
 from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.mobility import mobility_at, moves_text
 from kinetruss.mechanics.solvers import LARGEST_DENSE
@@ -108,7 +108,7 @@ def problem_of(model: Model, t_end: float, options: Options) -> Problem:
     return _set_up(model, t_end, options)
 
 
-@kept(4)
+@cached(4)
 def _kept(system: System, t_end: float, options: Options) -> Problem:
     return _set_up(system.model, t_end, options)
 
@@ -119,8 +119,8 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     chosen, method = options.method is None, DOP853() if options.method is None else options.method
     system, load_case = compile(model), options.load_case
     x, v = given_positions(system, options.positions), given_velocities(system, options.velocities)
-    held = held_instead(model, run.tasks)
-    reduced = released(system, held_by_none(system, held))
+    held = with_motors_fixed(model, run.tasks)
+    reduced = released(system, not_prescribed(system, held))
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
     eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
     before = x.copy(), v.copy()
@@ -132,7 +132,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
         _project(system, eq, ws, x, v)
     user = user_force_of(system, options.user_force, x, v, load_case)
     if model.bearings:
-        user = rubbing_of(system, options.user_force, eq, ws, load_case, (x, v))
+        user = bearing_friction_of(system, options.user_force, eq, ws, load_case, (x, v))
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from kinetruss.dynamics.equations import held_by_none
+from kinetruss.dynamics.equations import not_prescribed
 from kinetruss.dynamics.integrators import jumps
 from kinetruss.dynamics.starting import EXACTLY, SINGULAR, Singular
 from kinetruss.errors import InputError
@@ -364,7 +364,7 @@ def singular_note(problem: Problem) -> tuple[str, ...]:
 
 def _freedoms(problem: Problem) -> str:
     """The degrees of freedom at the start as text."""
-    system = released(problem.system, held_by_none(problem.system, dict(problem.tasks)))
+    system = released(problem.system, not_prescribed(problem.system, dict(problem.tasks)))
     if len(system.free) > LARGEST:
         return ""
     there = mobility_at(system, problem.x0.reshape(-1, 3), beam_deformations)

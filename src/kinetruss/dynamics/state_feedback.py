@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.arrays import Shape, array_of
-from kinetruss.dynamics.closed_loop import Feedback, held_input
+from kinetruss.dynamics.closed_loop import Feedback, zero_order_hold
 from kinetruss.dynamics.linearisation import Linearisation, chosen
 from kinetruss.errors import InputError
 from kinetruss.mechanics.arguments import number_of
@@ -132,7 +132,7 @@ def feedback(
     left, stay = not_reached(A, B) if state_cost is not None else (np.zeros((len(A), 0)), np.zeros(0, np.complex128))
     cheapest = None if state_cost is None else _cheapest(lin, acting, (A, B, left), state_cost, input_cost, period)
     if period is not None:
-        A, B = held_input(A, B, period)
+        A, B = zero_order_hold(A, B, period)
     if cheapest is not None:
         G = cheapest
     elif gains is not None:
@@ -206,7 +206,7 @@ def _cheapest(
     try:
         if period is None:
             return np.asarray(np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R)) @ V.T)
-        Ad, Bd = held_input(A, B, period)
+        Ad, Bd = zero_order_hold(A, B, period)
         Qd, Nd, Rd = _held_cost(A, B, Q, R, period)
         P = solve_discrete_are(Ad, Bd, Qd, Rd, s=Nd)
         return np.asarray(np.linalg.solve(Rd + Bd.T @ P @ Bd, Bd.T @ P @ Ad + Nd.T) @ V.T)

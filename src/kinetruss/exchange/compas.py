@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import Fault, ModelError, shown
-from kinetruss.exchange.drawings import Names, held, length_of, model_of, text_of
+from kinetruss.exchange.drawings import Names, length_of, model_of, supported_nodes, text_of
 from kinetruss.exchange.imported import Imported
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.limits import LARGEST
@@ -100,7 +100,7 @@ class _File:
                 self.left.append(LeftOut("edge", f"{self.path}: {'.'.join(place)}", "joins a node to itself"))
                 continue
             bars[self.names.of(f"{ends[0]}-{ends[1]}", self.path, "bar")] = Bar(ends=ends)
-        marked = [*supports, *held(fixed, places, self.path)]
+        marked = [*supports, *supported_nodes(fixed, places, self.path)]
         model = model_of(
             self.path, places, bars, dict.fromkeys(marked), title=str(record.get("name") or Path(self.path).stem)[:200]
         )

@@ -113,7 +113,7 @@ def _equal(points: NDArray[np.float64]) -> NDArray[np.int64]:
     return np.stack([first[back.reshape(-1)], np.arange(len(points))], axis=1)
 
 
-def held(patterns: Sequence[str], nodes: Mapping[str, Any], source: str) -> list[str]:
+def supported_nodes(patterns: Sequence[str], nodes: Mapping[str, Any], source: str) -> list[str]:
     """Names of the nodes that are fixed; an error for a name that fits none."""
     found: list[str] = []
     for pattern in patterns:
@@ -215,7 +215,7 @@ def _supports(fixed: Sequence[str], nodes: Mapping[str, Any], source: str) -> di
         name, colon, axes = text.rpartition(":")
         if not colon or not axes or set(axes) - set(every) or text in nodes:
             name, axes = text, every
-        found |= dict.fromkeys(held([name], nodes, source), axes)
+        found |= dict.fromkeys(supported_nodes([name], nodes, source), axes)
     return found
 
 

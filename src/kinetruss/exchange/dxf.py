@@ -100,7 +100,7 @@ def dxf(
     places = {name: ends[k] for k, name in number.items()}
     bars = _bars(drawing, [number[k] for k in node.tolist()], places, scale, active or ACTIVE)
     notes += unjoined(places, bars, near)
-    held = _held(drawing, places, scale, max(near, 1e-3 * size))
+    held = _supported(drawing, places, scale, max(near, 1e-3 * size))
     if not held:
         notes.append("no supports: put points or circles on a layer called support, or add fixed: to the model")
     turned = [name for name in bars if matches(drawing.layers[name], motor or MOTOR)]
@@ -335,7 +335,7 @@ def _labels(drawing: _Drawing, node: Sequence[str], places: Mapping[str, Any], s
     return found
 
 
-def _held(drawing: _Drawing, places: Mapping[str, Any], scale: float, reach: float) -> list[str]:
+def _supported(drawing: _Drawing, places: Mapping[str, Any], scale: float, reach: float) -> list[str]:
     """The nodes at the marks of supports."""
     names, at = list(places), np.array(list(places.values()))
     found = []

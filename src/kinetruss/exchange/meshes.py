@@ -15,7 +15,7 @@ from xml.etree.ElementTree import ParseError
 import numpy as np
 
 from kinetruss.errors import Fault, InputError, ModelError
-from kinetruss.exchange.drawings import held, length_of, model_of
+from kinetruss.exchange.drawings import length_of, model_of, supported_nodes
 from kinetruss.exchange.imported import Imported, needed
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.library.mesh_arrays import mesh
@@ -59,7 +59,7 @@ def mesh_file(
     places = {f"n{k}": points[k] for k in used}
     if len(used) < len(points):
         left.append(LeftOut("point", str(path), f"{len(points) - len(used)} points belong to no bar, membrane or solid"))
-    model = model_of(str(path), places, bars, held(fixed, places, str(path)), **tables)
+    model = model_of(str(path), places, bars, supported_nodes(fixed, places, str(path)), **tables)
     return Imported(model=model, source=str(path), left_out=[*left, *_data(path, found)])
 
 

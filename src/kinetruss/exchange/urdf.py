@@ -185,7 +185,7 @@ def read_urdf(
         drives, kinds = closures.drives(list(joints)), closures.kinds(list(joints))
         left += closures.left_out
     left += _left_out(root, kinds)
-    _asked(path, at or {}, joints, kinds)
+    _check_pose(path, at or {}, joints, kinds)
     pivots: list[Pivot] = []
     own: dict[str, Link] = {}
     called: dict[str, Pivot] = {}
@@ -220,7 +220,7 @@ def read_urdf(
     )
 
 
-def _asked(path: Path, at: Mapping[str, float], joints: Mapping[str, Element], kinds: Mapping[str, str]) -> None:
+def _check_pose(path: Path, at: Mapping[str, float], joints: Mapping[str, Element], kinds: Mapping[str, str]) -> None:
     """Refuse values of joints that are unknown or have no single value."""
     for name in at:
         if name not in joints:

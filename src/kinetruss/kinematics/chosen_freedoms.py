@@ -71,7 +71,7 @@ def freedoms(
     system = compile(model)
     x, time = state_of(system, motion)
     v = flat_positions(system, motion.arrays["velocity"].values)
-    loose = _loose(system, held)
+    loose = _released(system, held)
     candidates = chosen_dofs(system, among)[0] if among is not None else _node_coordinates(loose)
     places = {one.name: k for k, one in enumerate(candidates)}
     current = None if first is None else _indices(chosen_dofs(system, first)[0], places)
@@ -87,7 +87,7 @@ def freedoms(
     return _dataset(motion, candidates, np.array(rows), grip, numbers)
 
 
-def _loose(system: System, held: Iterable[str]) -> System:
+def _released(system: System, held: Iterable[str]) -> System:
     """The system with all drives released except those held."""
     kept = [held] if isinstance(held, str) else list(held)
     if unknown := [name for name in kept if name not in system.drives]:

@@ -13,7 +13,7 @@ from kinetruss.kinematics.positions import assemble
 from kinetruss.kinematics.redundant import LEAST
 from kinetruss.kinematics.sampling import Sampled, sample, start_values
 from kinetruss.kinematics.turns import halved
-from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics import System, cached, compile
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Bar, Condition, LengthDrive, LoadCase, Model, NodalForce, condition_faults, natural_length, nearest
 from kinetruss.results import Motion
@@ -122,7 +122,7 @@ def under(model: Model, condition: str | Condition) -> Model:
     return _changed(model, named_condition(model, condition))
 
 
-@kept()
+@cached()
 def _under(system: System, name: str) -> Model:
     """The model under one of its own conditions: the same for all its runs."""
     return _changed(system.model, system.model.conditions[name])
@@ -229,7 +229,7 @@ def _without(model: Model, condition: Condition) -> Model:
     changes |= without_arms(model, changes, failed)
     if any(getattr(load, "member", None) in failed for load in model.loads.values()):
         changes["loads"] = {name: load for name, load in model.loads.items() if getattr(load, "member", None) not in failed}
-        changes["load_cases"] = {name: _held_case(case, changes["loads"]) for name, case in model.load_cases.items()}
+        changes["load_cases"] = {name: _without_gone(case, changes["loads"]) for name, case in model.load_cases.items()}
     changes["gauges"] = {name: gauge for name, gauge in model.gauges.items() if gauge.member not in failed}
     kept = {*drives, *active, *(name for name, bar in bars.items() if bar.kind == "driven")}
     if set(model.all_drives) - kept:
@@ -238,7 +238,7 @@ def _without(model: Model, condition: Condition) -> Model:
     return model.with_(**changes)
 
 
-def _held_case(case: LoadCase, loads: Mapping[str, Any]) -> LoadCase:
+def _without_gone(case: LoadCase, loads: Mapping[str, Any]) -> LoadCase:
     """A load case without the loads that are gone."""
     return case if case.loads is None else case.with_(loads={name: one for name, one in case.loads.items() if name in loads})
 
@@ -283,12 +283,12 @@ def _warmed(model: Model, condition: Condition) -> Model:
         return model.with_(bars=bars)
     place = _closed(model, stretched)
     nodes = {name: node.with_(at=tuple(at)) for (name, node), at in zip(model.nodes.items(), place.tolist(), strict=True)}
-    fixed = {name: _kept_length(bar, length[name]) for name, bar in bars.items()}
+    fixed = {name: _of_length(bar, length[name]) for name, bar in bars.items()}
     active = {name: one.with_(length=length[name]) for name, one in model.active.items()}
     return model.with_(bars=fixed, active=active, nodes=nodes)
 
 
-def _kept_length(bar: Bar, length: float) -> Bar:
+def _of_length(bar: Bar, length: float) -> Bar:
     """A bar that keeps its prescribed or natural length when its nodes are moved."""
     if bar.kind in ("rigid", "driven"):
         return bar if bar.length is not None else bar.with_(length=length)

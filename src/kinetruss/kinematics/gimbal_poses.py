@@ -14,7 +14,7 @@ from kinetruss.kernels.motion.gimbal import gimbal_forward, gimbal_inverse
 from kinetruss.kernels.motion.placement import equal_share, reach, tilt
 from kinetruss.kinematics.positions import own_start
 from kinetruss.limits import MOST_ENTRIES, whole
-from kinetruss.mechanics import System, kept
+from kinetruss.mechanics import System, cached
 from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.bays import FIT, POSE, bay_of, pose_fault, pose_members, pose_values
 
@@ -218,7 +218,7 @@ def _top(bays: Floats) -> tuple[float, float, float]:
 # Check that the closed form of a pose is that of the bay in the model.
 
 
-@kept(256)
+@cached(256)
 def check_pose(system: System, pose: str) -> None:
     """Refuse a pose whose closed form is not that of the model's own bay.
 

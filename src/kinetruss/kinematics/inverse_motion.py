@@ -18,12 +18,12 @@ from kinetruss.kinematics.objectives import KNOTTED, best_state
 from kinetruss.kinematics.redundant import LEAST, Path
 from kinetruss.kinematics.sampling import sample_profile
 from kinetruss.kinematics.task_courses import LARGEST, PLATFORM, at_values, explained, freedoms, parameters_of
-from kinetruss.kinematics.task_motions import asked_for, cannot, choice_of, divided, nearest_text, tasks_course
+from kinetruss.kinematics.task_motions import cannot, choice_of, divided, nearest_text, prescribed_values, tasks_course
 from kinetruss.kinematics.task_problem import MET, STARTS, Problem, State, problem
 from kinetruss.kinematics.time_tables import Histories, table_notes, with_supports
 from kinetruss.kinematics.turns import REFINED, between, halved
 from kinetruss.limits import whole
-from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics import System, cached, compile
 from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE
 from kinetruss.mechanics.positions import drive_values
@@ -192,7 +192,7 @@ def _swept(system: System, targets: Any, t: NDArray[np.float64], platform: Seque
         raise explained(system, list(moved_by(targets)[1]), platform, error) from None
 
 
-@kept()
+@cached()
 def release(system: System, targets: tuple[int, ...]) -> System:
     """The system with all driven rows released and the given coordinates prescribed; cached, since it also holds its blocks."""
     flats = np.array(targets, np.int32)
@@ -349,7 +349,9 @@ def _dataset(given: Problem, names: list[str], parameters: Any, states: list[Sta
     data = {
         "drive_position": variable(("pose", "drive"), np.stack([one.q for one in states]), unit, "drive coordinate"),
         "position": variable(("pose", "node", "axis"), x, "m", "node position"),
-        "asked": variable(("pose", "coordinate"), np.stack([asked_for(given, row) for row in parameters]), asked, "asked for"),
+        "asked": variable(
+            ("pose", "coordinate"), np.stack([prescribed_values(given, row) for row in parameters]), asked, "asked for"
+        ),
         "found": variable(("pose", "coordinate"), given.tasks.read(np.stack([one.x for one in states])), asked, "found"),
         "miss": variable(("pose",), far, "m", "largest miss of a coordinate"),
         "reached": ("pose", reached),

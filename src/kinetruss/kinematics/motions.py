@@ -20,10 +20,10 @@ from kinetruss.kinematics.sampling import Sampled, check_trajectory, sample
 from kinetruss.kinematics.time_tables import table_notes, with_supports
 from kinetruss.kinematics.turns import REFINED, Passed, between, halved
 from kinetruss.limits import hold, whole
-from kinetruss.mechanics import System, arrange, compile, kept
+from kinetruss.mechanics import System, arrange, cached, compile
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.bays import POSE, departs, pose_values
-from kinetruss.mechanics.beam_shapes import held_shapes, shaped
+from kinetruss.mechanics.beam_shapes import fixed_shapes, shaped
 from kinetruss.mechanics.mobility import mobility_at, underdriven
 from kinetruss.model import Model, turned_far
 from kinetruss.model.beam_checks import spin_note
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 AXES = ("x", "y", "z")
 
 
-@kept()
+@cached()
 def _axes(system: System) -> Axes:
     """Names of nodes, axes, members and drives."""
     return Axes(
@@ -204,7 +204,7 @@ def follow(
 
 def _of_shapes(system: System) -> str:
     """The note on beams that keep their shape."""
-    held = held_shapes(system)
+    held = fixed_shapes(system)
     if held is None:
         return ""
     names = [held.elements.names[k] for k in held.beams]

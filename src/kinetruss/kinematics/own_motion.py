@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
-from kinetruss.mechanics import System, kept, measured
+from kinetruss.mechanics import System, cached, measured
 from kinetruss.mechanics.positions import drive_places, shortest
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.results import Motion
@@ -114,7 +114,7 @@ def _places(system: System, x: NDArray[np.float64], allowed: float) -> list[Misf
     return found
 
 
-@kept()
+@cached()
 def _fixed(system: System) -> NDArray[np.int64]:
     """Flat coordinates that are fixed and that no support moves."""
     held = system.prescribed.copy()
@@ -124,7 +124,7 @@ def _fixed(system: System) -> NDArray[np.int64]:
     return np.flatnonzero(held)
 
 
-@kept()
+@cached()
 def _rigid(system: System) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
     """Members whose length is kept, the length, and the length in shares of which it may be off, m."""
     rows = np.flatnonzero((system.row_kind == LENGTH) & (system.row_drive < 0))
@@ -197,7 +197,7 @@ def _drive_misfits(
     return found
 
 
-@kept()
+@cached()
 def _periods(system: System) -> tuple[float, ...]:
     """Of each drive, after which its values are the same (0: never)."""
     period = np.zeros(len(system.drives))

@@ -12,7 +12,7 @@ from kinetruss.errors import AnalysisError, InputError, shown
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kernels.sweep.follow import continuation
 from kinetruss.kinematics.redundant import AGREE, LEAST, Path, contradicts, misses, walked
-from kinetruss.mechanics import System, arrange, compile, jacobian, kept
+from kinetruss.mechanics import System, arrange, cached, compile, jacobian
 from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.mobility import underdriven
@@ -136,7 +136,7 @@ def given_lengths(lengths: Any) -> dict[str, float]:
     return {name: number_of(value, f"lengths[{name!r}]", "m or rad") for name, value in (lengths or {}).items()}
 
 
-@kept()
+@cached()
 def own_start(system: System) -> NDArray[np.float64]:
     """The model's own configuration, (n, 3) m; assembled first if its lengths differ from its node positions."""
     wanted = system.row_value.copy()

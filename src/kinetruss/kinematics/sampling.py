@@ -17,7 +17,7 @@ from kinetruss.kernels.motion.gimbal import gimbal_inverse
 from kinetruss.kinematics.gimbal_poses import check_pose, gimbal_pose, unreachable
 from kinetruss.kinematics.measured_motions import measured_law
 from kinetruss.kinematics.time_tables import check_reach, through
-from kinetruss.mechanics import ByIdentity, System, compile, is_measured, kept
+from kinetruss.mechanics import ByIdentity, System, cached, compile, is_measured
 from kinetruss.mechanics.bays import POSE
 from kinetruss.model import (
     AngleDrive,
@@ -121,7 +121,7 @@ def check_trajectory(system: System, trajectory: Any) -> None:
         raise ModelError(list(found))
 
 
-@kept()
+@cached()
 def _faults(system: System, trajectory: ByIdentity) -> tuple[Fault, ...]:
     return tuple(trajectory_faults(system.model, trajectory.model))
 
@@ -150,7 +150,7 @@ def start_values(model: Model) -> dict[str, float]:
     return dict(_starts(compile(model)))
 
 
-@kept()
+@cached()
 def _starts(system: System) -> dict[str, float]:
     return {name: _stand(system.model, name, drive) for name, drive in system.model.all_drives.items()}
 

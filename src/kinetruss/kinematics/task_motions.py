@@ -15,7 +15,7 @@ from kinetruss.kinematics.objectives import KNOTTED, nearest_along, reference_al
 from kinetruss.kinematics.task_courses import parameters_of
 from kinetruss.kinematics.task_problem import MET, OPEN, Problem, State, followed, problem
 from kinetruss.kinematics.turns import REFINED, divided_into, halved
-from kinetruss.kinematics.within_limits import INSTANTS, kept_within
+from kinetruss.kinematics.within_limits import INSTANTS, references_within
 from kinetruss.mechanics import System
 from kinetruss.mechanics.positions import shortest
 from kinetruss.model import Combined, Coordinates, Gimbal, Way
@@ -124,7 +124,7 @@ def _begun(
         given = replace(given, reference=reference[0, 0].copy())
         state = first_state(given, parameters[0, 0], float(t[0]), state)
     if limits.moving and choice.within_rates:
-        reference = kept_within(given, limits, t, parameters, state, reference)
+        reference = references_within(given, limits, t, parameters, state, reference)
         given = given if reference is None else replace(given, reference=reference[0, 0].copy())
         state = first_state(given, parameters[0, 0], float(t[0]), state)
     return given, state, reference
@@ -180,7 +180,7 @@ def cannot(given: Problem, A: NDArray[np.float64]) -> str:
 def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) -> str:
     """The nearest state in words: what is asked for, what it has."""
     found = given.tasks.read(state.x[None])[0]
-    wanted = asked_for(given, parameters)
+    wanted = prescribed_values(given, parameters)
     each = zip(given.tasks.asked, found, wanted, strict=True)
     said = [f"{asked.name} {value:.9g} (wanted {want:.9g})" for asked, value, want in each
             if np.isfinite(want) and abs(value - want) > 1e-9]  # fmt: skip
@@ -199,7 +199,7 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     )
 
 
-def asked_for(given: Problem, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+def prescribed_values(given: Problem, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values (asked,) that parameters stand for."""
     found, at = [], 0
     asked = given.tasks.asked
@@ -301,7 +301,7 @@ def _division(system: System, wanted: Gimbal, x: NDArray[np.float64], t: NDArray
     """How far the angles that an equal division reaches are from those wanted."""
     given = problem(system, wanted, wanted)
     start = given.tasks.start(given.begin.x)
-    want = asked_for(given, parameters_of(given.tasks, start, t[-1:])[0, 0])
+    want = prescribed_values(given, parameters_of(given.tasks, start, t[-1:])[0, 0])
     found = given.tasks.read(x[None])[0]
     said = ", ".join(f"{one.name} {np.degrees(got):.6g} deg (wanted {np.degrees(w):.6g}, off by {np.degrees(got - w):.3g})"
                      for one, got, w in zip(given.tasks.asked, found, want, strict=True))  # fmt: skip

@@ -14,7 +14,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.tasks import reach as cold, track as warm
-from kinetruss.kernels.tasks.tape import Drives, Room, room_of
+from kinetruss.kernels.tasks.tape import Drives, TaskWork, workspace_of
 from kinetruss.kinematics.motions import Swept, sweep_path
 from kinetruss.kinematics.positions import own_start
 from kinetruss.kinematics.redundant import LEAST, Path
@@ -155,9 +155,9 @@ class Problem:
         """Whether the bars close at the drives of a state, at a position where they also fix its rates."""
         return bool(cold.linear(self.plan, self.drives, self.tape, self.room(state, parameters), self.scale))
 
-    def room(self, state: State, parameters: NDArray[np.float64]) -> Room:
+    def room(self, state: State, parameters: NDArray[np.float64]) -> TaskWork:
         """Room for kernels, with a state and parameters in it."""
-        room = room_of(self.plan, self.tape, len(state.x), len(state.q), len(parameters))
+        room = workspace_of(self.plan, self.tape, len(state.x), len(state.q), len(parameters))
         room.x[0], room.q[0], room.s[0], room.p[0] = state.x, state.q, state.s, parameters
         room.ref[0], room.moving[0] = self.reference, state.x[self.plan.moving]
         return room
@@ -202,7 +202,7 @@ class Problem:
             return replace(start, x=room.x[0].copy(), q=q) if good else None
         return self.moved(start, q)
 
-    def _beside(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> Iterator[tuple[Room, bool]]:
+    def _beside(self, near: State, q: NDArray[np.float64], parameters: NDArray[np.float64]) -> Iterator[tuple[TaskWork, bool]]:
         """Room of the states of drives q (k, d) near those of a state, and whether Newton's method converged there."""
         room = self.room(near, parameters)
         for one in q:

@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.lengths import turn_rates
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
-from kinetruss.mechanics import kept
+from kinetruss.mechanics import cached
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Cyclic, Sine, Tabulated
 from kinetruss.results import Column, Motion, variable
@@ -91,7 +91,7 @@ def _largest(y: NDArray[np.float64], columns: NDArray[np.int64]) -> NDArray[np.f
     return size[:, 0] if len(columns) == 1 else size.max(axis=1)
 
 
-@kept()
+@cached()
 def _turning(system: System) -> NDArray[np.int64]:
     """The drives of angles."""
     drives: NDArray[np.int64] = system.row_drive[(system.row_drive >= 0) & (system.row_kind != LENGTH)].astype(np.int64)

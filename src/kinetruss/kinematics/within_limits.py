@@ -243,7 +243,7 @@ class _Task:
         return max(uses[0].ratio if uses else 0.0, 1.0 + float(beyond))
 
 
-def kept_within(
+def references_within(
     given: Problem, limits: Limits, t: NDArray[np.float64], parameters: NDArray[np.float64], state: State, reference: Any
 ) -> Any:
     """Taylor coefficients (3, times, d) of what drives are to be near to, so that they keep their limits along a task.

@@ -245,7 +245,7 @@ def workspace(
         raise InputError(f"{lacking} Name fewer coordinates, or leave some free.")
     alone = isinstance(point, str) and point in system.nodes and len(system.drives) == model.dim
     found = _swept(given, grid, least, point) if alone else _flood(given, grid, least)
-    kept = _kept(given, grid, least, bounds, found)
+    kept = _within_bounds(given, grid, least, bounds, found)
     return _dataset(given, grid, least, bounds, found, kept)
 
 
@@ -385,7 +385,7 @@ def _step(given: Problem, row: NDArray[np.float64], near: _Pose) -> _Pose | None
     return _Pose(state=state, derivatives=given.linear(state, parameters)[1][:, given.drives.held != 3])
 
 
-def _kept(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float64], found: _Found) -> dict[Cell, _Pose]:
+def _within_bounds(given: Problem, grid: _Grid, least: float, bounds: NDArray[np.float64], found: _Found) -> dict[Cell, _Pose]:
     """The poses with drives that keep their limits: of those found, or where drives can be chosen, by a way of their own."""
     fits = {cell: (bounds[:, 0] <= one.state.q) & (one.state.q <= bounds[:, 1]) for cell, one in found.poses.items()}
     fitting = {cell: one for cell, one in found.poses.items() if fits[cell].all()}

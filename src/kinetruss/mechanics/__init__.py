@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         rearrange as rearrange,
     )
     from kinetruss.mechanics.beam_elements import BeamElements as BeamElements
+    from kinetruss.mechanics.caching import cached as cached
     from kinetruss.mechanics.continua import (
         Continua as Continua,
         Patch as Patch,
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
         law_matrix as law_matrix,
         without_beams as without_beams,
     )
-    from kinetruss.mechanics.keeping import kept as kept
     from kinetruss.mechanics.measure_arrays import axes_of as axes_of, is_measured as is_measured
     from kinetruss.mechanics.measures import (
         coordinate_derivatives as coordinate_derivatives,

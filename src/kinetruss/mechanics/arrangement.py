@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 
 from kinetruss.errors import few
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM, Plan
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import flats_of, sum_arrays
 from kinetruss.mechanics.rigid_parts import part_arrays, rigid_parts
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_gradients, jacobian
@@ -148,7 +148,7 @@ def not_unique_note(names: Sequence[str]) -> str:
     return f"The force of these members is not unique (redundant structure): {few(names, 8)}." if names else ""
 
 
-@kept()
+@cached()
 def arrange(system: System) -> Arrangement:
     """The arrangement of a system at its start configuration."""
     rows = np.arange(len(system.row_member))
@@ -186,7 +186,7 @@ def eliminated(system: System, x: NDArray[np.float64], values: NDArray[np.float6
     return _eliminated(system, x.tobytes(), values.tobytes() if values is not None and angles else b"")
 
 
-@kept(4)
+@cached(4)
 def _eliminated(system: System, x: bytes, values: bytes) -> Elimination | None:
     place = np.frombuffer(x).reshape(1, -1, 3)
     J = constraint_gradients(system, place, np.frombuffer(values)[None] if values else None)[0][:, system.free]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 import numpy as np
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.positions import gimbal_angles, normalised, size, vector_area
 from kinetruss.mechanics.system import System
 from kinetruss.model import LengthDrive
@@ -120,7 +120,7 @@ def _member(system: System, drive: str) -> int:
     return system.members.index(cast("LengthDrive", system.model.all_drives[drive]).bar)
 
 
-@kept()
+@cached()
 def _known(system: System) -> dict[tuple[Any, ...], Any]:
     """Stored results of a system: the neighbours of each node; then its bays by their members."""
     joined: list[set[int]] = [set() for _ in system.nodes]

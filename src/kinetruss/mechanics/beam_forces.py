@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.mechanics.beam_elements import MODES, BeamElements, hermite, hermite_slopes, mode_rates
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.model.bracing import CHORD
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ class BeamCurves:
         return found
 
 
-@kept()
+@cached()
 def beam_curves(system: System) -> BeamCurves | None:
     """The curves of the elastic beams of a model; None if it has none."""
     beams = None if system.continua is None else system.continua.beams

@@ -19,7 +19,7 @@ import numpy as np
 
 from kinetruss.mechanics.arrangement import arrange
 from kinetruss.mechanics.beam_elements import pairs_of
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.mobility import mobility_at
 from kinetruss.mechanics.row_gradients import row_directions
 from kinetruss.mechanics.system import System, compile
@@ -38,7 +38,7 @@ STRAIGHT = 1e-8
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class HeldShapes:
+class FixedShapes:
     """A system whose loose beams are held in their shape.
 
     system : with the bars that hold them. elements : all elastic beams. beams (k,) indices of the held ones; members (m,) and
@@ -110,13 +110,13 @@ def _modes_of(system: System, found: BeamElements, k: int, x: NDArray[np.float64
     return np.asarray(-np.linalg.solve(np.array(rates), np.array(work)))
 
 
-@kept()
-def held_shapes(system: System) -> HeldShapes | None:
+@cached()
+def fixed_shapes(system: System) -> FixedShapes | None:
     """The system with its loose beams held in their shape; None if its rows determine all coordinates, or no beam is loose."""
     found = None if system.continua is None else system.continua.beams
     if found is None or arrange(system).plan is not None:
         return None
-    loose = _loose(system, found)
+    loose = _deformable(system, found)
     if not len(loose):
         return None
     bars = shape_bars(system.model, [found.names[k] for k in loose])
@@ -132,7 +132,7 @@ def held_shapes(system: System) -> HeldShapes | None:
     names = ("drives", "drive_start", "drive_measure", "prescribed", "coordinate_drive", "x0")
     held = whole.with_rows(rows, **{name: getattr(system, name) for name in names})
     none = np.full(len(rows) - len(own), -1, held.row_drive.dtype)
-    return HeldShapes(
+    return FixedShapes(
         system=replace(
             held,
             row_drive=np.concatenate([system.row_drive, none]),
@@ -148,11 +148,11 @@ def held_shapes(system: System) -> HeldShapes | None:
 
 def shaped(system: System) -> System:
     """The system that positions of motions of drives satisfy: with its loose beams held in their shape."""
-    held = held_shapes(system)
+    held = fixed_shapes(system)
     return system if held is None else held.system
 
 
-def _loose(system: System, found: BeamElements) -> NDArray[np.int64]:
+def _deformable(system: System, found: BeamElements) -> NDArray[np.int64]:
     """Beams (k,) that some freedom of the structure, its drives held, deforms."""
     flat = mobility_at(system, system.x0).mechanisms
     u = np.zeros((len(flat), *system.x0.shape))

@@ -17,7 +17,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE, pose_gradients, pose_values
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import measured
 from kinetruss.mechanics.members import DRIVEN, RIGID
 from kinetruss.mechanics.mobility import moves_text
@@ -28,7 +28,7 @@ from kinetruss.mechanics.row_gradients import (
     constraint_jacobian,
     row_scales,
 )
-from kinetruss.mechanics.rows import Derivatives, factors_of, held_rows, null_basis
+from kinetruss.mechanics.rows import Derivatives, factors_of, null_basis, row_derivatives
 from kinetruss.mechanics.system import System
 from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, nearest
 
@@ -148,7 +148,7 @@ def coordinate_values(system: System, chosen: list[Coordinate], x: NDArray[np.fl
     return found
 
 
-@kept()
+@cached()
 def coordinate_rows(system: System, chosen: tuple[Coordinate, ...]) -> System:
     """The system whose rows are the chosen lengths, angles and sums, in their order, in place of its own."""
     sums = np.array([one.kind == "sum" for one in chosen], np.bool_)
@@ -188,7 +188,7 @@ LARGEST = 1e9
 """If a unit change of a coordinate displaces some node by more than this, the coordinate does not fix the configuration."""
 
 
-@kept()
+@cached()
 def released(system: System, drives: tuple[str, ...]) -> System:
     """The system with some drives released: without their rows, and with their coordinates free."""
     if not drives:
@@ -249,7 +249,7 @@ def derivatives_of(
     nodes, poses, rows = ([k for k, one in enumerate(chosen) if one.kind in kinds] for kinds in (("node",), ("pose",), OWN))
     if poses and any(y is not None and np.any(y) for y in (v, a)):
         raise InputError(f"{chosen[poses[0]].name!r} is a pose coordinate, which is taken at rest only. Name lengths or nodes.")
-    own = held_rows(coordinate_rows(system, tuple(chosen[k] for k in rows)), x, v, a)
+    own = row_derivatives(coordinate_rows(system, tuple(chosen[k] for k in rows)), x, v, a)
     flats = np.array([chosen[k].index for k in nodes], np.int64)
     units = csr_array((np.ones(len(nodes)), flats, np.arange(len(nodes) + 1)), shape=(len(nodes), x.size))
     bent = csr_array(coordinate_gradients(system, [chosen[k] for k in poses], x.reshape(1, -1))[0].reshape(len(poses), x.size))

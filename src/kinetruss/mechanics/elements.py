@@ -13,7 +13,7 @@ from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
 from kinetruss.kernels.structure.springs import add_spring_forces, spring_blocks, spring_histories, spring_slopes
 from kinetruss.mechanics.beam_elements import damping_forces, mode_rates
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.tables import elements, structure_of
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def spring_tangents(
     return K, C
 
 
-@kept()
+@cached()
 def _places(system: System) -> NDArray[np.int64]:
     """Coordinates (springs, w) of the nodes of springs, ascending; those that have fewer end with -1."""
     found = elements(system)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.rotating_base import RotatingBase, base_of
 from kinetruss.mechanics.row_gradients import turned
 from kinetruss.mechanics.system import System
@@ -89,7 +89,7 @@ def history_of(load: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([np.interp(t, load.times, column) for column in rows.T], axis=1)
 
 
-@kept(256)
+@cached(256)
 def unit_loads_of(system: System, name: str) -> tuple[Follower, ...]:
     """The unit load of each component of a load on a body."""
     load = system.model.loads[name]
@@ -269,7 +269,7 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None, *, rota
     return replace(steady, force=force, unit_loads=tuple(unit_loads), t=t, couples=couples, base=base)
 
 
-@kept()
+@cached()
 def _steady(system: System, name: str | None) -> tuple[Loads, Mapping[str, float]]:
     """What of a load case does not change in time, and the factors of its loads."""
     model = system.model

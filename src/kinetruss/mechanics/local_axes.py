@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,7 +21,7 @@ class Orientation(NamedTuple):
     reference: NDArray[np.float64]
 
 
-@kept()
+@cached()
 def orientation(system: System) -> Orientation:
     """Orientation of all members in the start configuration."""
     members = system.model.members.values()

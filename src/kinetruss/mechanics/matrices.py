@@ -10,8 +10,8 @@ from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.laws import law_values
 from kinetruss.mechanics.beam_elements import damping_tangents
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.elements import continua_stiffness, spring_laws, spring_tangents
-from kinetruss.mechanics.keeping import kept
 from kinetruss.mechanics.row_gradients import angle_hessians, direction_rates, dot, ends_of, length_hessians, turned
 from kinetruss.mechanics.tables import elements, mass_of_pairs, pins_of
 
@@ -119,14 +119,14 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     return constant_mass(system) + csr_array((_blocks(AA, AB, AB, BB).reshape(-1), where), shape=(system.x0.size,) * 2)
 
 
-@kept()
+@cached()
 def constant_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of masses at nodes and between pairs of them."""
     found = elements(system)
     return mass_of_pairs(found["pair_A"], found["pair_B"], found["pair"], found["lump"] + found["share"])
 
 
-@kept()
+@cached()
 def body_and_continua_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of bodies, membranes and solids; constant."""
     found = elements(system)
@@ -241,7 +241,7 @@ def _blocks(AA: Any, AB: Any, BA: Any, BB: Any) -> NDArray[np.float64]:
     return np.concatenate([np.concatenate([AA, AB], axis=2), np.concatenate([BA, BB], axis=2)], axis=1)
 
 
-@kept()
+@cached()
 def _pattern(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
     """Places of the entries of (m, 6, 6) in a sparse matrix: place, columns, row pointers."""
     own = np.concatenate([3 * system.p[:, None] + np.arange(3), 3 * system.q[:, None] + np.arange(3)], axis=1).astype(np.int64)

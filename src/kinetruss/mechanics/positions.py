@@ -13,7 +13,7 @@ from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths as length_rates
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.arguments import names_of
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import measured
 from kinetruss.mechanics.row_gradients import direction_rates
 from kinetruss.mechanics.system import System
@@ -84,7 +84,7 @@ def drive_places(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     return value
 
 
-@kept()
+@cached()
 def shortest(system: System) -> float:
     """Unit of length of step limits: the shortest prescribed bar, m."""
     lengths = system.length0[system.row_member[system.row_kind != SUM]]

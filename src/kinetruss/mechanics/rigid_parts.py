@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.structure import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,7 +40,7 @@ class RigidPart:
     hands: tuple[tuple[int, ...], ...]
 
 
-@kept()
+@cached()
 def rigid_parts(system: System) -> tuple[RigidPart, ...]:
     """The rigid parts of three nodes or more, and the supports with what rigid bars fix to them."""
     near = _joined(system)

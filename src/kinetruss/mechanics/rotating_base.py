@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -74,7 +74,7 @@ class RotatingBase:
         return np.asarray(np.sin(angle) * across + (1.0 - np.cos(angle)) * np.cross(axis, across))
 
 
-@kept()
+@cached()
 def base_of(system: System) -> RotatingBase | None:
     """The rotation of the base of a model; None if it does not rotate."""
     found = system.model.base_rotation

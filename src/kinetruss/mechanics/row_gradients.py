@@ -12,7 +12,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.structure import ALONG, ANGLE, COSINE, FIXED_AXIS, NODE, OFFSET
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import measure_flats, measure_gradients
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ class _Pattern(NamedTuple):
     own: NDArray[np.bool_]
 
 
-@kept()
+@cached()
 def _pattern(system: System) -> _Pattern:
     """The constant pattern of the Jacobian of a system."""
     p, q, plain = system.p[system.row_member], system.q[system.row_member], system.row_measure < 0

@@ -160,7 +160,7 @@ class Derivatives(NamedTuple):
     r: NDArray[np.float64]
 
 
-def held_rows(
+def row_derivatives(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, a: NDArray[np.float64] | None = None
 ) -> Derivatives:
     """Derivatives of all rows of a system at x, v, a (n, 3); those of sums times their scale: gradients are of one size."""

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
-from kinetruss.mechanics.keeping import kept
+from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.system import System
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.loads import Loads
 
 
-@kept()
+@cached()
 def structure_of(system: System) -> Structure:
     """The record of `elements`."""
     return Structure.of(elements(system))
@@ -30,7 +30,7 @@ def nodal_loads(loads: Loads) -> NodalLoads:
     return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force)
 
 
-@kept()
+@cached()
 def elements(system: System) -> dict[str, NDArray[Any]]:
     """Fields of `Structure` by name; read-only."""
     share = system.node_mass - system.lump
@@ -110,7 +110,7 @@ def planar_body_mass(mass: Any, e: Any, f: Any, inertia: Any, length: Any) -> ND
     return np.stack([AA / length**2, AB / length**2, BB / length**2, mass * f / length], axis=-1)
 
 
-@kept()
+@cached()
 def body_masses(system: System) -> Any:
     """M (3 n, 3 n), kg, of the bodies that nodes carry; constant."""
     apart = system.pair_p != system.pair_q
@@ -120,7 +120,7 @@ def body_masses(system: System) -> Any:
     return mass_of_pairs(A, B, pair, system.node_mass - system.lump)
 
 
-@kept()
+@cached()
 def continua_mass(system: System) -> Any:
     """M (3 n, 3 n), kg, of the membranes and solids of a system that has some; constant."""
     found = cast("Continua", system.continua)
@@ -167,7 +167,7 @@ class Pins(NamedTuple):
     friction: NDArray[np.float64]
 
 
-@kept()
+@cached()
 def pins_of(system: System) -> Pins:
     """Where friction acts about pins.
 

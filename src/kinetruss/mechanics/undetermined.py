@@ -41,7 +41,7 @@ def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.fl
         if len(columns) > LARGEST:
             continue
         own = J[:, columns]
-        loose = _loose(own.tocsr()[np.unique(own.indices)].toarray())
+        loose = _null_direction(own.tocsr()[np.unique(own.indices)].toarray())
         if loose is not None:
             names = _moved(system, columns, loose)
             raise InputError(
@@ -50,7 +50,7 @@ def refuse_massless(system: System, massive: NDArray[np.bool_], x: NDArray[np.fl
             )
 
 
-def _loose(J: NDArray[np.float64]) -> NDArray[np.float64] | None:
+def _null_direction(J: NDArray[np.float64]) -> NDArray[np.float64] | None:
     """A direction in which no row changes, or None."""
     _, values, directions = np.linalg.svd(J[np.abs(J).any(axis=1)], full_matrices=True)
     # null vector of J: the last right singular vector

@@ -201,7 +201,7 @@ def governing_diagrams(run: RunResult, record: Mapping[str, Any]) -> tuple[list[
     return _first(members), _of_beams(run, record, rows)
 
 
-def asked(run: RunResult, parts: Sequence[str], at: float | str | None, case: str | None) -> list[Subject]:
+def requested(run: RunResult, parts: Sequence[str], at: float | str | None, case: str | None) -> list[Subject]:
     """Diagrams of given parts at an instant (s, or the name of a pose).
 
     Raises

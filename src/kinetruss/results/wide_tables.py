@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Table, margin, number, quantity
-from kinetruss.mechanics import kept
+from kinetruss.mechanics import cached
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -188,13 +188,13 @@ def unit_along(axis: str, units: Sequence[str], name: str, none: str) -> Found:
     return name, {name: (axis, list(units))}
 
 
-@kept()
+@cached()
 def drive_unit(system: System) -> Found:
     """The unit of the positions of drives, as of `unit_along`."""
     return unit_along("drive", [_unit(system.model.all_drives.get(name)) for name in system.drives], "drive_unit", "m")
 
 
-@kept()
+@cached()
 def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, tuple[str, list[str]]]]:
     """The units of ``drive``, ``coupling`` and ``spring`` forces and of ``spring_value``, and the coordinates that they name.
 

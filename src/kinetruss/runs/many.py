@@ -298,7 +298,7 @@ class _Work:
         if self._room or self.target in (None, path):
             return
         self._room = True
-        for old in [self.target] if is_store(self.target) else _held(self.target):
+        for old in [self.target] if is_store(self.target) else _finished(self.target):
             with nullcontext() if old == self.target else holding(old):
                 clear(old)
             if old not in (self.target, path):
@@ -366,17 +366,17 @@ def _claimed(target: Path, paths: Sequence[Path], overwrite: bool) -> Iterator[N
 
 
 def _check_target(target: Path, paths: Sequence[Path], overwrite: bool) -> None:
-    if paths == [target] or not _held(target):
+    if paths == [target] or not _finished(target):
         check_target(target, overwrite)
         return
     if not overwrite:
         raise InputError(f"{target} holds runs already. Name another folder, or replace them: --overwrite (overwrite=True).")
-    for path in {*paths, *_held(target)}:
+    for path in {*paths, *_finished(target)}:
         check_unlocked(path)
         check_target(path, overwrite)
 
 
-def _held(target: Path) -> list[Path]:
+def _finished(target: Path) -> list[Path]:
     """Variants of an earlier command in a folder."""
     if is_store(target) or not target.is_dir():
         return []

@@ -122,7 +122,7 @@ def begun(
     """
     system = balance.system
     x = positions_of(system, start.data["position"].values if isinstance(start, Result) else start).copy()
-    wanted, places = _held_at(system, x, lengths)
+    wanted, places = _prescribed_values(system, x, lengths)
     x, error, span = closed(system, x, wanted, places)
     return x, wanted, error, span
 
@@ -142,7 +142,7 @@ def must_begin(
     return x, wanted, span
 
 
-def _held_at(
+def _prescribed_values(
     system: System, x: NDArray[np.float64], lengths: Mapping[str, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Prescribed values of rows (rows,), m or rad, and coordinates of drives (3 n,), m: those at x unless given."""

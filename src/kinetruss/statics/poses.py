@@ -16,7 +16,7 @@ from kinetruss.kinematics import from_arrays, sample
 from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.positions import assembled
 from kinetruss.kinematics.sampling import start_values
-from kinetruss.mechanics import System, arrange, compile, kept
+from kinetruss.mechanics import System, arrange, cached, compile
 from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.positions import row_values, shortest
@@ -159,7 +159,7 @@ def _reached(system: System, values: NDArray[np.float64], names: list[str]) -> t
     return motion, moved[:good], stopped
 
 
-@kept(256)
+@cached(256)
 def _geometry(system: System, value: bytes) -> tuple[NDArray[np.float64], float]:
     """Positions (n, 3) at drive values, and the fraction of the way that was reached: the same for every load case.
 
@@ -196,7 +196,7 @@ def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, na
     return f"Pose {names[at]!r}: {said}" if said else ""
 
 
-@kept(256)
+@cached(256)
 def _least(system: System, place: bytes) -> float:
     """Smallest singular value of the blocks at positions: the same of every load case."""
     return weakest_block(system, arrange(system).plan, np.frombuffer(place).reshape(-1, 3))

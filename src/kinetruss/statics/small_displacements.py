@@ -10,7 +10,7 @@ from scipy.sparse import block_array, csr_array, diags_array, vstack
 
 from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
-from kinetruss.mechanics import FREE, NONE, System, constraint_jacobian, ends_of, kept, without_beams
+from kinetruss.mechanics import FREE, NONE, System, cached, constraint_jacobian, ends_of, without_beams
 from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.elements import material_stiffness, spring_laws
 from kinetruss.mechanics.loads import Loads, case_loads
@@ -99,7 +99,7 @@ class Solved:
     inner: NDArray[np.float64]
 
 
-@kept()
+@cached()
 def stiff_rows(system: System) -> System:
     """The system with one row for every member that carries force, elastic ones too, its driven angles, sums, springs."""
     members = np.flatnonzero(system.kind != FREE)
@@ -201,7 +201,7 @@ def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) ->
     return csr_array(block_array([[diags_array(f), G], [G.T, -C]]))
 
 
-@kept()
+@cached()
 def _order(held: System) -> NDArray[np.int64]:
     """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
     G = _with_beams(held, held.x0)[0]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics import System, cached, compile
 from kinetruss.results import Forces
 from kinetruss.strength.beam_stresses import beams, known_positions
 
@@ -30,7 +30,7 @@ def beam_parts(model: Model) -> tuple[str, ...]:
     return _names(compile(model))
 
 
-@kept()
+@cached()
 def _names(system: System) -> tuple[str, ...]:
     return tuple(name for name, beam in system.model.beams.items() if beam.kind == "elastic")
 
@@ -92,7 +92,7 @@ def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDAr
     return np.take_along_axis(values, at[..., None], axis=-1)[..., 0], xi[at]
 
 
-@kept()
+@cached()
 def _limits(system: System) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Allowed stress, Pa, NaN if it is not known, and length, m, of each elastic beam."""
     model, strength, length = system.model, [], []

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.kernels.sections.envelope import BEAM_COLUMN, BUCKLING, COLUMNS, YIELD, Kept, Rules, envelope
-from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics import System, cached, compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, variable
 from kinetruss.strength.beam_verdict import BEAM_QUANTITIES, beam_histories, beam_limits, beam_notes, beam_parts
@@ -111,7 +111,7 @@ class Gathering:
         return _rules(compile(model)).with_(own_part=own_part, own_member=own_member)
 
 
-@kept()
+@cached()
 def _rules(system: System) -> Rules:
     """What sections and materials of a model allow; the places where it is kept are those of the model itself."""
     model, parts = system.model, parts_of(system.model)

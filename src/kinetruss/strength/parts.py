@@ -16,7 +16,7 @@ from kinetruss.kernels.sections.peaks import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.kernels.sections.records import Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
 from kinetruss.kinematics.own_motion import check_motion
-from kinetruss.mechanics import CABLE, System, compile, ends_of, kept
+from kinetruss.mechanics import CABLE, System, cached, compile, ends_of
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.local_axes import orientation
 from kinetruss.mechanics.rotating_base import rates_in_space
@@ -101,7 +101,7 @@ def parts_of(model: Model) -> Parts:
     return _parts(compile(model))
 
 
-@kept()
+@cached()
 def _parts(system: System) -> Parts:
     model = system.model
     rows: list[tuple[str, str, int, float, tuple[float, ...]]] = []
@@ -300,7 +300,7 @@ def histories(model: Model, forces: Forces) -> Given:
     )
 
 
-@kept()
+@cached()
 def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], spread: tuple[bool, ...]) -> Members:
     """The members of a model, under actions on these members; not to be written to."""
     index = {name: k for k, name in enumerate(system.members)}

@@ -12,7 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.sections.peaks import MOMENT_RESULTANT, MOMENT_SUM, ROUND, least_tension, peaks
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.limits import MOST_STATIONS, whole
-from kinetruss.mechanics import System, compile, kept
+from kinetruss.mechanics import System, cached, compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Axes, Forces, variable
 from kinetruss.strength.beam_verdict import beam_histories, beam_limits, beam_parts
@@ -265,7 +265,7 @@ def _beam_rows(model: Model, bent: dict[str, tuple[NDArray[np.float64], ...]]) -
     return tuple(found)
 
 
-@kept()
+@cached()
 def axes_of_verdict(system: System) -> Axes:
     """What is judged, and the rules."""
     names, members, _, _ = subjects(parts_of(system.model))
@@ -281,7 +281,7 @@ def axes_of_verdict(system: System) -> Axes:
     )
 
 
-@kept()
+@cached()
 def _end_conditions(system: System) -> NDArray[np.float64]:
     """Of each member, the constant of its end conditions."""
     return np.array([end_condition(member.buckling) for member in system.model.members.values()])

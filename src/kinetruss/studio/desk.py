@@ -13,7 +13,6 @@ from kinetruss.io.writing import text_of, value_of
 from kinetruss.model import Model, turns
 from kinetruss.shelves import shelf, shelves
 from kinetruss.studio import drawing_commands as say
-from kinetruss.studio.asked_runs import Results, curve
 from kinetruss.studio.drawing import Drawing, State, fresh
 from kinetruss.studio.drawing_edits import (
     CELLS,
@@ -32,6 +31,7 @@ from kinetruss.studio.drawing_state import fault_rows, state_of
 from kinetruss.studio.edits import FileThereError, Seen, save, seen_now
 from kinetruss.studio.keeping import Keep
 from kinetruss.studio.new_parts import forms, made, with_analysis
+from kinetruss.studio.requested_runs import Results, curve
 
 Record = dict[str, Any]
 

@@ -103,7 +103,7 @@ def moving(
     the header fields of each: as many as fit without rounding, at least one.
     """
     count = int(motion.data.sizes["time"])
-    keep = _kept(count, most, motion.data["time"].values, run, instants)
+    keep = _chosen_samples(count, most, motion.data["time"].values, run, instants)
     if len(keep) < count:
         motion = motion.with_(data=motion.data.isel(time=keep))
         forces = [_cut(one, keep, motion) for one in forces]
@@ -221,7 +221,7 @@ def _forces(
 
 def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """Actions on members other than weight: sources, members and arrays; `mean` if mean forces include them."""
-    return _told_actions(model, forces.data)
+    return _described_actions(model, forces.data)
 
 
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
@@ -241,10 +241,10 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
     still = np.zeros((1, system.x0.size))
     found, acting = acting_along(system, loads, States(x.reshape(1, -1), still, still), drive, coupling)
-    return _told_actions(model, xr.Dataset(action_variables(system, acting), action_coordinates(system, found)))
+    return _described_actions(model, xr.Dataset(action_variables(system, acting), action_coordinates(system, found)))
 
 
-def _told_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+def _described_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     if "action" not in data.coords:
         return [], {}
     members = {name: k for k, name in enumerate(model.members)}
@@ -302,7 +302,9 @@ def _spread(points: NDArray[np.float64], most: int) -> set[int]:
     return set(chosen)
 
 
-def _kept(count: int, most: int, time: NDArray[Any], run: RunResult | None, instants: Sequence[float]) -> NDArray[np.int64]:
+def _chosen_samples(
+    count: int, most: int, time: NDArray[Any], run: RunResult | None, instants: Sequence[float]
+) -> NDArray[np.int64]:
     """Indices of the samples that are kept."""
     if most < 2:
         raise InputError(f"frames={most}: give at least 2.")

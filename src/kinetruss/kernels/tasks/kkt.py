@@ -15,7 +15,7 @@ from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, factor, set_targets
 from kinetruss.kernels.sweep.follow import chord, closed_block, faces, righted
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
-from kinetruss.kernels.tasks.tape import Drives, Room, Tape, carry, forward, gradient, scales
+from kinetruss.kernels.tasks.tape import Drives, Tape, TaskWork, carry, forward, gradient, scales
 
 __all__ = ["closed", "corrected", "matrix", "rates", "residual", "task_rows"]
 
@@ -24,7 +24,7 @@ SAME = 3e-13
 
 
 @kernel_inline
-def _place(plan: Plan, drives: Drives, y: Room) -> None:
+def _place(plan: Plan, drives: Drives, y: TaskWork) -> None:
     """Put the coordinates that drives and supports prescribe where they are now."""
     for k in range(plan.moving.size):
         y.x[0, plan.moving[k]] = y.moving[0, k]
@@ -34,7 +34,7 @@ def _place(plan: Plan, drives: Drives, y: Room) -> None:
 
 
 @kernel
-def closed(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, good: bool) -> bool:
+def closed(plan: Plan, w: Workspace, drives: Drives, o: TaskWork, scale: float, good: bool) -> bool:
     """Positions o.x[0] for the drives o.q[0], from where they are, and factors there; False if they do not close.
 
     good : there are factors from near by. Determinants of blocks keep their sign in o.sign (0: any).
@@ -52,7 +52,7 @@ def closed(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, good
 
 
 @kernel_inline
-def _positions(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, good: bool) -> bool:
+def _positions(plan: Plan, w: Workspace, drives: Drives, o: TaskWork, scale: float, good: bool) -> bool:
     """Positions o.x[0] for the drives o.q[0], from where they are; False if they do not close."""
     y = o
     _place(plan, drives, o)
@@ -73,7 +73,7 @@ def _positions(plan: Plan, w: Workspace, drives: Drives, o: Room, scale: float, 
 
 
 @kernel
-def task_rows(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room) -> None:
+def task_rows(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork) -> None:
     """Derivatives of the tasks by the drives into o.A, one sweep back each; o.s is kept."""
     y, m = o, tape.tasks
     for j in range(m):
@@ -89,7 +89,7 @@ def task_rows(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room) -> 
 
 
 @kernel
-def matrix(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, curved: bool) -> float:
+def matrix(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, curved: bool) -> float:
     """Form K at the present state and factor it; returns the sign of its determinant (0: singular).
 
     curved : with the second derivatives of the tasks; they overwrite first coefficients of the series.
@@ -114,7 +114,7 @@ def matrix(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, curved
 
 
 @kernel_inline
-def _clear_first(y: Room) -> None:
+def _clear_first(y: TaskWork) -> None:
     """No rates but those of drives."""
     for k in range(y.p.shape[1]):
         y.p[1, k] = 0.0
@@ -136,7 +136,7 @@ def _block(plan: Plan, drives: Drives, d: int) -> int:
 
 
 @kernel_inline
-def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, e: int) -> None:
+def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, e: int) -> None:
     """Column e of minus the second derivatives of s . c into K, from the block of e on, and its mirror image."""
     y, start = o, _block(plan, drives, e)
     y.q[1, e] = 1.0
@@ -153,7 +153,7 @@ def _curvature(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, e:
 
 
 @kernel_inline
-def residual(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int, low: int) -> float:
+def residual(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, k: int, low: int) -> float:
     """Coefficient k of the equations into o.r; returns the largest of the tasks'. Series are given up to k, `mu` below low."""
     y, n, largest = o, drives.row.size, 0.0
     gradient(plan, w, tape, y, low, k, drives, 0)
@@ -169,7 +169,7 @@ def residual(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: i
 
 
 @kernel_inline
-def _improved(drives: Drives, tape: Tape, o: Room, k: int) -> float:
+def _improved(drives: Drives, tape: Tape, o: TaskWork, k: int) -> float:
     """Take K^-1 r off coefficient k of drives and factors; returns the largest change of a drive."""
     y, n, m, size = o, drives.row.size, tape.tasks, 0.0
     for i in range(n + m):
@@ -184,7 +184,7 @@ def _improved(drives: Drives, tape: Tape, o: Room, k: int) -> float:
 
 
 @kernel
-def corrected(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float, fresh: bool) -> bool:
+def corrected(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float, fresh: bool) -> bool:
     """Newton's method on drives and factors, o.q[0] and o.s[0], for the parameters o.p[0]; positions follow.
 
     fresh : K is formed at the start; else the one at hand is used while it serves. It ends where the next step, from the share
@@ -219,7 +219,7 @@ def corrected(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
 
 
 @kernel
-def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, k: int, scale: float) -> int:
+def rates(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, k: int, scale: float) -> int:
     """Coefficient k of drives and factors, o.q[k] and o.s[k], from what is guessed there; those of the nodes follow.
 
     The lower ones belong to the present state; those below k - 1 in `mu` too. Returns the number of repetitions, 0 where they

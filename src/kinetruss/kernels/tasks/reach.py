@@ -14,7 +14,7 @@ from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 from kinetruss.kernels.tasks.kkt import closed, matrix, residual, task_rows
-from kinetruss.kernels.tasks.tape import Drives, Room, Tape, carry, forward, let_go
+from kinetruss.kernels.tasks.tape import Drives, Tape, TaskWork, carry, forward, let_go
 
 __all__ = ["MET", "NEAREST", "SLOW", "linear", "reach"]
 
@@ -24,7 +24,7 @@ STEPS = 300
 
 
 @kernel
-def missed(tape: Tape, o: Room) -> float:
+def missed(tape: Tape, o: TaskWork) -> float:
     """Sum of squares of what the tasks are off by, which goes to the end of o.r."""
     y, total, n = o, 0.0, o.r.size - tape.tasks
     forward(tape, y.x, y.p, 0, y.t)
@@ -38,7 +38,7 @@ def missed(tape: Tape, o: Room) -> float:
 
 
 @kernel_inline
-def _keep(o: Room, n: int) -> None:
+def _keep(o: TaskWork, n: int) -> None:
     for c in range(o.x.shape[1]):
         o.kept[1, c] = o.x[0, c]
     for d in range(n):
@@ -46,7 +46,7 @@ def _keep(o: Room, n: int) -> None:
 
 
 @kernel_inline
-def _undo(o: Room, n: int) -> None:
+def _undo(o: TaskWork, n: int) -> None:
     for c in range(o.x.shape[1]):
         o.x[0, c] = o.kept[1, c]
     for d in range(n):
@@ -54,7 +54,7 @@ def _undo(o: Room, n: int) -> None:
 
 
 @kernel
-def least_step(drives: Drives, tape: Tape, o: Room, damping: float) -> float:
+def least_step(drives: Drives, tape: Tape, o: TaskWork, damping: float) -> float:
     """Step of the drives that takes the misses at the end of o.r away, least by the weights, into o.step; its largest change.
 
     (A W^-1 A^T + damping) y = -c, step = W^-1 A^T y. Drives that would leave their bounds go there, and the others do the rest.
@@ -100,7 +100,7 @@ def least_step(drives: Drives, tape: Tape, o: Room, damping: float) -> float:
 
 
 @kernel_inline
-def _go(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, share: float, scale: float) -> bool:
+def _go(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, share: float, scale: float) -> bool:
     """Drives by a share of o.step, within bounds, from a closed state with its factors; positions follow."""
     y = o
     for d in range(drives.row.size):
@@ -116,7 +116,7 @@ def _go(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, share: fl
 
 
 @kernel
-def _approach(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float, most: float) -> bool:
+def _approach(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float, most: float) -> bool:
     """Damped least-squares steps until the tasks are met; False where they come no nearer."""
     n, damping = drives.row.size, 1e-2
     miss = missed(tape, o)
@@ -144,7 +144,7 @@ def _approach(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
 
 
 @kernel_inline
-def _cost(drives: Drives, o: Room) -> float:
+def _cost(drives: Drives, o: TaskWork) -> float:
     total = 0.0
     for d in range(drives.row.size):
         if drives.held[d] != 3:
@@ -154,7 +154,7 @@ def _cost(drives: Drives, o: Room) -> float:
 
 
 @kernel
-def _restored(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float) -> bool:
+def _restored(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float) -> bool:
     """Back onto the tasks' surface by a few least steps."""
     n, before = drives.row.size, np.inf
     for _ in range(8):
@@ -174,7 +174,7 @@ def _restored(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
 
 
 @kernel_inline
-def _direction(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, curved: bool) -> float:
+def _direction(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, curved: bool) -> float:
     """Newton's step along the tasks' surface into o.step; returns its slope (negative: downhill), 0 if it is none.
 
     curved : with the second derivatives of the tasks. The factors become those of the solution.
@@ -207,7 +207,7 @@ def _direction(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, cu
 
 
 @kernel
-def _settled(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float, most: float) -> bool:
+def _settled(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float, most: float) -> bool:
     """From drives that meet the tasks to the nearest to the reference."""
     n, curved = drives.row.size, True
     for _ in range(STEPS):
@@ -256,7 +256,9 @@ def _settled(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scal
 
 
 @kernel
-def _descent(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float, share: float, slope: float) -> bool:
+def _descent(
+    plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float, share: float, slope: float
+) -> bool:
     """A share of o.step along which the cost falls, back on the tasks' surface; False if there is none."""
     n, cost = drives.row.size, _cost(drives, o)
     for c in range(o.x.shape[1]):
@@ -283,7 +285,7 @@ def _descent(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scal
 
 
 @kernel
-def _released(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float) -> bool:
+def _released(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float) -> bool:
     """Let the drive go that its bound holds back most without need; False if there is none."""
     forward(tape, o.x, o.p, 0, o.t)
     residual(plan, w, drives, tape, o, 0, 0)
@@ -291,7 +293,7 @@ def _released(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, sca
 
 
 @kernel
-def reach(plan: Plan, drives: Drives, tape: Tape, o: Room, scale: float) -> int:
+def reach(plan: Plan, drives: Drives, tape: Tape, o: TaskWork, scale: float) -> int:
     """State that meets the tasks, from the one in o: positions o.x[0], drives o.q[0]; the factors of the tasks there, o.s[0].
 
     o.p[0], o.ref[0], o.moving[0] : parameters, what drives are to be near to, prescribed coordinates that move. Returns MET,
@@ -306,7 +308,7 @@ def reach(plan: Plan, drives: Drives, tape: Tape, o: Room, scale: float) -> int:
 
 
 @kernel
-def linear(plan: Plan, drives: Drives, tape: Tape, o: Room, scale: float) -> bool:
+def linear(plan: Plan, drives: Drives, tape: Tape, o: TaskWork, scale: float) -> bool:
     """What tasks are off by at the state in o, at the end of o.r, and their derivatives by the drives, o.A."""
     w = workspace(plan)
     for b in range(o.sign.size):

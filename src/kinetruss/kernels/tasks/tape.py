@@ -186,7 +186,7 @@ class Drives(Record):
 
 
 @record
-class Room(Record):
+class TaskWork(Record):
     """Taylor coefficients (3, ...) at one instant: x (3, 3 n) of nodes, p of parameters, t of operations, back their adjoints,
     g (3, 3 n) of the gradient, mu of rows, s of the factors of tasks, q of drives, moving (3, k) of prescribed coordinates that
     move; scale (rows,) of a row over what it is the row of (1 of lengths, L of angles). K (d + m, d + m), pivot its factors;
@@ -217,7 +217,7 @@ class Room(Record):
     quotient: F2
 
 
-def room_of(plan: Plan, tape: Tape, coordinates: int, drives: int, parameters: int) -> Room:
+def workspace_of(plan: Plan, tape: Tape, coordinates: int, drives: int, parameters: int) -> TaskWork:
     """Room for a task of a structure."""
     m, k, rows = tape.tasks, len(tape.op), len(plan.row)
     n = drives + m
@@ -244,13 +244,13 @@ def room_of(plan: Plan, tape: Tape, coordinates: int, drives: int, parameters: i
         "out": (3, drives),
         "quotient": (3, 2),
     }
-    room = Room.zeros(shapes)
+    room = TaskWork.zeros(shapes)
     room.scale[:] = 1.0
     return room
 
 
 @kernel_inline
-def scales(plan: Plan, y: Room) -> None:
+def scales(plan: Plan, y: TaskWork) -> None:
     """Gradients of rows over those of what drives prescribe: L of an angle, the scale of a sum, else 1."""
     for k in range(plan.ptr[-1]):
         if plan.kind[k] == ANGLE:
@@ -261,7 +261,7 @@ def scales(plan: Plan, y: Room) -> None:
 
 
 @kernel_inline
-def _second(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> float:
+def _second(plan: Plan, w: Workspace, y: TaskWork, k: int, order: int) -> float:
     """What coefficient `order` of a length or an angle has from lower ones of the nodes, times the scale of the row."""
     if order < 2 or plan.kind[k] == SUM:
         return 0.0
@@ -277,7 +277,7 @@ def _second(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> float:
 
 
 @kernel
-def carry(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Drives, start: int) -> None:
+def carry(plan: Plan, w: Workspace, tape: Tape, y: TaskWork, order: int, drives: Drives, start: int) -> None:
     """Coefficient `order` of all nodes, y.x[order], from those of drives, y.q[order], of supports, y.moving[order], and from
     lower ones.
 
@@ -310,7 +310,7 @@ def carry(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, drives: Dri
 
 
 @kernel_inline
-def _angle_series(plan: Plan, y: Room, k: int, order: int, out: F2) -> None:
+def _angle_series(plan: Plan, y: TaskWork, k: int, order: int, out: F2) -> None:
     """Gradient n/L = (-d_y, d_x)/|d|^2 of an angle by the position of B, coefficients 0 ... order into out (3, 3)."""
     A, B = plan.A[k], plan.B[k]
     d, e, f = between(y.x[0], A, B), between(y.x[1], A, B), between(y.x[2], A, B)
@@ -325,7 +325,7 @@ def _angle_series(plan: Plan, y: Room, k: int, order: int, out: F2) -> None:
 
 
 @kernel_inline
-def _row_force(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> Vector:
+def _row_force(plan: Plan, w: Workspace, y: TaskWork, k: int, order: int) -> Vector:
     """Coefficient `order` of mu times the gradient of a length, of mu below that order: u' = (d' - L' u)/L and so on."""
     u, A, B, inverse = w.gradient[k], plan.A[k], plan.B[k], w.inverse[k]
     e, first = between(y.x[1], A, B), y.mu[order - 1, k]
@@ -343,7 +343,7 @@ def _row_force(plan: Plan, w: Workspace, y: Room, k: int, order: int) -> Vector:
 
 
 @kernel_inline
-def _lower_orders(plan: Plan, w: Workspace, tape: Tape, y: Room, order: int, start: int) -> None:
+def _lower_orders(plan: Plan, w: Workspace, tape: Tape, y: TaskWork, order: int, start: int) -> None:
     """Take what lower orders of mu make of y.g[order] off it."""
     rows = y.rows
     for k in range(plan.ptr[start], plan.ptr[-1]):
@@ -382,7 +382,7 @@ def _clear(y: F2, order: int) -> None:
 
 
 @kernel_inline
-def _back(plan: Plan, w: Workspace, y: Room, order: int, start: int) -> None:
+def _back(plan: Plan, w: Workspace, y: TaskWork, order: int, start: int) -> None:
     """J^T mu = y.g[order] over the blocks from the last to `start`; the rest stays at prescribed coordinates."""
     rest = y.g[order]
     for b in range(plan.ptr.size - 2, start - 1, -1):
@@ -403,7 +403,7 @@ def _back(plan: Plan, w: Workspace, y: Room, order: int, start: int) -> None:
 
 
 @kernel
-def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int, drives: Drives, start: int) -> None:
+def gradient(plan: Plan, w: Workspace, tape: Tape, y: TaskWork, low: int, order: int, drives: Drives, start: int) -> None:
     """Derivatives of y.s . (results of tasks) by the drives, coefficients low ... order, into y.out (3, drives).
 
     y.x, y.t up to `order`, y.mu below `low`; w : factors at y.x[0]. start : only those by drives of this block and later ones,
@@ -424,7 +424,7 @@ def gradient(plan: Plan, w: Workspace, tape: Tape, y: Room, low: int, order: int
 
 
 @kernel
-def let_go(drives: Drives, o: Room, scale: float) -> bool:
+def let_go(drives: Drives, o: TaskWork, scale: float) -> bool:
     """Let the drive go that its bound holds back most without need; False if there is none.
 
     o.out[0] : A^T s, the gradient of the tasks' factors by the drives. w (q - r) - A^T s of a drive at a bound: the sum would

@@ -11,7 +11,7 @@ from kinetruss.kernels.compiled.record import F1, Floats
 from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.tasks.kkt import corrected, matrix, rates
-from kinetruss.kernels.tasks.tape import Drives, Room, Tape, gradient, let_go
+from kinetruss.kernels.tasks.tape import Drives, Tape, TaskWork, gradient, let_go
 
 __all__ = ["DONE", "FAST", "STUCK", "Given", "Tracked", "track"]
 
@@ -43,7 +43,7 @@ class Tracked(NamedTuple):
 
 
 @kernel_inline
-def _load(o: Room, given: Given, i: int, share: float) -> None:
+def _load(o: TaskWork, given: Given, i: int, share: float) -> None:
     """Parameters, reference and supports of sample i, or at a share of the way to it from sample i - 1."""
     y = o
     for k in range(3):
@@ -91,7 +91,7 @@ def _second_ahead(t: F1, z: Floats, i: int, c: int, rate: float) -> float:
 
 
 @kernel_inline
-def _guess(given: Given, o: Room, out: Tracked, i: int, n: int, m: int) -> None:
+def _guess(given: Given, o: TaskWork, out: Tracked, i: int, n: int, m: int) -> None:
     """Where the path leads on: positions, drives and factors at sample i."""
     y, t = o, given.t
     for c in range(out.x.shape[2]):
@@ -103,7 +103,7 @@ def _guess(given: Given, o: Room, out: Tracked, i: int, n: int, m: int) -> None:
 
 
 @kernel_inline
-def _guess_rate(given: Given, o: Room, out: Tracked, i: int, k: int, n: int, m: int) -> None:
+def _guess_rate(given: Given, o: TaskWork, out: Tracked, i: int, k: int, n: int, m: int) -> None:
     """Coefficient k of drives and factors at sample i: first rates from where the path leads on, second ones with the first.
 
     The polynomial misses like s^3 (s + 1)^3, with s the distance from sample i - 1 in steps before it.
@@ -128,7 +128,7 @@ def _guess_rate(given: Given, o: Room, out: Tracked, i: int, k: int, n: int, m: 
 
 
 @kernel_inline
-def _stand(drives: Drives, o: Room) -> None:
+def _stand(drives: Drives, o: TaskWork) -> None:
     """Held drives stand still, those at a bound on it."""
     y = o
     for d in range(drives.row.size):
@@ -141,7 +141,7 @@ def _stand(drives: Drives, o: Room) -> None:
 
 
 @kernel
-def _back_to(o: Room, out: Tracked, i: int, n: int, m: int) -> None:
+def _back_to(o: TaskWork, out: Tracked, i: int, n: int, m: int) -> None:
     """The state of sample i."""
     for c in range(out.x.shape[2]):
         o.x[0, c] = out.x[0, i, c]
@@ -152,7 +152,7 @@ def _back_to(o: Room, out: Tracked, i: int, n: int, m: int) -> None:
 
 
 @kernel
-def _walked(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked, i: int) -> bool:
+def _walked(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, given: Given, out: Tracked, i: int) -> bool:
     """Sample i from sample i - 1 in steps that adapt."""
     y, n, m = o, drives.row.size, tape.tasks
     coordinates = y.x.shape[1]
@@ -183,7 +183,7 @@ def _walked(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given
 
 
 @kernel
-def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale: float) -> bool:
+def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, scale: float) -> bool:
     """Hold the drive that is farthest beyond a bound, or let one go that would leave its own; True if there was one."""
     y, worst, at, how = o, 1e-9 * scale, -1, 0
     for d in range(drives.row.size):
@@ -204,7 +204,7 @@ def _change(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, scale
 
 
 @kernel
-def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked, i: int) -> int:
+def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: TaskWork, given: Given, out: Tracked, i: int) -> int:
     """Rates of sample i; how often their equations were repeated, 0 where they do not converge."""
     n, m, y, repeated = drives.row.size, tape.tasks, o, 0
     for attempt in range(2):
@@ -231,7 +231,7 @@ def _moved(plan: Plan, w: Workspace, drives: Drives, tape: Tape, o: Room, given:
 
 
 @kernel
-def track(plan: Plan, drives: Drives, tape: Tape, o: Room, given: Given, out: Tracked) -> tuple[int, int]:
+def track(plan: Plan, drives: Drives, tape: Tape, o: TaskWork, given: Given, out: Tracked) -> tuple[int, int]:
     """Fill out along a path from the state in o (x[0], q[0], s[0]), which meets the first sample.
 
     Returns how it ended, and the number of good samples. `drives.held` is kept up to date.

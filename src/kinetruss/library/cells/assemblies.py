@@ -280,7 +280,7 @@ def _model(whole: Joined, fixed: Fixed | None, links: Mapping[str, Bar], gravity
     if fixed is None:
         held = [node for name in whole.roots() if "base" in whole.cells[name].faces for node in _corners(whole, name, "base")]
     else:
-        held = [node for name in fixed for node in _held(whole, name)]
+        held = [node for name in fixed for node in _fixed_nodes(whole, name)]
     tables = whole.tables()
     if twice := [name for name in links if name in tables.get("bars", {}) or name in tables.get("active", {})]:
         raise ModelError([Fault(("links", twice[0]), "is the name of a member of a cell.", "Rename the link.")])
@@ -289,7 +289,7 @@ def _model(whole: Joined, fixed: Fixed | None, links: Mapping[str, Bar], gravity
     return Model(**tables, title=title, fixed=list(dict.fromkeys(held)), gravity=down)
 
 
-def _held(whole: Joined, name: str) -> list[str]:
+def _fixed_nodes(whole: Joined, name: str) -> list[str]:
     """Nodes of a face, or the node of this name."""
     if name in whole.places:
         return [name]

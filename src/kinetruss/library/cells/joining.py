@@ -162,7 +162,7 @@ def mirror(cell: Cell, axis: Axis = "z") -> Cell:
     faces = {}
     for name, face in cell.faces.items():
         if along and name in SWAPPED:
-            faces[SWAPPED[name]] = _kept(face, k)
+            faces[SWAPPED[name]] = _mirrored(face, k)
         else:
             faces[name] = reversed_face(face)
     return changed(
@@ -179,7 +179,7 @@ def reversed_face(face: Face) -> Face:
     return Face(nodes=(first, *rest[::-1]) if len(face.nodes) > 2 else face.nodes[::-1])
 
 
-def _kept(face: Face, k: int) -> Face:
+def _mirrored(face: Face, k: int) -> Face:
     """The face mirrored along the axis of the stack, nodes in the same order; its normal points up again."""
     if face.origin is None or face.axes is None:
         return face

@@ -255,7 +255,7 @@ def strength(record: Record) -> list[Markup]:
     worst = list(first.values())
     if not worst:
         return []
-    table = _held(Columns(), "part", worst)
+    table = _limits_table(Columns(), "part", worst)
     _times(table, worst, record)
     table.measured("station", [row["position"] for row in worst], "m")
     table.words("load case", [named(row["load_case"]) for row in worst])
@@ -292,7 +292,7 @@ def _limits(record: Record) -> list[Markup]:
         return []
     unlimited = sorted({row["rule"] for row in rows if row["utilisation"] is None})
     shown = held[:MOST]
-    table = _held(Columns(), "member", shown)
+    table = _limits_table(Columns(), "member", shown)
     _times(table, shown, record)
     table.words("load case", [named(row["load_case"]) for row in shown])
     note = left_out(held) + (f"No limit is given for: {', '.join(unlimited)}." if unlimited else "")
@@ -344,7 +344,7 @@ def _exceeded(found: Sequence[Record]) -> list[Markup]:
     return [Table(("limit exceeded", "load case"), lines, "Limits of drives exceeded, worst first", left_out(found)).html]
 
 
-def _held(table: Columns, what: str, rows: Sequence[Record]) -> Columns:
+def _limits_table(table: Columns, what: str, rows: Sequence[Record]) -> Columns:
     """Demands and limits: part, rule, bar of utilisation, value, limit, margin."""
     table.words(what, [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
     table.words("", bars_of(rows)).words("utilisation (%)", percents(rows))

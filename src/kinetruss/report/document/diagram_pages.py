@@ -16,7 +16,7 @@ from matplotlib.patheffects import withStroke
 from kinetruss.display import DIVERGING, number, quantity, scale
 from kinetruss.errors import InputError
 from kinetruss.report.document.data import limits, plain, strength
-from kinetruss.report.member_diagrams import Subject, asked, diagrams_record, governing_diagrams
+from kinetruss.report.member_diagrams import Subject, diagrams_record, governing_diagrams, requested
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.draw import SUFFIXES, write
 from kinetruss.report.pictures.picture import width_of
@@ -217,7 +217,7 @@ def diagrams_page(run: RunResult, members: Sequence[str] = (), at: float | str |
 
 def _subjects(run: RunResult, members: Sequence[str], at: float | str | None, case: str | None) -> list[Subject]:
     if members:
-        return asked(run, members, at, case)
+        return requested(run, members, at, case)
     if at is not None or case is not None:
         raise InputError("Name the members too: without them the governing ones are shown, each at its own instant.")
     record = plain({"strength": strength(run), "limits": limits(run)})

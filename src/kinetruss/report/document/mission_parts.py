@@ -32,10 +32,10 @@ def _members(rows: Sequence[Record]) -> list[Any]:
         if row["utilisation"]:
             first.setdefault(row["part"], row)
     worst = list(first.values())
-    return [_held(worst, "part", "Governing rule of each part, worst first")] if worst else []
+    return [_limits_table(worst, "part", "Governing rule of each part, worst first")] if worst else []
 
 
-def _held(every: Sequence[Record], what: str, caption: str) -> Any:
+def _limits_table(every: Sequence[Record], what: str, caption: str) -> Any:
     rows = every[:MOST]
     table = Columns().words(what, [row["part"] for row in rows]).words("rule", [row["rule"] for row in rows])
     table.words("", bars_of(rows)).words("utilisation (%)", percents(rows))
@@ -48,7 +48,7 @@ def _held(every: Sequence[Record], what: str, caption: str) -> Any:
 
 def _motors(rows: Sequence[Record]) -> list[Any]:
     held = sorted((row for row in rows if row["utilisation"] is not None), key=lambda row: -value_of(row["utilisation"]))
-    found = [_held(held, "motor of", "Demands on the motors against their limits, worst first")] if held else []
+    found = [_limits_table(held, "motor of", "Demands on the motors against their limits, worst first")] if held else []
     rest = [row for row in rows if row["utilisation"] is None and row["value"]]
     if rest:
         shown = _largest(rest, "rule")

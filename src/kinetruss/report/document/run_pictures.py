@@ -70,7 +70,7 @@ def thinned(figure: Histories) -> Histories:
     if max((len(one) for one in _times(figure)), default=0) <= FINE:
         return figure
     edges = [edge for panel in figure.panels if panel.band is not None for edge in panel.band]
-    common = _kept(edges or [figure.time], len(figure.time))
+    common = _sampled(edges or [figure.time], len(figure.time))
     panels = tuple(_thinned(panel, figure.time, common) for panel in figure.panels)
     return replace(figure, time=figure.time[common], panels=panels)
 
@@ -84,7 +84,7 @@ def _thinned(panel: Panel, time: NDArray[np.float64], common: NDArray[np.int64])
     for label, values in panel.lines.items():
         own = panel.times.get(label, time)
         still = panel.dashed.get(label)
-        kept = _kept([values] if still is None else [values, still], len(values))
+        kept = _sampled([values] if still is None else [values, still], len(values))
         lines[label], times[label] = values[kept], own[kept]
         if still is not None:
             dashed[label] = still[kept]
@@ -92,7 +92,7 @@ def _thinned(panel: Panel, time: NDArray[np.float64], common: NDArray[np.int64])
     return replace(panel, lines=lines, dashed=dashed, times=times, band=band)
 
 
-def _kept(curves: list[NDArray[np.float64]], count: int) -> NDArray[np.int64]:
+def _sampled(curves: list[NDArray[np.float64]], count: int) -> NDArray[np.int64]:
     """Indices of the ends, and of the minimum and maximum of each curve in each interval."""
     size = -(-count // BUCKETS)
     places = np.minimum(np.arange(-(-count // size) * size), count - 1).reshape(-1, size)  # the last one repeated
@@ -172,11 +172,11 @@ def _figure(subjects: Sequence[Subject], words: str, number: str) -> Markup:
         caption += " Dotted: the section of the governing check."
     if zero:
         caption += f" Zero in all of them: {', '.join(zero)}."
-    panels = [lines_of(drawn([one], scales=scales), f"{number}{k}", _told(one)) for k, one in enumerate(subjects)]
+    panels = [lines_of(drawn([one], scales=scales), f"{number}{k}", _described(one)) for k, one in enumerate(subjects)]
     return embedded(panels, caption, rows=True)
 
 
-def _told(one: Subject) -> str:
+def _described(one: Subject) -> str:
     """A diagram in words."""
     ends = [
         f"{line.words} {quantity(line.least[0], line.unit)} to {quantity(line.largest[0], line.unit)}"

@@ -172,7 +172,7 @@ def curves(
     time = total["time"].values
     found = []
     for label, index in names:
-        if members and not _asked(total, label, members):
+        if members and not _is_named(total, label, members):
             continue
         cut = _cut(_at(total, index), stations, quantity)
         if np.isnan(cut[0]).all():
@@ -233,7 +233,7 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
         yield lambda: run.statics[case].data, lambda: None
     if case in run.demand:
         demand = run.demand[case].data
-        yield lambda: demand, lambda: None if static is None else _held(run, quantity, static, demand)
+        yield lambda: demand, lambda: None if static is None else _demand_at_rest(run, quantity, static, demand)
     if quantity in SECTIONS:
         yield lambda: run.sections[case].data, lambda: None if static is None else _at_rest(run, static).data
     if quantity in STRESSES or quantity.removesuffix("_microstrain") in COMPONENTS:
@@ -252,7 +252,7 @@ def _at_rest(run: RunResult, static: Any) -> Any:
     return strength.sections(run.model, static, stations=run.definition.stations)
 
 
-def _held(run: RunResult, quantity: str, static: Any, demand: Any) -> Any:
+def _demand_at_rest(run: RunResult, quantity: str, static: Any, demand: Any) -> Any:
     """Actuator force and motor torque of the same poses at rest; the other quantities are not known there."""
     if quantity == "motor_torque" and "holding_torque" in demand:
         return {"motor_torque": demand["holding_torque"]}
@@ -297,7 +297,7 @@ def _names(data: xr.DataArray) -> Names:
     return found
 
 
-def _asked(data: xr.DataArray, label: Label, members: Sequence[str]) -> bool:
+def _is_named(data: xr.DataArray, label: Label, members: Sequence[str]) -> bool:
     return bool(label) and (label[0] in members or (data.dims[1] == "part" and label[0].rpartition(".")[0] in members))
 
 

@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar, cast
 if TYPE_CHECKING:
     from kinetruss.mechanics.system import System
 
-__all__ = ["kept"]
-
 Key = ParamSpec("Key")
 Found = TypeVar("Found")
 Finder = Callable[Concatenate["System", Key], Found]
 
 
-def kept(most: int = 32) -> Callable[[Finder[Key, Found]], Finder[Key, Found]]:
+def cached(most: int = 32) -> Callable[[Finder[Key, Found]], Finder[Key, Found]]:
     """Keep what a function finds of a System, for the last `most` values of its other arguments, which can be hashed.
 
     A System never changes, and the same model has the same System: so plans, tables and checks of a model are made once.
@@ -24,7 +22,7 @@ def kept(most: int = 32) -> Callable[[Finder[Key, Found]], Finder[Key, Found]]:
     """
 
     def decorated(find: Finder[Key, Found]) -> Finder[Key, Found]:
-        def asked(system: System, *key: Key.args, **named: Key.kwargs) -> Found:
+        def remembered(system: System, *key: Key.args, **named: Key.kwargs) -> Found:
             own: dict[tuple[Hashable, ...], Any] = system.memory.setdefault(find, {})
             place = (*key, *named.items()) if named else key
             if place in own:
@@ -34,6 +32,6 @@ def kept(most: int = 32) -> Callable[[Finder[Key, Found]], Finder[Key, Found]]:
                 own.pop(oldest, None)
             return found
 
-        return cast("Finder[Key, Found]", update_wrapper(asked, find))
+        return cast("Finder[Key, Found]", update_wrapper(remembered, find))
 
     return decorated
