@@ -1,4 +1,4 @@
-"""What people read: reports, summaries, JSON, scenes of the examples, and messages of files put wrong; as texts in a folder.
+"""What people read: reports, summaries, JSON, scenes, sizings of the examples, messages of files put wrong; texts in a folder.
 
     python tests/campaigns/base/shown.py FOLDER --examples N [--wrong FILES]
 
@@ -63,6 +63,14 @@ def of_example(name: str) -> Iterator[tuple[str, str]]:
         yield f"{run} scene", as_text(scene.header) + "\n" + as_text(sums)
 
 
+def of_sizing(model: Path, mission: Path) -> Iterator[tuple[str, str]]:
+    """Texts of a sizing by a mission file."""
+    record = kt.design.record(kt.design.size(kt.read(model), mission))
+    yield "sizing", as_text(record)
+    page = kt.report.sizing_page(record, date="1 January 2000")
+    yield "sizing page", TAKEN.sub("-", re.sub(r">\s*<", ">\n<", DATA.sub("", page.html)))
+
+
 def of_wrong(path: Path) -> str:
     """What is said of a model file that was put wrong."""
     try:
@@ -80,7 +88,7 @@ def write(folder: Path, name: str, text: str) -> None:
 
 
 def main() -> int:
-    """Write the texts of the first examples, and of the files in a folder."""
+    """Write the texts of the first examples, of all sizings, and of the files in a folder."""
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=Path)
     parser.add_argument("--examples", type=int, required=True)
@@ -92,6 +100,10 @@ def main() -> int:
         for what, text in of_example(name):
             write(given.folder, f"{name} {what}", text)
         print(f"{name} is shown", file=sys.stderr, flush=True)
+    for name, (model, *others) in kt.library.example_files().items() if given.examples else ():
+        for mission in (path for path in others if path.stem.endswith(".mission")):
+            for what, text in of_sizing(model, mission):
+                write(given.folder, f"{name} {what}", text)
     for path in sorted(given.wrong.iterdir()) if given.wrong else []:
         if path.suffix in (".yaml", ".json"):
             write(given.folder, f"wrong {path.stem}", of_wrong(path))

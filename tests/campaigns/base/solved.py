@@ -36,6 +36,7 @@ ALLOWED = {
     "strength": 1e-12,
     "beams": 1e-12,
     "flexible": 1e-9,
+    "drive": 1e-9,
 }
 """Allowed differences, of the scale: iterations end a little above round-off, and runs within their tolerances."""
 NOTHING = 1e-3
@@ -205,8 +206,20 @@ def flexible(model: kt.Model, case: Case) -> Found:
     yield from _data(run.forces.data, "member_force", "drive_force", last=True)
 
 
+def drive(model: kt.Model, case: Case) -> Found:
+    """The end of a short run of each drive train by itself."""
+    for name, one in model.actuators.items():
+        if one.motor is None:
+            continue
+        train = kt.actuators.train_of(model, name)
+        load = (0.3 if case.number % 2 else -0.2) * (50.0 if train.screw is not None else 0.05)
+        found = kt.actuators.simulate_drive(train, kt.StepInput(voltage=4.0), load=load, duration=0.05, samples=6)
+        for key, value, places in _data(found.data, "current", "motor_speed", "thrust", "drive_torque", "length", "angle"):
+            yield f"{name} {key}", value, places
+
+
 QUESTIONS: dict[str, Callable[[kt.Model, Case], Found]] = {
     "mobility": mobility, "follow": follow, "inverse": inverse, "linear": linear, "equilibrium": equilibrium,
     "buckling": buckling, "linearise": linearise, "simulate": simulate, "strength": strength,
-    "beams": beams, "flexible": flexible,
+    "beams": beams, "flexible": flexible, "drive": drive,
 }  # fmt: skip
