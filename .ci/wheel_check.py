@@ -26,7 +26,7 @@ PROGRAM = Path(sys.executable).parent / "kinetruss"
 NEEDED = (
     "py.typed",
     "io/*.json",
-    "verification/*/cases.yaml",
+    "verification/data/*.yaml",
     "library/examples/*.yaml",
     "library/examples/*.csv",
     "report/document/style.css",

@@ -113,8 +113,8 @@ def _models(options) -> list[dict]:
 
     import kinetruss as kt
     from kinetruss.library import mechanisms
-    from kinetruss.verification._cases import cases
-    from kinetruss.verification.mechanisms.robots import CORNERS, P
+    from kinetruss.verification.cases import cases
+    from kinetruss.verification.mechanisms import CORNERS, P
 
     expected = {case.id: case.expected for case in cases()}
     points = {node: [expected[f"forward.andrews.{node}.{axis}"] for axis in "xy"] for node in "FEDGH"}

@@ -8,7 +8,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.io import read_catalogue, read_mission
-from kinetruss.verification.structures import sizing as task
+from kinetruss.verification import missions as task
 from samples import tripod
 
 TUBES = "source: made up\nmaterial: aluminium_6061_t6\ntubes:\n"

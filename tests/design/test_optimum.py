@@ -11,8 +11,8 @@ import kinetruss as kt
 from kinetruss.design.choices import make_plan, with_tubes
 from kinetruss.design.tube_choice import _assessed, forces_of, loadings, scanned
 from kinetruss.mechanics import compile
-from kinetruss.verification._cases import cases
-from kinetruss.verification.structures import sizing as task
+from kinetruss.verification import missions as task
+from kinetruss.verification.cases import cases
 from samples import tripod
 
 

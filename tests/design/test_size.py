@@ -14,7 +14,7 @@ from kinetruss.design import catalogue
 from kinetruss.design.choices import catalogue_names, default_drives, default_groups
 from kinetruss.io import read_mission
 from kinetruss.library import example_files
-from kinetruss.verification.structures import sizing as task
+from kinetruss.verification import missions as task
 
 MODEL, MISSION = (str(path) for path in example_files()["double_octahedral_slew"])
 

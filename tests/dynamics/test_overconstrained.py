@@ -11,7 +11,7 @@ from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile as compiled
-from kinetruss.verification.mechanisms.loops_let_go import hinge_angles
+from kinetruss.verification.mechanisms import hinge_angles
 from reference.bennett import bennett_places, one_freedom
 
 TIGHT = kt.DOP853(rtol=1e-11, atol=1e-12)
@@ -117,7 +117,7 @@ def test_bennett_obeys_the_equation_of_its_freedom(twist, other, angle, rate):
     q, _ = one_freedom(bennett_places(twist, other), angle, rate, 3.0)
     end = run.motion.position.isel(time=-1).sel(node=["P2", "A2", "P3", "A3"]).values
     assert end == pytest.approx(bennett_places(twist, other)(float(q)), abs=3e-9)
-    turns = np.unwrap(hinge_angles(model, run.motion.position, 4)[:, 0])
+    turns = np.unwrap(hinge_angles(model, run.motion.position)[:, 0])
     assert turns[-1] - turns[0] == pytest.approx(float(q) - angle, abs=1e-7)
     assert np.ptp(turns) > (12 if rate else 0.5)
 
@@ -161,7 +161,7 @@ def test_angles_obey_their_closed_form():
     """Orthogonal loop of six: angles alternate and cos t + cos u + cos t cos u = 0; its energy over ten seconds."""
     model = mechanisms.bricard()
     run = kt.dynamics.simulate(model, 10.0, samples=201)
-    c = np.cos(hinge_angles(model, run.motion.position, 6))
+    c = np.cos(hinge_angles(model, run.motion.position))
     assert c[:, ::2] == pytest.approx(np.repeat(c[:, :1], 3, axis=1), abs=1e-9)
     assert c[:, 1::2] == pytest.approx(np.repeat(c[:, 1:2], 3, axis=1), abs=1e-9)
     assert c[:, 0] + c[:, 1] + c[:, 0] * c[:, 1] == pytest.approx(0.0, abs=1e-9)

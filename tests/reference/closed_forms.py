@@ -58,7 +58,7 @@ def barycentric() -> Numbers:
 
 def twists() -> Numbers:
     """T = m v.v/2 + w.I w/2, p = m v, L = I w of the random bodies."""
-    from kinetruss.verification.solids.solid_bodies import random_body
+    from kinetruss.verification.solids import random_body
 
     found = {}
     for seed in (1, 2, 3):

@@ -1,7 +1,7 @@
 """Membranes and solids by the total-Lagrangian formulas: forces, and by complex steps the tangent.
 
 f = -V0 F S grad N, S = C E, E = (F^T F - 1)/2 (Bathe, Finite Element Procedures, 6.3). Kinds, materials and axes are those of
-`kinetruss.verification.solids.elements`.
+the models ``element.KIND`` of the verification.
 """
 
 from __future__ import annotations
@@ -12,9 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.verification.solids.elements import PLY, STEEL, TURN
+from kinetruss.verification.cases import model
+from kinetruss.verification.solids import STEEL
 
 __all__ = ["KINDS", "forces", "tangent"]
+
+PLY: Any = model("element.orthotropic").membranes["one"].orthotropic
+TURN = 0.5
+"""rad, of its axis."""
 
 KINDS = (
     "plane_stress",

@@ -7,7 +7,7 @@ import kinetruss as kt
 from hinge_models import Arm, DoublePendulum
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile
-from kinetruss.verification._cases import stored
+from kinetruss.verification.cases import cases
 
 FINE = kt.DOP853(rtol=1e-12, atol=1e-13)
 
@@ -274,8 +274,8 @@ def test_andrews_crank_with_a_rotation_coordinate():
     one, two = (kt.dynamics.simulate(model, 0.03, samples=31, tasks=tasks, method=kt.DOP853(rtol=1e-13, atol=1e-15))
                 for model in (beam, bars))  # fmt: skip
     rotation = one.motion.data["position"].sel(node="beta", axis="x").values
-    exact = stored("forward")["exact"]["andrews"]
-    assert rotation[-1] == pytest.approx(exact[0][0], rel=1e-11)
+    (exact,) = (case.expected for case in cases() if case.id == "rows.andrews.beta.position")
+    assert rotation[-1] == pytest.approx(exact, rel=1e-11)
     assert rotation == pytest.approx(two.motion.data["drive_position"].values[:, 0], rel=2e-11)
     # its rotation is a degree of freedom that any position has
     for k in (0, 9, 17, 30):

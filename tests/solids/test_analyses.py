@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
-from kinetruss.verification.solids import elements as cases
+from kinetruss.verification import solids as cases
 
 RUBBER = kt.Material(E=1e6, density=1000.0, poisson=0.3)
 

@@ -7,7 +7,8 @@ from hypothesis import given, settings, strategies as st
 import kinetruss as kt
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.elements import continua_energy, continua_forces, continua_stiffness
-from kinetruss.verification.solids import elements as cases
+from kinetruss.verification import solids as cases
+from kinetruss.verification.cases import model as model_of
 from reference.total_lagrange import KINDS, tangent
 
 STEEL = cases.STEEL
@@ -25,7 +26,7 @@ def test_force_and_tangent_are_those_of_the_formulas(kind):
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_whole_tangent_is_that_of_the_formulas(kind):
-    model = cases.one_element(kind)
+    model = model_of(f"element.{kind}")
     start = np.array([node.at for node in model.nodes.values()], float)
     x = start + 0.4 * np.random.default_rng(3).standard_normal(start.shape)
     dofs = [f"{name}.{axis}" for name in model.nodes for axis in "xyz"[: start.shape[1]]]
@@ -37,7 +38,7 @@ def test_the_whole_tangent_is_that_of_the_formulas(kind):
 @settings(max_examples=15)
 @given(kind=st.sampled_from(KINDS), seed=st.integers(0, 10_000), size=st.floats(0.01, 0.5))
 def test_forces_balance_are_the_slope_of_the_energy_and_do_no_work_on_rotations(kind, seed, size):
-    system = compile(cases.one_element(kind))
+    system = compile(model_of(f"element.{kind}"))
     random = np.random.default_rng(seed)
     x, y = system.x0.copy(), np.zeros_like(system.x0)
     x[:, : system.dim] += size * random.standard_normal((len(x), system.dim))

@@ -101,7 +101,7 @@ def rod_tip(load: float) -> np.ndarray:
 
 @pytest.mark.slow
 def test_the_bend_of_45_degrees_is_that_of_a_curved_rod():
-    from kinetruss.verification.members.beams import bend
+    from kinetruss.verification.beams import bend
 
     wanted = rod_tip(450.0)
     found = bend(16, 450.0)

@@ -14,12 +14,11 @@ import pytest
 import kinetruss as kt
 from kinetruss import verification
 from kinetruss.cli import main
-from kinetruss.verification import CLAIMS
-from kinetruss.verification._cases import GROUPS, cases, numbers, stored
-from kinetruss.verification.thesis import tables as _tables
+from kinetruss.verification import CLAIMS, thesis_bay
+from kinetruss.verification.cases import GROUPS, cases, model, numbers, stored
 
 HOME = Path(inspect.getfile(verification)).parent
-MODULES = sorted(path for path in HOME.glob("*/*.py") if path.name != "__init__.py")
+MODULES = sorted(path for path in HOME.glob("*.py") if path.stem not in ("__init__", "cases"))
 PAGES = Path(__file__).parents[2] / "docs"
 CASES = {case.id: case for case in cases()}
 PRINTED = {
@@ -58,16 +57,15 @@ def test_the_formulas_of_the_thesis_stand_beside_the_product():
     """They are a class of their own. His program is in one module, which nothing else reaches; his sum of one bending and the
     axial stress stands with the tables.
     """
-    assert {case.make.split(".")[1] for case in of_class("thesis-formulas")} == {"triangle_thesis", "tables"}
-    sums = {case.id for case in of_class("thesis-formulas") if case.make.split(".")[1] == "tables"}
+    assert {case.make.split(".")[0] for case in of_class("thesis-formulas")} == {"thesis_formulas", "thesis_bay"}
+    sums = {case.id for case in of_class("thesis-formulas") if case.make.startswith("thesis_bay.")}
     assert sums == {"bay.section_5_7.M6_von_mises", "bay.section_5_7.M19_von_mises"}
-    reached = {path.stem for path in HOME.rglob("*.py") if any(name.endswith(".differences") for name in _imported(path))}
-    assert reached == {"triangle_thesis"}
-    tables = numbers("thesis.tables.slewed", ()) | numbers("thesis.tables.buckling", ())
+    assert not any(name.endswith(".thesis_formulas") for path in HOME.glob("*.py") for name in _imported(path))
+    tables = numbers("thesis_bay.slewed", ()) | numbers("thesis_bay.buckling", ())
     beside = {name.removesuffix(".product") for name in tables if name.endswith(".product")}
     assert beside == {"M6_von_mises", "M19_von_mises", "buckling_M19"}
     for payload in (10, 40):
-        found = numbers("thesis.triangle_thesis.numbers", (payload,))
+        found = numbers("thesis_formulas.program", (payload,))
         assert all(f"{name}.product" in found for name in found if not name.endswith(".product"))
 
 
@@ -129,20 +127,20 @@ def test_what_is_called_inferred_is_what_the_sets_hold():
         texts = " ".join(one.reference.inferred)
         if where == "section_5_8":
             continue
-        setup = _tables.SETS["B" if where == "table_5_5" else "C" if where == "section_5_7" else "A"]
-        assert (f"{setup.force:.3f}".rstrip("0") in texts) == (setup.force != 46.0), one.id
-        assert ("35.5 in" in texts) == (setup.longeron == 35.5 * _tables.INCH), one.id
-        assert ("3000" in texts) == (setup.density == 3000.0), one.id
+        setup = thesis_bay.SETS["B" if where == "table_5_5" else "C" if where == "section_5_7" else "A"]
+        assert (f"{setup['force']:.3f}".rstrip("0") in texts) == (setup["force"] != 46.0), one.id
+        assert ("35.5 in" in texts) == (setup["longeron"] == 35.5), one.id
+        assert ("3000" in texts) == (setup["density"] == 3000.0), one.id
         if ".refit." in one.id:
-            lengths = _tables.POSES[f"{where}.refit"]
+            lengths = thesis_bay.POSES[f"{where}.refit"]
             assert ", ".join(f"{length:.5f}" for length in lengths) in texts, one.id
 
 
 def test_the_printed_load_does_not_give_the_printed_table():
     """With 46 N the numbers of Table 5.2 are missed by 3 %: the load had to be inferred."""
-    model, _ = _tables.at_rest("C", _tables.LEVEL)
-    assert model.loads  # the 46 N of set C
-    light = model.with_(material=kt.Material(E=71e9, density=0.0), gravity=(0.0, 0.0, 0.0))
+    truss = thesis_bay.bay_of("C")
+    assert truss.loads  # the 46 N of set C
+    light = truss.with_(material=kt.Material(E=71e9, density=0.0), gravity=(0.0, 0.0, 0.0))
     position = kt.kinematics.assemble(light, lengths=dict.fromkeys(("M7", "M9", "M11"), 1.1684))
     vertical = kt.statics.linear(light, position).reaction.sel(support="N1", axis="z").item()
     assert vertical == pytest.approx(-46.0, rel=1e-9)
@@ -197,6 +195,13 @@ def test_data_files_hold_nothing_that_is_not_used(group):
     assert all(set(one) <= {"class", "source", "note", "inferred"} for one in data["references"].values())
     keys = {"id", "compute", "each", "given", "reference", "tolerance", "scale", "values"}
     assert all(set(record) <= keys for record in data["cases"])
+
+
+def test_every_model_that_is_stored_is_used_and_complete():
+    text = "".join(path.read_text(encoding="utf-8") for path in MODULES)
+    for name in stored("models"):
+        assert f'"{name}"' in text or f'f"{name.partition(".")[0]}.{{' in text, name
+        assert model(name).nodes
 
 
 def test_a_filter_that_no_case_has_is_no_agreement(runner):

@@ -7,10 +7,11 @@ import re
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
-from kinetruss.verification._cases import cases, stored
-from kinetruss.verification.mechanisms.loops_let_go import BENNETT
-from kinetruss.verification.solids import elements
+from kinetruss.verification import solids
+from kinetruss.verification.cases import cases, model, stored
+from kinetruss.verification.mechanisms import BENNETT
 from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, spring_forms, total_lagrange
 from reference.octahedral import Bay, quintic
 from reference.taylor import Taylor
@@ -50,15 +51,14 @@ def test_every_closed_form_that_is_stored_is_recomputed():
 
 @pytest.mark.parametrize("kind", total_lagrange.KINDS)
 def test_elements_by_the_total_lagrangian_formulas(kind):
-    model = elements.one_element(kind)
-    start = np.array([node.at for node in model.nodes.values()], float)
+    start = solids.drawn(model(f"element.{kind}"))
     for state in stored("solids")["exact"][kind]:
         x = np.array(state["at"])
         assert np.abs(x - start).max() > 0.1
         force, K = total_lagrange.forces(kind, start, x), total_lagrange.tangent(kind, start, x)
         assert np.abs(force - state["force"]).max() < 1e-14 * np.abs(force).max()
         assert np.abs(K - K.T).max() < 1e-14 * np.abs(K).max()
-        along = K @ elements.moved(x.size)
+        along = K @ solids.moved(x.size)
         assert np.abs(along - state["tangent"]).max() < 1e-14 * np.abs(along).max()
 
 
@@ -69,6 +69,33 @@ def test_bennett_by_the_equation_of_its_one_freedom(name):
     places = bennett.bennett_places(own["twist"], own["other_twist"])
     q, _ = bennett.one_freedom(places, angle, 0.0, 3.0)
     assert np.abs(places(float(q)) - stored("mechanisms")["exact"]["bennett"][name]).max() < 1e-12
+
+
+def test_symmetric_top_by_its_two_turns():
+    """Rotation about the constant momentum with |L|/A, after one about the figure's axis (Euler; Goldstein, ch. 5.6)."""
+    top = model("bipyramid")
+    at, drift = solids.drawn(top), np.array([0.3, 0.2, -0.1])
+    spin, A, C = np.array([1.5, -0.4, 4.0]), 0.0, 0.0
+    for bar in top.bars.values():
+        p, q = (np.array(top.nodes[end].at) for end in bar.ends)
+        own = np.outer(p, p) + np.outer(q, q) + np.outer(p + q, p + q)  # 6/m times the second moments of a uniform rod
+        A, C = A + bar.mass / 6 * (own[1, 1] + own[2, 2]), C + bar.mass / 6 * (own[0, 0] + own[1, 1])
+    for name, velocity in top.velocities.items():
+        assert np.abs(drift + np.cross(spin, top.nodes[name].at) - velocity).max() < 1e-14
+    momentum = np.array([A, A, C]) * spin / A
+    for t, stored_places in zip((5.0, 10.0), stored("forward")["exact"]["bipyramid"], strict=True):
+        turn = Rotation.from_rotvec(momentum * t) * Rotation.from_rotvec([0.0, 0.0, (1 - C / A) * spin[2] * t])
+        assert np.abs(drift * t + turn.apply(at) - stored_places).max() < 1e-13
+
+
+def test_loads_of_the_leaning_truss_belong_to_the_heights():
+    """The force of both bars on the apex at the expected height: N = E A (l0 - l)/l0, or of Green's strain, E A = l0."""
+    rest = math.hypot(1.0, 0.3)
+    for case in CASES.values():
+        if case.make == "statics.leaning" and case.key == "height":
+            (strain, load), y = case.arguments, case.expected
+            green, length = (0.3**2 - y**2) * y / rest**2, math.hypot(1.0, y)
+            assert load == pytest.approx(green if strain == "green" else 2 * (rest - length) * y / length, rel=1e-13)
 
 
 def test_three_rods_by_lagrange_in_angles():
@@ -115,9 +142,11 @@ def test_andrews_by_its_crank_alone():
     start = andrews.acceleration(andrews.START, np.zeros(7))
     for name, value in zip(names, start, strict=True):
         near(f"forward.andrews.start.acceleration.{name}", value)
-    assert np.array_equal(
-        stored("forward")["exact"]["andrews"][0], [CASES[f"forward.andrews.exact.angle.{n}"].expected for n in names]
-    )
+    motion = andrews.nodes(q, v)
+    for name, (x, *rates) in stored("forward")["exact"]["andrews"].items():
+        assert np.abs(motion[0][name] - x).max() < 1e-13, name
+        for own, value, size in zip(motion[1:], rates, (10.0, 1e4), strict=True):
+            assert np.abs(own[name] - value).max() < 1e-10 * size, name
 
 
 def test_transfer_functions_of_andrews_by_its_crank():
@@ -141,16 +170,16 @@ def test_transfer_functions_of_andrews_by_its_crank():
 def test_ten_bars_by_assembled_matrices(masses):
     from scipy.linalg import eigh
 
-    data = stored("structures")["exact"]["ten_bars"]
-    at = data["bay"] * np.array(data["nodes"])
+    truss, E, area, density = model("ten_bars"), 70e9, 1e-3, 2700.0
+    at, order = solids.drawn(truss), list(truss.nodes)
     K, M = np.zeros((12, 12)), np.zeros((12, 12))
-    for i, j in np.array(data["bars"]) - 1:
+    for i, j in ([order.index(end) for end in bar.ends] for bar in truss.bars.values()):
         d = at[j] - at[i]
         l = float(np.linalg.norm(d))
         dofs = [2 * i, 2 * i + 1, 2 * j, 2 * j + 1]
         along = np.concatenate([-d, d]) / l
-        K[np.ix_(dofs, dofs)] += data["E"] * data["area"] / l * np.outer(along, along)
-        m = data["density"] * data["area"] * l
+        K[np.ix_(dofs, dofs)] += E * area / l * np.outer(along, along)
+        m = density * area * l
         own = np.kron([[2, 1], [1, 2]], np.eye(2)) * m / 6 if masses == "consistent" else np.eye(4) * m / 2
         M[np.ix_(dofs, dofs)] += own
     squares = eigh(K[:8, :8], M[:8, :8], eigvals_only=True)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from kinetruss.verification._cases import cases
+from kinetruss.verification.cases import cases
 from reference import newton_euler, recursive_bays, sections, triangle
 from reference.octahedral import MEMBERS, Bay, bay_truss, quintic
 from reference.taylor import Taylor, cos, sin

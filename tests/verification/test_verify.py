@@ -9,10 +9,8 @@ from dataclasses import replace
 import pytest
 
 import kinetruss as kt
-from kinetruss.verification import _verify
-from kinetruss.verification._case import Case, Report, relative_difference
-from kinetruss.verification._cases import cases, numbers
-from kinetruss.verification._reference import Reference
+from kinetruss.verification import cases as suite
+from kinetruss.verification.cases import Case, Reference, Report, cases, numbers, relative_difference
 
 pytestmark = pytest.mark.slow
 
@@ -113,7 +111,7 @@ def test_a_value_that_is_no_number_fails_and_is_null_in_json():
 
 def test_analyses_are_made_once(monkeypatch):
     calls = []
-    monkeypatch.setattr(_verify, "numbers", lambda *call: calls.append(call) or numbers(*call))
+    monkeypatch.setattr(suite, "numbers", lambda *call: calls.append(call) or numbers(*call))
     found = kt.verification.verify("bay.table_5_2")
     assert len(found.entries) == 14
     assert len(calls) == len({str(call) for call in calls}) < 4

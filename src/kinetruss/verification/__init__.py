@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.verification._case import Entry as Entry, Report as Report
-    from kinetruss.verification._reference import CLAIMS as CLAIMS
-    from kinetruss.verification._verify import verify as verify
+    from kinetruss.verification.cases import CLAIMS as CLAIMS, Entry as Entry, Report as Report, verify as verify
 
 __getattr__, __dir__, __all__ = late(__name__)

@@ -1,1 +1,0 @@
-"""Screws, gears and motors."""

@@ -1,1 +1,0 @@
-"""Elastic members and actuators: frequencies, vibration, corrected drive lengths, active damping."""

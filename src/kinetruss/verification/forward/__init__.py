@@ -1,1 +1,0 @@
-"""Forward dynamics: closed forms, invariants, orders of convergence."""

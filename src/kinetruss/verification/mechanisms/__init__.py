@@ -1,1 +1,0 @@
-"""Loops, joints and robots: counts, closed forms, rates, assembly modes."""

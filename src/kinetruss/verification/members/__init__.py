@@ -1,1 +1,0 @@
-"""Members and joints in more than name: hubs, bearings, screws, compliance, springs on coordinates, beams."""

@@ -1,1 +1,0 @@
-"""Statics, small motions, sizing, gauges, free bodies."""

@@ -1,1 +1,0 @@
-"""Tasks of structures: what is asked for against what the drives give, and what cannot be done."""
