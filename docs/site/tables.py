@@ -10,7 +10,7 @@ import yaml
 from api import text_of
 
 import kinetruss as kt
-from kinetruss.model import Record, field_texts, record as types
+from kinetruss.model import Record, drives, field_texts, joints, record as types, references
 from kinetruss.model.data import ModelData
 from kinetruss.units import unit_of
 
@@ -107,7 +107,7 @@ def _record(record: type[Record]) -> list[str]:
 
 
 WORDS = {
-    "Flag": "true or false", "Name": "name", "Names": "list of names", "str": "text", "Whole": "whole number",
+    "Flag": "true or false", "Name": "name", "Nodes": "list of node names", "str": "text", "Whole": "whole number",
     "Point": "coordinates (m)", "Vector": "vector", "ForceVector": "vector (N)", "GravityVector": "vector (m/s^2)",
     "_Moment": "moment (N m)", "_Stress": "stress (Pa)", "_Times": "list of times (s)", "Direction": "x, y, z or a vector",
     "Axis": "vector", "Shape": "`spline`, `monotone`", "Points": "pairs of numbers",
@@ -117,7 +117,9 @@ WORDS = {
     "HingeAxis": "1, 2, 3 or a vector", "EndCondition": "word or number", "Measured": "coordinate", "Analysis": "word",
 }  # fmt: skip
 """Names of types that are no records -> words."""
-MOVES = "dict[Name, tuple[Coordinate, Coordinate]]"
+TYPES = (types, references, drives, joints)
+"""Modules with types of fields that hold quantities and names."""
+MOVES = "dict[CoordinateName, tuple[Coordinate, Coordinate]]"
 
 
 def _kind(annotation: str) -> str:
@@ -130,18 +132,21 @@ def _kind(annotation: str) -> str:
     before = ""
     while text != before:  # from the inside out
         before = text
-        text = re.sub(r"tuple\[name, \.\.\.\]", "list of names", text)
+        text = re.sub(r"tuple\[([\w ]*\bname), \.\.\.\]", r"list of \1s", text)
         text = re.sub(r"tuple\[([^\[\]]*?), \.\.\.\]", r"list of \1", text)
         text = re.sub(r"tuple\[([^\[\]]*)\]", r"(\1)", text)
-        text = re.sub(r"dict\[name, ([^\[\]]*)\]", r"name → \1", text)
+        text = re.sub(r"dict\[([\w ]*), ([^\[\]]*)\]", r"\1 → \2", text)
     return text.replace(" | ", " or ")
 
 
 def _quantity(word: str) -> str:
-    for one in getattr(getattr(types, word, None), "__metadata__", ()):
+    for one in (mark for module in TYPES for mark in getattr(getattr(module, word, None), "__metadata__", ())):
         if isinstance(one, types.Of):
             unit = unit_of(one.quantity)
             return f"{one.quantity} ({unit})" if unit else one.quantity
+        if isinstance(one, references.Ref):
+            name = one.word if one.word.endswith("coordinate") else f"{one.word} name"
+            return " or ".join([name, *(f"`{other}`" for other in one.also)])
     if word.endswith("OrName"):
         return f"{word.removesuffix('OrName').lower()} or its name"
     return WORDS.get(word, word)

@@ -111,6 +111,8 @@ def test_active_member_beam_body_and_angle_spring_are_drawn_and_have_the_forces_
     hand.button("Angle spring")
     hand.write("springs.spring1.stiffness", "2 kN m/rad")
     hand.write("name of springs spring1", "hinge")
+    offered = hand.page.get_by_label("springs.hinge.coordinate.start", exact=True)
+    assert offered.evaluate("one => [...one.list.options].map(option => option.value)") == list(PLACES)
 
     hand.click("B")
     hand.page.keyboard.down("Shift")

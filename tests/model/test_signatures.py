@@ -29,7 +29,7 @@ def test_help_shows_a_trajectory_and_how_it_is_written():
     for name in ("Quintic", "Trapezoid", "ConstantRate", "Sine", "Cyclic", "StepResponse", "Spline"):
         assert f">>> kt.{name}(" in inspect.getdoc(getattr(kt, name))
     text = pydoc.plain(pydoc.render_doc(kt.ConstantRate))
-    assert "rates: 'dict[Name, Rate]'" in text
+    assert "rates: 'dict[CoordinateName, Rate]'" in text
 
 
 def test_signatures_bind_like_calls():

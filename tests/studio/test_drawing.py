@@ -185,6 +185,17 @@ def test_entries_are_renamed_and_deleted_with_what_refers_to_them():
     assert [found["nodes"], found["members"], found["faults"]] == [["A", "B"], [], []]
 
 
+def test_a_renamed_node_keeps_the_hinge_about_it():
+    desk = Desk()
+    triangle(desk)
+    hinge = {"kind": "hinge", "axis": ["A"], "start": "B", "end": "C"}
+    done(desk, do="set", path=["drives", "fold"], value=hinge)
+    done(desk, do="set", path=["springs", "coil"], value={"terms": [[hinge, 1]], "stiffness": 5})
+    found = done(desk, do="rename", table="nodes", old="A", new="pin")["data"]
+    assert found["drives"]["fold"]["axis"] == ["pin"]
+    assert found["springs"]["coil"]["terms"][0][0]["axis"] == ["pin"]
+
+
 @pytest.mark.slow
 def test_copies_mirror_images_and_stacks():
     desk = Desk()

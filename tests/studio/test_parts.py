@@ -53,7 +53,7 @@ def test_forms_have_every_table_record_and_field_of_the_schema():
     assert "statics.equilibrium" in run["analysis"]["of"]
     assert found["records"]["Spring"]["fields"]["stiffness"]["unit"] == "N/m, or N m/rad"
     assert found["records"]["Active"]["fields"]["motor"] == {
-        "type": "record", "of": ["Motor"], "named": True, "needed": False}  # fmt: skip
+        "type": "record", "of": ["Motor"], "names": ["motors"], "needed": False}  # fmt: skip
 
 
 @pytest.mark.slow

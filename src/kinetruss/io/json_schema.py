@@ -28,7 +28,8 @@ def schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of model files, made from the records; the shipped file holds the same.
 
     It allows what `read` allows in form: text with units, plain lists for nodes, bars and beams, a list under ``fixed`` and
-    ``clamped``, ``file`` in place of a table, ``library``. References and units are checked by `check`.
+    ``clamped``, ``file`` in place of a table, ``library``. Of a text that names an entry ``x-names`` lists the tables of such
+    entries, ``x-also`` other words for them. References and units are checked by `check`.
 
     Examples
     --------

@@ -10,19 +10,9 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io.library_models import fields
 from kinetruss.io.yaml_text import parse_yaml, plain
 from kinetruss.model import Model, Record, nearest
+from kinetruss.model.references import names_in
 
 Keys = tuple[str | int, ...]
-
-_TABLES = {
-    "section": "sections",
-    "material": "materials",
-    "screw": "screws",
-    "gear": "gears",
-    "motor": "motors",
-    "amplifier": "amplifiers",
-    "trajectory": "trajectories",
-}
-"""Fields that may hold a name -> the table of that name."""
 
 
 def set_value(model: Model, path: str, value: Any) -> Model:
@@ -32,7 +22,7 @@ def set_value(model: Model, path: str, value: Any) -> Model:
     ----------
     model : the model; it is not changed.
     path : e.g. ``runs.extend.trajectory.duration`` or ``nodes.N4.at.0``. Names may contain dots; the longest match
-    is used. If a path continues after the name of a record in another table (here a trajectory), that record is changed.
+    is used. If a path continues after the name of an entry of a table (here a trajectory), that entry is changed.
     value : as in a model file; text with units, and lists in brackets, are read as in a file. ``~`` removes the value.
 
     Raises
@@ -109,12 +99,15 @@ def resolved(model: Model, path: str) -> Keys:
     keys: list[str | int] = []
     rest = path.split(".")
     while rest:
-        if isinstance(here, str) and keys and keys[-1] in _TABLES:
-            table = _TABLES[str(keys[-1])]
-            keys, here = [table, here], getattr(model, table).get(here)
         key, rest = _next(here, rest, keys)
         keys.append(key)
-        here = getattr(here, str(key)) if isinstance(here, Record) else here[key]
+        if not isinstance(here, Record):
+            here = here[key]
+            continue
+        record, here = here, getattr(here, str(key))
+        refs = [ref for ref, _, place in names_in(record) if place == (key,)] if rest and isinstance(here, str) else []
+        if refs and (home := [table for table in refs[0].tables if here in getattr(model, table)]):
+            keys, here = [home[0], here], getattr(model, home[0])[here]
     return tuple(keys)
 
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from kinetruss.errors import Fault, few
 from kinetruss.model.beam_frames import SHAPE, Axes, Hinge, frame_of, frames, hinges, sound_beams
-from kinetruss.model.common_faults import components, unknown
+from kinetruss.model.common_faults import components
 from kinetruss.model.drives import CoordinateDrive, Coupling
 from kinetruss.model.joints import GROUND
 from kinetruss.model.loads import BodyCouple, BodyForce
@@ -268,7 +268,6 @@ def _ends(model: ModelData, beam: Beam, path: Path) -> Any:
     good = True
     for k, end in enumerate(beam.ends):
         if end not in model.nodes:
-            yield unknown("node", end, model.nodes, (*path, "ends", k))
             good = False
         elif model.nodes[end].scalar or model.nodes[end].director:
             yield Fault(
@@ -293,8 +292,6 @@ def _matter(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Faul
         if chosen is None:
             lacks.append(field)
         elif isinstance(chosen, str) and chosen not in table:
-            if getattr(beam, field) is not None:
-                yield unknown(field, chosen, table, (*path, field))
             return
     about = tuple((*place, field) for place in (path, ()) for field in ("section", "material"))
     if beam.kind == "elastic" and lacks:
@@ -354,9 +351,7 @@ def _rotation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fa
     elif dim == 3:
         mend = "Leave it out: frames carry rotations in space."
         yield Fault(place, "is one angle, but the beam turns in space.", mend, about=(("nodes",),))
-    elif beam.rotation not in model.nodes:
-        yield unknown("node", beam.rotation, model.nodes, place)
-    elif not model.nodes[beam.rotation].scalar:
+    elif beam.rotation in model.nodes and not model.nodes[beam.rotation].scalar:
         mend = f"Make it one: {beam.rotation}: {{at: [0, 0], scalar: true}}."
         yield Fault(place, f"{beam.rotation!r} is no scalar.", mend, about=(("nodes", beam.rotation),))
     elif held := [end for end in beam.ends if end not in beam.release and end in frames(model)]:
@@ -373,7 +368,6 @@ def _orientation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator
     a, b = (model.nodes[end].at for end in beam.ends)
     if isinstance(given, str):
         if given not in model.nodes:
-            yield unknown("node", given, model.nodes, place)
             return
         given = tuple(v - u for u, v in zip(a, model.nodes[given].at, strict=True))
     elif len(given) != dim:
@@ -397,14 +391,11 @@ def _clamps(model: ModelData) -> Iterator[Fault]:
     framed = frames(model)
     for node, to in model.clamped.items():
         place = ("clamped", node)
-        if node not in model.nodes:
-            yield unknown("node", node, model.nodes, place)
-        elif node not in framed:
+        body = model.bodies.get(to) if to != GROUND else None
+        if node in model.nodes and node not in framed:
             if not any(node in beam.ends for beam in model.beams.values()):  # released ones are pinned there
                 mend = "Join a beam to it, or fix the node."
                 yield Fault(place, "is clamped, but no beam has its rotation.", mend, about=(("beams",),))
-        elif to != GROUND and to not in model.bodies:
-            yield unknown("body", to, [*model.bodies, GROUND], place)
-        elif to != GROUND and (model.bodies[to].kind != "rigid" or node not in model.bodies[to].nodes):
+        elif node in framed and body is not None and (body.kind != "rigid" or node not in body.nodes):
             message = f"is clamped to {to!r}, which is not a rigid body with this node."
             yield Fault(place, message, "Add the node to the nodes of a rigid body.", about=(("bodies", to),))

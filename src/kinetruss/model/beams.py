@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from kinetruss.model.record import Delay, Mass, Name, Number, Record, Series, short_form
+from kinetruss.model.references import NodeName
 from kinetruss.model.sections import MaterialOrName, SectionOrName
 from kinetruss.model.table import ReadOnly, Table
 
@@ -48,15 +49,15 @@ class Beam(Record):
     ['A', 'B', 'A.d1', 'A.d2', 'B.d1', 'B.d2']
     """
 
-    ends: tuple[Name, Name]
+    ends: tuple[NodeName, NodeName]
     kind: Literal["elastic", "rigid"] = "elastic"
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     mass: Mass | None = None
-    orientation: Name | Vector | None = None
+    orientation: NodeName | Vector | None = None
     release: Annotated[tuple[Name, ...], Series] = ()
     hinges: Table[Name, Literal[1, 2, 3] | Vector] = ReadOnly()
-    rotation: Name | None = None
+    rotation: NodeName | None = None
     damping: Delay = 0.0
 
     @model_validator(mode="before")

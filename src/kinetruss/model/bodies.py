@@ -8,7 +8,8 @@ import numpy as np
 from pydantic import Field, PlainValidator, WithJsonSchema, model_validator
 
 from kinetruss.errors import shown
-from kinetruss.model.record import Flag, Mass, Name, Number, Point, Record, Series, short_form
+from kinetruss.model.record import Flag, Mass, Number, Point, Record, Series, short_form
+from kinetruss.model.references import NodeName
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -85,12 +86,12 @@ class Body(Record):
     ['b.O-X', 'b.O-Y', 'b.O-Z', 'b.X-Y', 'b.X-Z', 'b.Y-Z']
     """
 
-    nodes: Annotated[tuple[Name, ...], Field(min_length=1), Series]
+    nodes: Annotated[tuple[NodeName, ...], Field(min_length=1), Series]
     mass: Mass = 0.0
     center: Point | None = None
     inertia: InertiaTensor | None = None
     frame: Frame | None = None
-    carriers: Annotated[tuple[Name, ...], Field(min_length=1), Series] | None = None
+    carriers: Annotated[tuple[NodeName, ...], Field(min_length=1), Series] | None = None
     kind: Literal["rigid", "straining"] = "rigid"
     brace: Flag = True
 

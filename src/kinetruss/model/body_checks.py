@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.bracing import ROUND, place_faults
-from kinetruss.model.common_faults import a_bar, components, unknown
+from kinetruss.model.common_faults import a_bar, components
 from kinetruss.model.drives import LengthDrive
 
 if TYPE_CHECKING:
@@ -29,7 +29,8 @@ def body_faults(model: ModelData, dim: int) -> Iterator[Fault]:
         path = ("bodies", name)
         found = [*_names(model, body, path, dim), *_numbers(body, path, dim)]
         yield from found
-        if not found and all(len(model.nodes[node].at) == dim for node in body.nodes):
+        nodes = [model.nodes.get(node) for node in (*body.nodes, *(body.carriers or ()))]
+        if not found and all(node is not None and len(node.at) == dim for node in nodes):
             yield from place_faults(model, body, path, dim, driven)
 
 
@@ -61,11 +62,9 @@ def _names(model: ModelData, body: Body, path: tuple[str, str], dim: int) -> Ite
     for field in ("nodes", "carriers"):
         names: Sequence[str] = getattr(body, field) or ()
         for index, node in enumerate(names):
-            if node not in model.nodes:
-                yield unknown("node", node, model.nodes, (*path, field, index))
-            elif node in names[:index]:
+            if node in names[:index]:
                 yield Fault((*path, field, index), f"names {node!r} twice.", "Name each node once.")
-            elif field == "carriers" and node not in body.nodes:
+            elif field == "carriers" and node in model.nodes and node not in body.nodes:
                 mend = f"Add it to the body's nodes, or take of {', '.join(body.nodes)}."
                 yield Fault((*path, field, index), f"{node!r} is no node of the body.", mend)
     about = ((*path, "nodes"),)

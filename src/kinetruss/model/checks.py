@@ -10,15 +10,16 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 from kinetruss.model.beam_checks import beam_faults
 from kinetruss.model.body_checks import body_faults, planar_body_faults
-from kinetruss.model.common_faults import a_bar, components, other_quantity, unknown
+from kinetruss.model.common_faults import a_bar, components, other_quantity
 from kinetruss.model.continua import continuum_faults
 from kinetruss.model.coordinate_checks import coupling_faults, joint_faults, measured_faults, spring_faults
-from kinetruss.model.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive
+from kinetruss.model.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, coordinate_kinds
 from kinetruss.model.gauges import gauge_faults
 from kinetruss.model.hub_expansion import bearing_faults
 from kinetruss.model.load_checks import load_faults
 from kinetruss.model.members import Active, elastic_faults
-from kinetruss.model.run_checks import all_condition_faults, coordinate_kinds, run_faults, value_faults, velocity_faults
+from kinetruss.model.references import unknown_names
+from kinetruss.model.run_checks import all_condition_faults, run_faults, value_faults
 from kinetruss.model.simulation import TRAJECTORY_TASKS
 from kinetruss.model.trajectories import length_faults, moved_by
 
@@ -36,6 +37,7 @@ def faults(model: ModelData) -> list[Fault]:
     """
     dim = _dim(model)
     return [
+        *unknown_names(model, model, ()),
         *_nodes(model, dim),
         *_members(model),
         *planar_body_faults(model),
@@ -43,7 +45,6 @@ def faults(model: ModelData) -> list[Fault]:
         *beam_faults(model, dim),
         *joint_faults(model),
         *(bearing_faults(model) if model.bearings else ()),
-        *_tables(model),
         *_loads(model, dim),
         *_drives(model),
         *coupling_faults(model),
@@ -52,7 +53,6 @@ def faults(model: ModelData) -> list[Fault]:
         *run_faults(model),
         *all_condition_faults(model),
         *_gauges(model),
-        *gauge_faults(model),
         *continuum_faults(model, dim),
     ]
 
@@ -90,12 +90,12 @@ def _nodes(model: ModelData, dim: int) -> Iterator[Fault]:
             mend = f"Join the bars at one node, or move one, or say {name}: {{at: [..], coincident: true}} if it is meant."
             yield Fault(("nodes", name), f"stands where node {other!r} stands, at {node.at}.", mend)
     for name, axes in model.fixed.items():
-        if name not in model.nodes:
-            yield unknown("node", name, model.nodes, ("fixed", name))
-        elif dim == 2 and "z" in axes:
+        if dim == 2 and "z" in axes and name in model.nodes:
             yield Fault(("fixed", name), "fixes z in a planar model.", "Leave out z.")
     yield from components(model.gravity, dim, ("gravity",))
-    yield from velocity_faults(model, dim)
+    for name, vector in model.velocities.items():
+        if name in model.nodes:
+            yield from components(vector, dim, ("velocities", name))
 
 
 def _compliance(model: ModelData, name: str, member: Active) -> Iterator[Fault]:
@@ -132,27 +132,22 @@ def _members(model: ModelData) -> Iterator[Fault]:
 
 def _ends(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
     p, q = member.ends
-    for index, end in enumerate(member.ends):
-        if end not in model.nodes:
-            yield unknown("node", end, model.nodes, (*path, "ends", index))
+    a, b = model.nodes.get(p), model.nodes.get(q)
     if p == q:
         yield Fault((*path, "ends"), f"joins node {p!r} to itself.", "Give two different nodes.")
-    elif any(end in model.nodes and model.nodes[end].scalar for end in member.ends):
+    elif (a and a.scalar) or (b and b.scalar):
         yield Fault((*path, "ends"), "joins a scalar, which is no place.", "Couple it to the bar instead (couplings).")
-    elif p in model.nodes and q in model.nodes and model.nodes[p].at == model.nodes[q].at:
+    elif a and b and a.at == b.at:
         yield Fault((*path, "ends"), f"has zero length: {p!r} and {q!r} stand at one place.", "Move one of its ends.")
 
 
 def _orientation(model: ModelData, member: Any, path: tuple[str, str]) -> Iterator[Fault]:
     place = (*path, "orientation")
-    if member.orientation not in model.nodes:
-        yield unknown("node", member.orientation, model.nodes, place)
-    elif member.orientation in member.ends:
+    points = [model.nodes[name].at for name in (*member.ends, member.orientation) if name in model.nodes]
+    if member.orientation in member.ends:
         yield Fault(place, "is one of the bar's own ends.", "Name a third node off the bar's line.")
-    elif all(end in model.nodes for end in member.ends):
-        points = [model.nodes[name].at for name in (*member.ends, member.orientation)]
-        if {len(point) for point in points} == {3} and _on_line(*points):
-            yield Fault(place, "stands on the bar's line, so it spans no plane with it.", "Name a node off that line.")
+    elif [len(point) for point in points] == [3, 3, 3] and _on_line(*points):
+        yield Fault(place, "stands on the bar's line, so it spans no plane with it.", "Name a node off that line.")
 
 
 def _on_line(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> bool:
@@ -185,7 +180,7 @@ def _active(model: ModelData, name: str, active: Any) -> Iterator[Fault]:
             yield from _rotary(model, part, path)
     yield from _rods(model, name, active)
     yield from _masses(name, active)
-    yield from _train(model, active, ("active", name))
+    yield from _train(active, ("active", name))
     if active.motor is not None and active.screw is None:
         about = (("active", name, "screw"),)
         yield Fault(("active", name, "motor"), "turns nothing: there is no screw.", "Give a screw.", about=about)
@@ -222,16 +217,10 @@ def _masses(name: str, active: Active) -> Iterator[Fault]:
             if not 0 <= one.at <= rod.length * (1 + 1e-9):
                 message = f"{one.at:g} m is not on the {side}, which is {rod.length:g} m long."
                 yield Fault((*path, "at"), message, f"Give 0 to {rod.length:g} m from its clamped end.")
-            if one.mass < 0:
-                yield Fault((*path, "mass"), f"{one.mass:g} kg is negative.", "Give 0 or more.")
 
 
-def _train(model: ModelData, one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
-    """Unknown parts of a drive train, and an amplifier without a motor."""
-    for kind in ("screw", "gear", "motor", "amplifier"):
-        chosen, table = getattr(one, kind, None), getattr(model, f"{kind}s")
-        if isinstance(chosen, str) and chosen not in table:
-            yield unknown(kind, chosen, table, (*path, kind))
+def _train(one: Any, path: tuple[str, ...]) -> Iterator[Fault]:
+    """An amplifier without a motor."""
     if one.amplifier is not None and one.motor is None:
         about = ((*path, "motor"),)
         yield Fault((*path, "amplifier"), "feeds nothing: there is no motor.", "Give a motor.", about=about)
@@ -258,30 +247,13 @@ def _rotary(model: ModelData, part: Any, path: tuple[str, ...]) -> Iterator[Faul
         yield Fault(path, "needs a section with I2 = I3 in space.", "Use a tube or rod, or switch it off.")
 
 
-def _tables(model: ModelData) -> Iterator[Fault]:
-    parts: list[tuple[tuple[str, ...], Any]] = [((), model)]
-    parts += [(("bars", name), bar) for name, bar in model.bars.items()]
-    for name, active in model.active.items():
-        parts += [(("active", name, "base"), active.base), (("active", name, "tube"), active.tube)]
-    for path, part in parts:
-        if isinstance(part.section, str) and part.section not in model.sections:
-            yield unknown("section", part.section, model.sections, (*path, "section"))
-        if isinstance(part.material, str) and part.material not in model.materials:
-            yield unknown("material", part.material, model.materials, (*path, "material"))
-
-
 def _loads(model: ModelData, dim: int) -> Iterator[Fault]:
     yield from load_faults(model, dim)
     for name, case in model.load_cases.items():
-        for used in case.loads or ():
-            if used not in model.loads:
-                yield unknown("load", used, model.loads, ("load_cases", name, "loads", used))
         yield from components(case.gravity, dim, ("load_cases", name, "gravity"))
     for node, history in model.support_motion.items():
         path = ("support_motion", node)
-        if node not in model.nodes:
-            yield unknown("node", node, model.nodes, path)
-        elif node not in model.fixed:
+        if node in model.nodes and node not in model.fixed:
             mend = f"Fix it first: fixed: {{{node}: {'xyz'[:dim]}}}."
             yield Fault(path, "is not a fixed node.", mend, about=(("fixed", node),))
         for index, vector in enumerate(history.displacements):
@@ -296,7 +268,7 @@ def _drives(model: ModelData) -> Iterator[Fault]:
         target = _target(drive)
         if isinstance(drive, (AngleDrive, HingeDrive)):
             yield from measured_faults(model, drive, path)
-            yield from _train(model, drive, path)
+            yield from _train(drive, path)
         else:
             yield from (_node_drive if isinstance(drive, CoordinateDrive) else _bar_drive)(model, drive, path)
         if name in own and target != ("length", name, None):
@@ -304,10 +276,6 @@ def _drives(model: ModelData) -> Iterator[Fault]:
         if target in driven:
             yield Fault(path, f"drives what {driven[target]!r} drives already.", "Keep one of them.")
         driven.setdefault(target, name)
-    for name, pose in model.poses.items():
-        for index, member in enumerate(pose.drives):
-            if member not in model.all_drives:
-                yield unknown("drive", member, model.all_drives, ("poses", name, "drives", index))
 
 
 def _target(drive: Any) -> tuple[Any, ...]:
@@ -320,18 +288,13 @@ def _target(drive: Any) -> tuple[Any, ...]:
 
 
 def _node_drive(model: ModelData, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
-    if drive.node not in model.nodes:
-        yield unknown("node", drive.node, model.nodes, (*path, "node"))
-    elif drive.axis in model.fixed.get(drive.node, ""):
+    if drive.node in model.nodes and drive.axis in model.fixed.get(drive.node, ""):
         yield Fault(path, f"moves {drive.node}.{drive.axis}, which is fixed.", "Free that axis, or drive another.")
     if _dim(model) == 2 and drive.axis == "z":
         yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
 
 
 def _bar_drive(model: ModelData, drive: Any, path: tuple[str, ...]) -> Iterator[Fault]:
-    members = model.members
-    if drive.bar not in members:
-        yield unknown("member", drive.bar, members, (*path, "bar"))
     if (
         isinstance(drive, LengthDrive)
         and drive.bar in model.bars
@@ -356,7 +319,7 @@ def _trajectories(model: ModelData) -> Iterator[Fault]:
         if isinstance(task, TRAJECTORY_TASKS)
     ]
     for path, trajectory in found:
-        yield from trajectory_faults(model, trajectory, path)
+        yield from _trajectory(model, trajectory, path)
 
 
 def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
@@ -368,16 +331,20 @@ def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] =
     >>> [fault.message for fault in kt.model.trajectory_faults(model, wrong)]
     ["no drive or pose coordinate called 'motor'."]
     """
+    moved_by(trajectory)  # refuses what is none
+    yield from unknown_names(model, trajectory, path)
+    yield from _trajectory(model, trajectory, path)
+
+
+def _trajectory(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Values in units of another kind, drives that their pose moves too, members that lose their length."""
     kinds = coordinate_kinds(model)
     field, table = moved_by(trajectory)
     for name, value in table.items():
         place = (*path, field, name)
-        if name not in kinds:
-            yield unknown("drive or pose coordinate", name, kinds, place)
-            continue
         for number in value if isinstance(value, tuple) else (value,):
             given = getattr(number, "quantity", None)
-            if given is not None and given != kinds[name]:
+            if given is not None and given != kinds.get(name, given):
                 yield other_quantity(place, field, given, kinds[name])
                 break
     yield from _both_ways(model, set(table), path)
@@ -395,12 +362,6 @@ def _both_ways(model: ModelData, named: set[str], path: tuple[Any, ...]) -> Iter
 
 
 def _gauges(model: ModelData) -> Iterator[Fault]:
-    for name, gauge in model.gauges.items():
-        if gauge.member not in model.members:
-            yield unknown("member", gauge.member, model.members, ("gauges", name, "member"))
-    zero = model.gauge_zero
-    if zero is None:
-        return
-    yield from value_faults(model, zero.at, ("gauge_zero", "at"))
-    if zero.load_case is not None and zero.load_case not in model.load_cases:
-        yield unknown("load case", zero.load_case, model.load_cases, ("gauge_zero", "load_case"))
+    if model.gauge_zero is not None:
+        yield from value_faults(model, model.gauge_zero.at, ("gauge_zero", "at"))
+    yield from gauge_faults(model)

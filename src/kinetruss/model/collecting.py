@@ -3,42 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from functools import cache
+from typing import Any, get_args, get_origin
 
 from pydantic import ValidationError
 
 from kinetruss.errors import Fault, ModelError, shown
+from kinetruss.model.record import Record
+from kinetruss.model.references import Ref, kinds
 from kinetruss.model.words import Path, faults_of, nearest
-from kinetruss.shelves import shelf
-
-_TABLES = {
-    "section": "sections",
-    "material": "materials",
-    "screw": "screws",
-    "gear": "gears",
-    "motor": "motors",
-    "amplifier": "amplifiers",
-}
-_TRAIN = ("screw", "gear", "motor", "amplifier")
-_MATTER = ("section", "material")
-
-_FIELDS = {
-    "bars": _MATTER,
-    "beams": _MATTER,
-    "hubs": _MATTER,
-    "membranes": ("material",),
-    "solids": ("material",),
-    "drives": _TRAIN,
-    "active": _TRAIN,
-}
-"""Table of a model -> fields of its records that may hold a name."""
+from kinetruss.shelves import shelf, shelves
 
 
-def with_library_records(data: Mapping[str, Any]) -> dict[str, Any]:
+def with_library_records(record: type[Record], data: Mapping[str, Any]) -> dict[str, Any]:
     """The data of a model with the library records that it names, but does not define, added to its tables."""
     added: dict[str, dict[str, Any]] = {}
-    for field, name in set(_named(data)):
-        table = _TABLES[field]
+    for table, name in dict.fromkeys(_named(record, data)):
         own = data.get(table)
         if (own is None or (isinstance(own, Mapping) and name not in own)) and name in (records := shelf(table)):
             added.setdefault(table, {})[name] = records[name]
@@ -54,24 +34,33 @@ def from_library(value: Any, table: str) -> Any:
     return found
 
 
-def _named(data: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Field and name of every record that the data name."""
-    yield from _names_in(data, _MATTER)
-    for table, fields in _FIELDS.items():
-        members = data.get(table)
-        for member in members.values() if isinstance(members, Mapping) else ():
-            yield from _names_in(member, fields)
-            if table == "active":
-                for side in ("base", "tube"):
-                    part = member.get(side) if isinstance(member, Mapping) else getattr(member, side, None)
-                    yield from _names_in(part, _MATTER)
+def _named(record: type[Record], data: Any) -> Iterator[tuple[str, str]]:
+    """Table and name of every entry that the data of a record name and the library may have."""
+    for field, table, below, tabled in _naming(record):
+        value = data.get(field) if isinstance(data, Mapping) else getattr(data, field, None)
+        if isinstance(value, str):
+            if table:
+                yield table, value
+        elif value is not None:
+            for kind in below:
+                for one in value.values() if tabled and isinstance(value, Mapping) else (value,):
+                    yield from _named(kind, one)
 
 
-def _names_in(part: Any, fields: tuple[str, ...]) -> Iterator[tuple[str, str]]:
-    for field in fields:
-        name = part.get(field) if isinstance(part, Mapping) else getattr(part, field, None)
-        if isinstance(name, str):
-            yield field, name
+@cache
+def _naming(record: type[Record]) -> tuple[tuple[str, str, tuple[type[Record], ...], bool], ...]:
+    """The fields of a record that can name entries of the library: the table, the records in which such fields are, and
+    whether the field is a table of these.
+    """
+    found = []
+    for name, field in record.model_fields.items():
+        tabled = get_origin(field.annotation) is dict
+        types = [*kinds(get_args(field.annotation)[1] if tabled else field.annotation, field.metadata)]
+        tables = [mark.tables[0] for _, marks in types for mark in marks if isinstance(mark, Ref)]
+        table = next((one for one in tables if one in shelves()), "")
+        below = () if table else tuple(one for one, _ in types if isinstance(one, type) and issubclass(one, Record))
+        found += [(name, table, below, tabled)] if table or below else []
+    return tuple(found)
 
 
 # All faults of the data of a model at once: field faults, then cross-faults of the model without the faulty fields.

@@ -1,46 +1,11 @@
-"""Faults of many cross-checks: an unknown name, a vector of another dimension."""
+"""Faults of many cross-checks: a vector of another dimension, an angle in place of a length."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from kinetruss.errors import Fault, shown
-from kinetruss.model.words import SECTIONS, nearest
-from kinetruss.shelves import shelf
-
-# tables that may define a name of each kind
-_TABLES = {
-    "node": ("nodes",),
-    "member": ("bars", "active"),
-    "body": ("bodies",),
-    "section": ("sections",),
-    "material": ("materials",),
-    "screw": ("screws",),
-    "gear": ("gears",),
-    "motor": ("motors",),
-    "amplifier": ("amplifiers",),
-    "load": ("loads",),
-    "load case": ("load_cases",),
-    "trajectory": ("trajectories",),
-    "condition": ("conditions",),
-    "run or trajectory": ("runs", "trajectories"),
-    "drive": ("drives", "bars", "active"),
-    "coordinate": ("drives", "bars", "active"),
-    "drive or pose coordinate": ("drives", "bars", "active"),
-}
-
-
-def unknown(what: str, name: str, known: Iterable[str], path: tuple[Any, ...]) -> Fault:
-    """The fault of an unknown name, with the most similar ones, those of the library included."""
-    known = [*known, *(one for table in _TABLES[what] for one in shelf(table) if one not in known)]
-    about = [(table, name) for table in _TABLES[what]]
-    if what == "drive or pose coordinate":
-        about.append(("poses", name.rpartition(".")[0]))
-    mend = nearest(name, known)
-    if what == "section" and not mend.startswith("Did"):
-        mend = f"{SECTIONS} By name, {mend[0].lower()}{mend[1:]}"
-    return Fault(path, f"no {what} called {shown(name)}.", mend, about=tuple(about))
+from kinetruss.errors import Fault
 
 
 def components(vector: Sequence[float] | None, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:

@@ -11,8 +11,9 @@ from pydantic import Field, WithJsonSchema, model_validator
 from pydantic_core import core_schema
 
 from kinetruss.errors import Fault, few
-from kinetruss.model.common_faults import components, unknown
-from kinetruss.model.record import Density, Name, Number, PositiveLength, Record, Series, Stress
+from kinetruss.model.common_faults import components
+from kinetruss.model.record import Density, Number, PositiveLength, Record, Series, Stress
+from kinetruss.model.references import NodeName
 from kinetruss.model.sections import Material, MaterialOrName
 
 if TYPE_CHECKING:
@@ -139,7 +140,7 @@ class Membrane(Record):
     Its mass is that of uniform triangles. It also carries compression: wrinkling is not modelled.
     """
 
-    nodes: Annotated[tuple[Name, ...], Series]
+    nodes: Annotated[tuple[NodeName, ...], Series]
     elements: Elements
     thickness: PositiveLength
     material: MaterialOrName | None = None
@@ -165,7 +166,7 @@ class Solid(Record):
         nu23, G13, G23. axes : directions of material axes 1 and 2; by default x and y. Strain and mass as in `Membrane`.
     """
 
-    nodes: Annotated[tuple[Name, ...], Series]
+    nodes: Annotated[tuple[NodeName, ...], Series]
     elements: Elements
     material: MaterialOrName | None = None
     orthotropic: Orthotropic | None = None
@@ -203,13 +204,7 @@ def continuum_faults(model: ModelData, dim: int) -> Iterator[Fault]:
 
 def _nodes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Any:
     """Faults of the nodes; returns True if the shape can be checked."""
-    good = True
-    for k, node in enumerate(part.nodes):
-        if node not in model.nodes:
-            yield unknown("node", node, model.nodes, (*path, "nodes", k))
-            good = False
-        elif len(model.nodes[node].at) != dim:
-            good = False
+    good = all(node in model.nodes and len(model.nodes[node].at) == dim for node in part.nodes)
     if len(set(part.nodes)) < len(part.nodes):
         twice = next(node for node in part.nodes if part.nodes.count(node) > 1)
         yield Fault((*path, "nodes"), f"names {twice!r} twice.", "Name each node once.")
@@ -229,7 +224,7 @@ def _nodes(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Any:
 
 
 def _material(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> Iterator[Fault]:
-    """No material, an unknown one, or one that this law does not support."""
+    """No material, or one that this law does not support."""
     chosen = part.material if part.material is not None else model.material
     about = ((*path, "material"), (*path, "orthotropic"), ("material",), ("materials",))
     solid = path[0] == "solids"
@@ -243,9 +238,6 @@ def _material(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> I
             yield Fault((*path, "orthotropic"), "lacks shear moduli.", "Give G13 and G23.")
     elif chosen is None:
         yield Fault(path, "has no material.", "Give material or orthotropic, or a material of the model.", about=about)
-    elif isinstance(chosen, str) and chosen not in model.materials:
-        if part.material is not None:
-            yield unknown("material", chosen, model.materials, (*path, "material"))
     elif (solid or part.plane == "strain") and _poisson(model, chosen) > 0.499999:
         mend = "Give poisson below 0.5, e.g. 0.49."
         yield Fault(path, "has an incompressible material (poisson 0.5), which this law cannot take.", mend, about=about)
@@ -254,7 +246,7 @@ def _material(model: ModelData, part: Any, path: tuple[str, str], dim: int) -> I
 
 
 def _poisson(model: ModelData, chosen: Any) -> float:
-    material = model.materials[chosen] if isinstance(chosen, str) else chosen
+    material = model.materials.get(chosen) if isinstance(chosen, str) else chosen
     return material.poisson if isinstance(material, Material) else 0.0
 
 

@@ -7,10 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.common_faults import unknown
 from kinetruss.model.drives import geared
 from kinetruss.model.joints import GROUND, SHARED
-from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
@@ -69,11 +67,9 @@ def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
     """Faults of one coordinate, given as the drive that would move it."""
     dim = len(next(iter(model.nodes.values())).at)
     if one.kind == "coordinate":
-        yield from _nodes(model, (one.node,), path)
         if dim == 2 and one.axis == "z":
             yield Fault((*path, "axis"), "is z in a planar model.", "Choose x or y.", about=(("nodes",),))
     elif one.kind == "cosine":
-        yield from _nodes(model, (one.node,), path)
         if one.node in model.nodes and not model.nodes[one.node].scalar:
             mend = f"Make it one: {one.node}: {{at: [..], scalar: true}}."
             yield Fault((*path, "node"), f"{one.node!r} is no scalar.", mend, about=(("nodes", one.node),))
@@ -81,17 +77,8 @@ def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
         yield from _offset(model, one, path, dim)
     elif one.kind == "hinge":
         yield from _hinge(model, one, path, dim)
-    else:
-        if one.bar not in model.members:
-            yield unknown("member", one.bar, model.members, (*path, "bar"))
-        elif one.kind == "angle":
-            yield from _angle(model, one, path, dim)
-
-
-def _nodes(model: ModelData, names: tuple[str, ...], path: Path) -> Iterator[Fault]:
-    for name in names:
-        if name not in model.nodes:
-            yield unknown("node", name, model.nodes, path)
+    elif one.kind == "angle" and one.bar in model.members:
+        yield from _angle(model, one, path, dim)
 
 
 def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
@@ -116,7 +103,6 @@ def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
 
 def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
     names = (*one.line, one.point)
-    yield from _nodes(model, names, path)
     if dim == 3:
         yield Fault(path, "is an offset from a line in space.", "Offsets are for planar models.", about=(("nodes",),))
     elif len(set(names)) < 3:
@@ -127,7 +113,6 @@ def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]
 
 def _hinge(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
     names = (*one.axis, one.start, one.end)
-    yield from _nodes(model, names, path)
     if len(one.axis) != dim - 1:
         wanted = "one node" if dim == 2 else "two nodes"
         where = "in the plane" if dim == 2 else "in space"
@@ -168,23 +153,13 @@ def _across(r: Any, axis: Any) -> float:
     return math.hypot(*cross) / math.hypot(*axis)
 
 
-# Cross-checks of joints: their names must be known, and their bodies must share the nodes.
+# Cross-checks of joints: their bodies must share the nodes.
 
 
 def joint_faults(model: ModelData) -> Iterator[Fault]:
-    """Unknown names; equal bodies; nodes that do not belong to them."""
+    """Equal bodies; nodes that do not belong to them."""
     for name, joint in model.joints.items():
-        path = ("joints", name)
-        yield from _bodies(model, joint, path)
-        measured = [node for hinge in joint.hinges for node in (*hinge.axis, hinge.start, hinge.end)]
-        for table, names in (
-            ("nodes", (*joint.nodes, *measured, *(joint.slide or ()))),
-            ("bars", joint.bars),
-            ("couplings", joint.couplings),
-        ):
-            known = getattr(model, table)
-            for missing in dict.fromkeys(one for one in names if one not in known):
-                yield Fault((*path, table), f"no {table[:-1]} called {missing!r}.", nearest(missing, known))
+        yield from _bodies(model, joint, ("joints", name))
 
 
 def _bodies(model: ModelData, joint: Joint, path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -192,13 +167,12 @@ def _bodies(model: ModelData, joint: Joint, path: tuple[Any, ...]) -> Iterator[F
     sets: list[set[str]] = []
     if first == second:
         yield Fault((*path, "bodies"), f"joins {first!r} to itself.", "Name two different bodies, or ground.")
-    for index, body in enumerate(joint.bodies):
+    for body in joint.bodies:
         if body == GROUND:
             own = set(model.fixed)
         elif body in model.bodies:
             own = set(model.bodies[body].nodes)
         else:
-            yield unknown("body", body, [*model.bodies, GROUND], (*path, "bodies", index))
             continue
         sets.append(own)
         if not own & set(joint.nodes):

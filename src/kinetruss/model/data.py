@@ -15,10 +15,11 @@ from kinetruss.model.drives import AngleDrive, Coupling, Drive, HingeDrive, Leng
 from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
-from kinetruss.model.joints import GROUND, Bearing, Joint
+from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
 from kinetruss.model.loads import History, Load, LoadCase
 from kinetruss.model.members import Active, Bar, Node
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
+from kinetruss.model.references import NodeName
 from kinetruss.model.runs import BaseRotation, Condition, Run
 from kinetruss.model.sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.model.table import Filled, ReadOnly, Table
@@ -51,7 +52,7 @@ def _grounded(value: Any) -> Any:
     return value
 
 
-Clamps = Annotated[Table[Name, Name], BeforeValidator(_grounded)]
+Clamps = Annotated[Table[NodeName, BodyOrGroundName], BeforeValidator(_grounded)]
 
 
 class Safety(Record):
@@ -97,7 +98,7 @@ class ModelData(Record):
     """What the model is; the heading of reports and pictures."""
     nodes: Filled[Name, Node]
     """Points by name: place [x, y] or [x, y, z] in the start configuration, or a record with a mass."""
-    fixed: Table[Name, Axes] = ReadOnly()
+    fixed: Table[NodeName, Axes] = ReadOnly()
     """Supports: a list of nodes, or node -> the axes in which it is held, e.g. xy."""
     bars: Table[Name, Bar] = ReadOnly()
     """Members by name: their two nodes, or a record with kind, section, mass and length. Rigid unless a kind is given."""
@@ -111,7 +112,7 @@ class ModelData(Record):
     """Rigid or straining masses on nodes: mass, centre and inertia."""
     joints: Table[Name, Joint] = ReadOnly()
     """Joints between bodies that `library.joints` has built from nodes and bars."""
-    hubs: Table[Name, Hub] = ReadOnly()
+    hubs: Table[NodeName, Hub] = ReadOnly()
     """Nodes of finite size: arms from the node to the joints of its members."""
     bearings: Table[Name, Bearing] = ReadOnly()
     """Pins and balls whose friction follows from the force in them."""
@@ -145,9 +146,9 @@ class ModelData(Record):
     """Loads and gravity that act together, by name; by default all loads are one case."""
     conditions: Table[Name, Condition] = ReadOnly()
     """States of missions by name: gravity, base motion, temperature, locked or released members."""
-    support_motion: Table[Name, History] = ReadOnly()
+    support_motion: Table[NodeName, History] = ReadOnly()
     """Prescribed motion of fixed nodes."""
-    velocities: Table[Name, VelocityVector] = ReadOnly()
+    velocities: Table[NodeName, VelocityVector] = ReadOnly()
     """Velocities of nodes at the start of a simulation."""
     drives: Table[Name, Drive] = ReadOnly()
     """What moves, besides active members: lengths, angles and coordinates that a trajectory prescribes."""

@@ -24,7 +24,12 @@ from kinetruss.model.record import (
     SpringStiffness,
     Width,
 )
+from kinetruss.model.references import DriveName, MemberName, NodeName, Ref
 from kinetruss.units import Tagged, parse
+
+if TYPE_CHECKING:
+    from kinetruss.model.data import ModelData
+
 
 _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
@@ -62,7 +67,7 @@ class LengthDrive(Record):
 
     _positional: ClassVar = ("bar",)
     kind: Literal["length"] = "length"
-    bar: Name
+    bar: MemberName
 
     if TYPE_CHECKING:
 
@@ -93,7 +98,7 @@ class AngleDrive(Record):
 
     _positional: ClassVar = ("bar",)
     kind: Literal["angle"] = "angle"
-    bar: Name
+    bar: MemberName
     axis: Direction | None = None
     reference: Direction | None = None
     gear: GearOrName | None = None
@@ -133,9 +138,9 @@ class HingeDrive(Record):
     """
 
     kind: Literal["hinge"] = "hinge"
-    axis: Annotated[tuple[Name, ...], Field(min_length=1, max_length=2), BeforeValidator(_nodes)]
-    start: Name
-    end: Name
+    axis: Annotated[tuple[NodeName, ...], Field(min_length=1, max_length=2), BeforeValidator(_nodes)]
+    start: NodeName
+    end: NodeName
     gear: GearOrName | None = None
     motor: MotorOrName | None = None
     amplifier: AmplifierOrName | None = None
@@ -159,7 +164,7 @@ class CoordinateDrive(Record):
     """
 
     kind: Literal["coordinate"] = "coordinate"
-    node: Name
+    node: NodeName
     axis: Literal["x", "y", "z"]
 
 
@@ -173,8 +178,8 @@ class OffsetCoordinate(Record):
     """
 
     kind: Literal["offset"] = "offset"
-    line: tuple[Name, Name]
-    point: Name
+    line: tuple[NodeName, NodeName]
+    point: NodeName
 
 
 class CosineCoordinate(Record):
@@ -186,7 +191,7 @@ class CosineCoordinate(Record):
     """
 
     kind: Literal["cosine"] = "cosine"
-    node: Name
+    node: NodeName
     phase: Angle = 0.0
 
 
@@ -233,6 +238,17 @@ def geared(drive: Any) -> TypeGuard[AngleDrive | HingeDrive]:
     return turns(drive) and any(part is not None for part in (drive.gear, drive.motor, drive.amplifier))
 
 
+def coordinate_kinds(model: ModelData) -> dict[str, str]:
+    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
+    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
+    for pose in model.poses:
+        kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
+    return kinds
+
+
+CoordinateName = Annotated[Name, Ref("drive or pose coordinate", "drives", "bars", "active", "poses", known=coordinate_kinds)]
+
+
 class GimbalPose(Record):
     """Pose of a double-octahedral bay: gimbal angles beta, gamma (rad) and the centroid distance `height` (m).
 
@@ -248,7 +264,7 @@ class GimbalPose(Record):
     kind: Literal["gimbal"] = "gimbal"
     base: PositiveLength
     longeron: PositiveLength
-    drives: tuple[Name, Name, Name]
+    drives: tuple[DriveName, DriveName, DriveName]
 
 
 Pose = GimbalPose

@@ -18,7 +18,6 @@ from kinetruss.model.record import (
     Inductance,
     Inertia,
     Lead,
-    Name,
     NameOrRecord,
     Number,
     PositiveLength,
@@ -30,6 +29,7 @@ from kinetruss.model.record import (
     Transconductance,
     Voltage,
 )
+from kinetruss.model.references import AmplifierName, GearName, MotorName, ScrewName
 from kinetruss.units import parse
 
 
@@ -247,7 +247,7 @@ class DriveTrain(Record):
     amplifier: Annotated[Amplifier | None, BeforeValidator(partial(from_library, table="amplifiers"))] = None
 
 
-ScrewOrName = Annotated[Annotated[LeadScrew, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
-GearOrName = Annotated[Annotated[Gear, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
-MotorOrName = Annotated[Annotated[Motor, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
-AmplifierOrName = Annotated[Annotated[Amplifier, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+ScrewOrName = Annotated[Annotated[LeadScrew, Tag("record")] | Annotated[ScrewName, Tag("name")], NameOrRecord]
+GearOrName = Annotated[Annotated[Gear, Tag("record")] | Annotated[GearName, Tag("name")], NameOrRecord]
+MotorOrName = Annotated[Annotated[Motor, Tag("record")] | Annotated[MotorName, Tag("name")], NameOrRecord]
+AmplifierOrName = Annotated[Annotated[Amplifier, Tag("record")] | Annotated[AmplifierName, Tag("name")], NameOrRecord]

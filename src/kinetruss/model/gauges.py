@@ -10,11 +10,12 @@ from pydantic import Field, model_validator
 
 from kinetruss.errors import Fault
 from kinetruss.model.bracing import CHORD
+from kinetruss.model.drives import CoordinateName
 from kinetruss.model.record import (
     Angle,
     Coordinate,
+    Distance,
     Flag,
-    Length,
     Name,
     Number,
     PositiveLength,
@@ -26,6 +27,7 @@ from kinetruss.model.record import (
     Time,
     Voltage,
 )
+from kinetruss.model.references import LoadCaseName, MemberName
 from kinetruss.model.table import ReadOnly, Table
 
 if TYPE_CHECKING:
@@ -80,10 +82,10 @@ class Gauge(Record):
     bending and shear.
     """
 
-    member: Name
+    member: MemberName
     part: Literal["base", "tube"] | None = None
     at: Annotated[Number, Field(ge=0, le=1)] | None = None
-    distance: Length | None = None
+    distance: Distance | None = None
     angle: Angle = 0.0
     radius: PositiveLength | None = None
     factor: PositiveNumber = 2.0
@@ -95,8 +97,6 @@ class Gauge(Record):
     def _one_place(self) -> Gauge:
         if self.at is not None and self.distance is not None:
             raise ValueError("has both at and distance. Give one: at (a fraction), or distance (m).")
-        if self.distance is not None and self.distance < 0:
-            raise ValueError(f"distance {self.distance:g} m must not be negative. Give 0 or a positive value.")
         return self
 
 
@@ -108,9 +108,9 @@ class GaugeZero(Record):
     at : drive or pose coordinates -> value (m or rad), the others as in the model; or `time` of the run, s.
     """
 
-    at: Table[Name, Coordinate] = ReadOnly()
+    at: Table[CoordinateName, Coordinate] = ReadOnly()
     time: Time | None = None
-    load_case: Name | None = None
+    load_case: LoadCaseName | None = None
 
     @model_validator(mode="after")
     def _one_pose(self) -> GaugeZero:

@@ -10,12 +10,10 @@ import numpy as np
 
 from kinetruss.errors import Fault
 from kinetruss.model.bodies import Body
-from kinetruss.model.common_faults import unknown
 from kinetruss.model.drives import Coupling, LengthDrive
 from kinetruss.model.hub_arms import Arm, apexes, arms_of, clamped_at, free_length, ideal_ends, is_grounded, spread
 from kinetruss.model.joints import GROUND
 from kinetruss.model.members import Active, Bar, Node
-from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -45,14 +43,10 @@ def _others(model: ModelData, name: str, node: str) -> list[str]:
 
 
 def bearing_faults(model: ModelData) -> Iterator[Fault]:
-    """Unknown names, members that end elsewhere, more than one part to turn against."""
+    """Members that end elsewhere, more than one part to turn against."""
     for name, bearing in model.bearings.items():
         path = ("bearings", name)
-        if bearing.member not in model.members:
-            yield Fault((*path, "member"), f"no member called {bearing.member!r}.", nearest(bearing.member, model.members))
-            continue
-        if bearing.node not in model.nodes:
-            yield unknown("node", bearing.node, model.nodes, (*path, "node"))
+        if bearing.member not in model.members or bearing.node not in model.nodes:
             continue
         node, ends = _node(model, bearing), model.members[bearing.member].ends
         if node not in ends:

@@ -9,14 +9,14 @@ import numpy as np
 from pydantic import Field, PlainValidator, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault, shown
-from kinetruss.model.common_faults import a_bar, unknown
+from kinetruss.model.common_faults import a_bar
 from kinetruss.model.hub_arms import FLAT, Arm, arms_of, clamped_at, free_length, ideal_ends, is_grounded, members_at
 from kinetruss.model.hub_expansion import is_steady, perpendicular, pivots_of
 from kinetruss.model.members import Active
-from kinetruss.model.record import Flag, Name, PositiveLength, Record, Series
+from kinetruss.model.record import Flag, PositiveLength, Record, Series
+from kinetruss.model.references import MemberName, unknown_names
 from kinetruss.model.sections import MaterialOrName, SectionOrName
 from kinetruss.model.table import ReadOnly, Table
-from kinetruss.model.words import nearest
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -92,9 +92,9 @@ class Hub(Record):
     """
 
     reach: PositiveLength | None = None
-    arms: Table[Name, Offset] = ReadOnly()
-    hinges: Table[Name, HingeAxis] = ReadOnly()
-    clamped: Annotated[tuple[Name, ...], Field(), Series] = ()
+    arms: Table[MemberName, Offset] = ReadOnly()
+    hinges: Table[MemberName, HingeAxis] = ReadOnly()
+    clamped: Annotated[tuple[MemberName, ...], Field(), Series] = ()
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
     turns: Flag = False
@@ -122,10 +122,12 @@ SAME = 1e-9
 
 def hub_faults(model: ModelData) -> list[Fault]:
     """Faults of the hubs of a model, whether it has their arms yet or not."""
-    found: list[Fault] = []
+    if not model.hubs:
+        return []
+    found = unknown_names(model, model.hubs, ("hubs",), (type(model), "hubs"))
     lost = bool(missing_nodes(model))  # reported with the members and bodies
-    for hub in model.hubs:
-        found += [*_names(model, hub, whole=not lost)]
+    for hub in model.hubs if not lost else ():
+        found += [*_places(model, hub)]
     if found or lost:
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
@@ -145,20 +147,15 @@ def missing_nodes(model: ModelData) -> set[str]:
     return {name for name in named if name not in model.nodes}
 
 
-def _names(model: ModelData, hub: str, *, whole: bool) -> Iterator[Fault]:
-    """Unknown nodes and members, members that end elsewhere, vectors of another dimension."""
+def _places(model: ModelData, hub: str) -> Iterator[Fault]:
+    """Members that end elsewhere, vectors of another dimension."""
     path, record = ("hubs", hub), model.hubs[hub]
     if hub not in model.nodes:
-        yield unknown("node", hub, model.nodes, path)
-        return
-    if not whole:
         return
     here, dim = members_at(model, hub), len(model.nodes[hub].at)
     for field, names in (("arms", record.arms), ("clamped", record.clamped), ("hinges", record.hinges)):
         for name in names:
-            if name not in model.members:
-                yield Fault((*path, field, name), f"no member called {name!r}.", nearest(name, model.members))
-            elif name not in here:
+            if name in model.members and name not in here:
                 ends = " and ".join(ideal_ends(model, name, model.members[name]))
                 mend = f"Name one of those that do: {', '.join(here) or 'none'}."
                 yield Fault((*path, field, name), f"does not end at {hub!r} but at {ends}.", mend)

@@ -7,9 +7,11 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from kinetruss.model.record import Name, PositiveLength, PositiveNumber, PositiveRate, Record, Series
+from kinetruss.model.references import BarName, CouplingName, MemberName, NodeName, Ref
 
 GROUND = "ground"
 """Name of the fixed frame, in place of a body."""
+BodyOrGroundName = Annotated[Name, Ref("body", "bodies", also=(GROUND,))]
 
 Kind = Literal[
     "spherical",
@@ -43,8 +45,6 @@ FREEDOMS = {
 SHARED = {"spherical": 1, "pin": 1, "revolute": 2}
 """Number of nodes that the bodies of a joint must share; for a weld as many as there are axes."""
 
-Names = Annotated[tuple[Name, ...], Series]
-
 
 class Hinge(Record):
     """An angle at a joint.
@@ -52,9 +52,9 @@ class Hinge(Record):
     axis : two nodes of the axis, in the plane one. start, end : nodes from which and to which the angle counts.
     """
 
-    axis: Annotated[tuple[Name, ...], Field(min_length=1, max_length=2), Series]
-    start: Name
-    end: Name
+    axis: Annotated[tuple[NodeName, ...], Field(min_length=1, max_length=2), Series]
+    start: NodeName
+    end: NodeName
 
 
 class Joint(Record):
@@ -68,12 +68,12 @@ class Joint(Record):
     """
 
     kind: Kind
-    bodies: tuple[Name, Name]
-    nodes: Names
-    bars: Names = ()
-    couplings: Names = ()
+    bodies: tuple[BodyOrGroundName, BodyOrGroundName]
+    nodes: Annotated[tuple[NodeName, ...], Series]
+    bars: Annotated[tuple[BarName, ...], Series] = ()
+    couplings: Annotated[tuple[CouplingName, ...], Series] = ()
     hinges: Annotated[tuple[Hinge, ...], Series] = ()
-    slide: tuple[Name, Name] | None = None
+    slide: tuple[NodeName, NodeName] | None = None
 
     @property
     def freedoms(self) -> int:
@@ -99,8 +99,8 @@ class Bearing(Record):
     0.02
     """
 
-    member: Name
-    node: Name
+    member: MemberName
+    node: NodeName
     radius: PositiveLength
     friction: PositiveNumber
     slip: PositiveRate = 1e-3

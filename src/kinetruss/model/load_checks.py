@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault, few
 from kinetruss.model.beam_frames import carriers_of, frames
-from kinetruss.model.common_faults import components, unknown
+from kinetruss.model.common_faults import components
 from kinetruss.model.hub_arms import arm_through
 from kinetruss.model.loads import BodyCouple, BodyForce, NodalForce, Pressure
 from kinetruss.model.words import nearest
@@ -25,11 +25,9 @@ def load_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     for name, load in model.loads.items():
         path = ("loads", name)
         if isinstance(load, NodalForce):
-            if load.node not in model.nodes:
-                yield unknown("node", load.node, model.nodes, (*path, "node"))
             yield from _vectors(load, dim, path)
         elif isinstance(load, Pressure):
-            yield from _face(model, load, dim, path)
+            yield from _face(load, dim, path)
         else:
             yield from _on_body(model, load, dim, path)
 
@@ -41,10 +39,7 @@ def _vectors(load: NodalForce | BodyForce, dim: int, path: tuple[Any, ...]) -> I
         yield from components(vector, dim, place)
 
 
-def _face(model: ModelData, load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    for index, node in enumerate(load.face):
-        if node not in model.nodes:
-            yield unknown("node", node, model.nodes, (*path, "face", index))
+def _face(load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     if len(load.face) != dim or len(set(load.face)) != len(load.face):
         wanted = "two nodes of an edge" if dim == 2 else "three nodes of a face"
         yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))

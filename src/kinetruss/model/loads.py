@@ -20,6 +20,7 @@ from kinetruss.model.record import (
     Series,
     Time,
 )
+from kinetruss.model.references import LoadName, NodeName
 from kinetruss.model.table import Table
 from kinetruss.units import parse
 
@@ -71,7 +72,7 @@ class NodalForce(InTime):
     NodalForce(node='T', force=(0.0, -1500.0))
     """
 
-    node: Name
+    node: NodeName
     force: ForceVector | None = None
     times: Annotated[tuple[Time, ...], Series] | None = None
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
@@ -89,7 +90,7 @@ class LoadCase(Record):
     gravity : m/s^2, if it differs from that of the model.
     """
 
-    loads: Table[Name, Number] | None = None
+    loads: Table[LoadName, Number] | None = None
     gravity: GravityVector | None = None
 
 
@@ -205,7 +206,7 @@ class Pressure(InTime):
     depth : of the structure across the plane, m.
     """
 
-    face: Annotated[tuple[Name, ...], Field(min_length=2, max_length=3), Series]
+    face: Annotated[tuple[NodeName, ...], Field(min_length=2, max_length=3), Series]
     pressure: _Stress | None = None
     times: _Times = None
     pressures: Annotated[tuple[_Stress, ...], Series] | None = None

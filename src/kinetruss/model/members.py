@@ -18,7 +18,6 @@ from kinetruss.model.record import (
     Inertia,
     Length,
     LumpMass as Mass,
-    Name,
     Of,
     Point,
     PositiveLength,
@@ -28,6 +27,7 @@ from kinetruss.model.record import (
     positive,
     short_form,
 )
+from kinetruss.model.references import NodeName
 from kinetruss.model.sections import MaterialOrName, SectionOrName
 from kinetruss.units import NUMBER, parse
 
@@ -133,7 +133,7 @@ class Bar(Record):
     Bar(ends=('A', 'B'), section=Rod(diameter=0.02), material='steel_s235')
     """
 
-    ends: tuple[Name, Name]
+    ends: tuple[NodeName, NodeName]
     kind: Literal["rigid", "driven", "elastic", "cable", "free"] = "rigid"
     section: SectionOrName | None = None
     material: MaterialOrName | None = None
@@ -148,7 +148,7 @@ class Bar(Record):
     brace: Flag = False
     rotary_inertia: Flag = False
     friction: RotaryFrictions = (0.0, 0.0)
-    orientation: Name | None = None
+    orientation: NodeName | None = None
     buckling: EndCondition = "pinned-pinned"
 
     @model_validator(mode="before")
@@ -205,7 +205,7 @@ class Active(Record):
         l of the member and l_t of the tube. Without it, l/E A with the weaker of base and tube.
     """
 
-    ends: tuple[Name, Name]
+    ends: tuple[NodeName, NodeName]
     base: Part
     tube: Part
     screw: ScrewOrName | None = None
@@ -216,7 +216,7 @@ class Active(Record):
     limits: tuple[PositiveLength, PositiveLength] | None = None
     compliance: Compliance | None = None
     friction: RotaryFrictions = (0.0, 0.0)
-    orientation: Name | None = None
+    orientation: NodeName | None = None
     buckling: EndCondition = "pinned-pinned"
 
     @model_validator(mode="after")

@@ -10,10 +10,10 @@ from pydantic import BeforeValidator, Field, Tag, ValidationError, WithJsonSchem
 
 from kinetruss.errors import Fault, shown
 from kinetruss.model.catalogues import Catalogue, CatalogueText
-from kinetruss.model.common_faults import unknown
 from kinetruss.model.data import Safety
 from kinetruss.model.members import Active
 from kinetruss.model.record import Flag, Name, NameOrRecord, Number, Record, Whole
+from kinetruss.model.references import LoadCaseName, unknown_names
 from kinetruss.model.table import Filled
 from kinetruss.model.the_model import Model
 from kinetruss.model.words import faults_of, nearest
@@ -82,7 +82,7 @@ class Mission(Record):
     kinetruss_mission: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT
     title: str = ""
     runs: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
-    load_cases: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
+    load_cases: Annotated[tuple[LoadCaseName, ...], Field(min_length=1)] | None = None
     groups: Filled[Name, Group] | None = None
     drives: Filled[Name, Patterns] | None = None
     catalogues: Catalogues
@@ -131,9 +131,7 @@ def _runs(model: Model, mission: Mission) -> Iterator[Fault]:
     for index, name in enumerate(mission.runs or ()):
         if name not in model.runs:
             yield Fault(("runs", index), f"the model has no run called {name!r}.", nearest(name, model.runs))
-    for index, name in enumerate(mission.load_cases or ()):
-        if name not in model.load_cases:
-            yield unknown("load case", name, model.load_cases, ("load_cases", index))
+    yield from unknown_names(model, mission, ())
 
 
 def _groups(model: Model, mission: Mission) -> Iterator[Fault]:

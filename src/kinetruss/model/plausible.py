@@ -10,9 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.drives import turns
+from kinetruss.model.drives import coordinate_kinds, turns
 from kinetruss.model.record import Record
-from kinetruss.model.run_checks import coordinate_kinds
 from kinetruss.model.simulation import TRAJECTORY_TASKS
 from kinetruss.model.trajectories import Sine, moved_by
 

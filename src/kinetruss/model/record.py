@@ -136,7 +136,7 @@ def _plain(annotation: str) -> str:
     >>> _plain("Filled[Name, Rate]"), _plain("SectionOrName | None")
     ('dict[Name, Rate]', 'Section | Name | None')
     """
-    text = annotation.replace("Moves", "Table[Name, tuple[Coordinate, Coordinate]]")
+    text = annotation.replace("Moves", "Table[CoordinateName, tuple[Coordinate, Coordinate]]")
     return re.sub(r"(\w+)OrName\b", r"\1 | Name", re.sub(r"\b(?:Table|Filled)\[", "dict[", text))
 
 
@@ -293,6 +293,7 @@ Count = Annotated[Whole, Field(ge=1, le=MOST_COUNT)]
 
 Length = Annotated[float, Of("length")]
 PositiveLength = Annotated[float, Of("length", positive)]
+Distance = Annotated[float, Of("length", _not_negative)]
 Mass = Annotated[float, Of("mass", _not_negative)]
 LumpMass = Annotated[float, Of("mass", _no_negative_lump)]
 Time = Annotated[float, Of("time")]

@@ -6,18 +6,20 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.common_faults import components, other_quantity, unknown
-from kinetruss.model.drives import LengthDrive, turns
+from kinetruss.model.common_faults import components, other_quantity
+from kinetruss.model.drives import LengthDrive, coordinate_kinds, turns
 from kinetruss.model.inputs import PositionLoop
 from kinetruss.model.members import Active
+from kinetruss.model.references import unknown_names
+from kinetruss.model.runs import Run
 from kinetruss.model.simulation import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
-from kinetruss.model.targets import target_faults
+from kinetruss.model.targets import target_rules
 from kinetruss.model.trajectories import moved_by
 from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
-    from kinetruss.model.runs import BaseRotation, Condition, Elastic, Run
+    from kinetruss.model.runs import BaseRotation, Condition
 
 
 MOVING = (
@@ -31,15 +33,6 @@ MOVING = (
 """Analyses whose motion, or poses, a mission can take."""
 
 
-def velocity_faults(model: ModelData, dim: int) -> Iterator[Fault]:
-    """Faults of start velocities: unknown nodes, too few or too many components."""
-    for name, vector in model.velocities.items():
-        if name not in model.nodes:
-            yield unknown("node", name, model.nodes, ("velocities", name))
-        else:
-            yield from components(vector, dim, ("velocities", name))
-
-
 def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
     """Faults of tasks against the drives of a model. Trajectories are checked separately.
 
@@ -48,12 +41,18 @@ def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)
     >>> [fault.message for fault in kt.model.task_faults(model, {"motor": kt.Hold()})]
     ["no drive called 'motor'."]
     """
+    yield from unknown_names(model, tasks, path, (Run, "tasks"))
+    yield from task_rules(model, tasks, path)
+
+
+def task_rules(model: ModelData, tasks: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Tasks that do not fit their drives."""
     for name, task in tasks.items():
         place = (*path, name)
         drive = model.all_drives.get(name)
         if drive is None:
-            yield unknown("drive", name, model.all_drives, place)
-        elif isinstance(task, GivenForce):
+            continue
+        if isinstance(task, GivenForce):
             if task.turns and isinstance(drive, LengthDrive) and isinstance(model.members.get(drive.bar), Active):
                 yield from _motor(model, name, drive, place)
             elif task.turns != turns(drive) and not _scalar(model, drive):
@@ -132,11 +131,13 @@ def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events
     >>> [fault.message for fault in kt.model.event_faults(model, {"low": kt.Event(coordinate="C.y", value=0.0)})]
     ["no coordinate called 'C.y'."]
     """
+    yield from unknown_names(model, events, path, (Run, "events"))
+    yield from event_rules(model, events, path)
+
+
+def event_rules(model: ModelData, events: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Events of coordinates that are none."""
     for name, event in events.items():
-        for field in ("length", "force"):
-            member = getattr(event, field)
-            if member is not None and member not in model.members:
-                yield unknown("member", member, model.members, (*path, name, field))
         if event.coordinate is not None:
             place = (*path, name, "coordinate")
             node, _, axis = event.coordinate.rpartition(".")
@@ -155,68 +156,36 @@ def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events
                 )
 
 
-def coordinate_kinds(model: ModelData) -> dict[str, str]:
-    """Coordinates that a trajectory may move: name -> ``length`` or ``angle``."""
-    kinds = {name: "angle" if turns(drive) else "length" for name, drive in model.all_drives.items()}
-    for pose in model.poses:
-        kinds |= {f"{pose}.beta": "angle", f"{pose}.gamma": "angle", f"{pose}.height": "length"}
-    return kinds
-
-
 def run_faults(model: ModelData) -> Iterator[Fault]:
-    """Unknown trajectories, load cases, drives and poses of all runs."""
+    """Targets, tasks, events, motions and poses of all runs that do not fit the model."""
     for name, run in model.runs.items():
-        if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
-            yield unknown("trajectory", run.trajectory, model.trajectories, ("runs", name, "trajectory"))
-        for index, case in enumerate(run.load_cases or ()):
-            if case not in model.load_cases:
-                yield unknown("load case", case, model.load_cases, ("runs", name, "load_cases", index))
         if run.targets is not None:
-            yield from target_faults(model, run.targets, ("runs", name, "targets"))
-        yield from task_faults(model, run.tasks, ("runs", name, "tasks"))
-        yield from event_faults(model, run.events, ("runs", name, "events"))
-        if run.condition is not None and run.condition not in model.conditions:
-            yield unknown("condition", run.condition, model.conditions, ("runs", name, "condition"))
-        yield from _elastic_faults(model, run.elastic, ("runs", name, "elastic"))
+            yield from target_rules(model, run.targets, ("runs", name, "targets"))
+        yield from task_rules(model, run.tasks, ("runs", name, "tasks"))
+        yield from event_rules(model, run.events, ("runs", name, "events"))
         yield from _mission_faults(model, name, run)
         for pose, values in run.poses.items():
             yield from value_faults(model, values, ("runs", name, "poses", pose))
 
 
-def _elastic_faults(model: ModelData, elastic: Elastic, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Members and drives of the options of a run of elastic members."""
-    for field in ("stiffness", "rigid"):
-        for name in getattr(elastic, field):
-            if name not in model.members:
-                yield unknown("member", name, model.members, (*path, field, name))
-    for name in elastic.drives or ():
-        if name not in model.all_drives:
-            yield unknown("drive", name, model.all_drives, (*path, "drives", name))
-
-
 def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
-    """What a mission names: runs with motions or poses, or trajectories, and conditions."""
+    """Runs that a mission names must have motions or poses."""
     for index, motion in enumerate(run.motions):
         place = ("runs", name, "motions", index)
-        if motion not in model.runs and motion not in model.trajectories:
-            yield unknown("run or trajectory", motion, {**model.runs, **model.trajectories}, place)
-        elif motion in model.runs and model.runs[motion].analysis not in MOVING:
+        if motion in model.runs and model.runs[motion].analysis not in MOVING:
             what = model.runs[motion].analysis
             mend = "Name runs of dynamics.inverse, dynamics.simulate, statics.at_poses or statics.equilibrium."
             yield Fault(place, f"{motion!r} is {what}, which has no motion and no poses of its own.", mend)
         elif motion in model.runs and model.runs[motion].condition is not None:
             mend = "Remove it there, and name it in the conditions of the mission."
             yield Fault(place, f"{motion!r} has a condition of its own.", mend)
-    for index, condition in enumerate(run.conditions or ()):
-        if condition not in model.conditions:
-            yield unknown("condition", condition, model.conditions, ("runs", name, "conditions", index))
 
 
 def all_condition_faults(model: ModelData) -> Iterator[Fault]:
     """Faults of all conditions of a model, and of the rotation of its base."""
     yield from base_rotation_faults(model, model.base_rotation, ("base_rotation",))
     for name, condition in model.conditions.items():
-        yield from condition_faults(model, condition, ("conditions", name))
+        yield from condition_rules(model, condition, ("conditions", name))
 
 
 def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -227,27 +196,18 @@ def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ..
     >>> [fault.message for fault in kt.model.condition_faults(model, kt.Condition(payloads={"C": 1.0}), ("laden",))]
     ["no node called 'C'."]
     """
+    yield from unknown_names(model, condition, path)
+    yield from condition_rules(model, condition, path)
+
+
+def condition_rules(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Vectors with too few or too many components."""
     dim = len(next(iter(model.nodes.values())).at)
-    for field in ("payloads", "forces"):
-        for node in getattr(condition, field):
-            if node not in model.nodes:
-                yield unknown("node", node, model.nodes, (*path, field, node))
     for node, force in condition.forces.items():
         yield from components(force, dim, (*path, "forces", node))
     for field in ("gravity", "base_acceleration"):
         yield from components(getattr(condition, field), dim, (*path, field))
     yield from base_rotation_faults(model, condition.base_rotation, (*path, "base_rotation"))
-    for member in condition.temperatures:
-        if member not in model.members:
-            yield unknown("member", member, model.members, (*path, "temperatures", member))
-    for field, what, known in (
-        ("locked", "drive", model.all_drives),
-        ("released", "drive", model.all_drives),
-        ("failed", "member", model.members),
-    ):
-        for index, name in enumerate(getattr(condition, field)):
-            if name not in known:
-                yield unknown(what, name, known, (*path, field, index))
 
 
 def base_rotation_faults(model: ModelData, base: BaseRotation | None, path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -270,10 +230,8 @@ def base_rotation_faults(model: ModelData, base: BaseRotation | None, path: tupl
 
 
 def value_faults(model: ModelData, values: Mapping[str, Any], path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Values of drives and pose coordinates: unknown ones, and lengths in place of angles."""
+    """Values of drives and pose coordinates: lengths in place of angles."""
     kinds = coordinate_kinds(model)
     for name, value in values.items():
-        if name not in kinds:
-            yield unknown("drive or pose coordinate", name, kinds, (*path, name))
-        elif (quantity := getattr(value, "quantity", None)) not in (None, kinds[name]):
+        if (quantity := getattr(value, "quantity", None)) not in (None, kinds.get(name, quantity)):
             yield other_quantity((*path, name), path[-1] if path[-1] == "at" else "poses", quantity, kinds[name])

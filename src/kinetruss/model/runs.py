@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import Field, model_validator
 
 from kinetruss.limits import MOST_COUNT, MOST_SAMPLES, MOST_STATIONS
+from kinetruss.model.drives import CoordinateName
 from kinetruss.model.record import (
     Coordinate,
     Flag,
@@ -25,6 +26,7 @@ from kinetruss.model.record import (
     Time,
     Whole,
 )
+from kinetruss.model.references import ConditionName, DriveName, LoadCaseName, MemberName, MotionName, NodeName
 from kinetruss.model.simulation import Event, Method, Task
 from kinetruss.model.table import ReadOnly, Table
 from kinetruss.model.targets import Combined, Target
@@ -76,15 +78,15 @@ class Condition(Record):
     """
 
     gravity: GravityVector | None = None
-    payloads: Table[Name, Mass] = ReadOnly()
-    forces: Table[Name, ForceVector] = ReadOnly()
+    payloads: Table[NodeName, Mass] = ReadOnly()
+    forces: Table[NodeName, ForceVector] = ReadOnly()
     base_acceleration: GravityVector | None = None
     base_rotation: BaseRotation | None = None
     temperature: Number = 0.0
-    temperatures: Table[Name, Number] = ReadOnly()
-    locked: tuple[Name, ...] = ()
-    released: tuple[Name, ...] = ()
-    failed: tuple[Name, ...] = ()
+    temperatures: Table[MemberName, Number] = ReadOnly()
+    locked: tuple[DriveName, ...] = ()
+    released: tuple[DriveName, ...] = ()
+    failed: tuple[MemberName, ...] = ()
 
     @model_validator(mode="after")
     def _one_fate(self) -> Condition:
@@ -178,10 +180,10 @@ class Elastic(Record):
     displacements, as a fraction of the largest, at which steps are short enough.
     """
 
-    stiffness: Table[Name, Stiffness] = ReadOnly()
-    rigid: tuple[Name, ...] = ()
+    stiffness: Table[MemberName, Stiffness] = ReadOnly()
+    rigid: tuple[MemberName, ...] = ()
     at: tuple[Name, ...] = ()
-    drives: tuple[Name, ...] | None = None
+    drives: tuple[DriveName, ...] | None = None
     modes: Annotated[Whole, Field(ge=1)] = 6
     damping: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     rest: Annotated[Time, Field(ge=0)] = 0.0
@@ -229,16 +231,16 @@ class Run(Record):
     motion: str | None = None
     targets: Target | None = None
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
-    load_cases: tuple[Name, ...] | None = None
+    load_cases: tuple[LoadCaseName, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
-    condition: Name | None = None
+    condition: ConditionName | None = None
     t_end: Span | None = None
-    tasks: Table[Name, Task] = ReadOnly()
+    tasks: Table[DriveName, Task] = ReadOnly()
     method: Method | None = None
     events: Table[Name, Event] = ReadOnly()
-    poses: Table[Name, Table[Name, Coordinate]] = ReadOnly()
-    motions: tuple[Name, ...] = ()
-    conditions: tuple[Name, ...] | None = None
+    poses: Table[Name, Table[CoordinateName, Coordinate]] = ReadOnly()
+    motions: tuple[MotionName, ...] = ()
+    conditions: tuple[ConditionName, ...] | None = None
     elastic: Elastic = Elastic()
 
     @model_validator(mode="after")

@@ -11,7 +11,6 @@ from kinetruss.model.record import (
     Area,
     Density,
     Length,
-    Name,
     NameOrRecord,
     Number,
     PositiveLength,
@@ -19,6 +18,7 @@ from kinetruss.model.record import (
     SecondMoment,
     Stress,
 )
+from kinetruss.model.references import MaterialName, SectionName
 
 
 class Tube(Record):
@@ -238,7 +238,7 @@ class General(Record):
 
 
 Section = Annotated[Tube | Rod | Rectangle | General, Field(discriminator="kind")]
-SectionOrName = Annotated[Annotated[Section, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+SectionOrName = Annotated[Annotated[Section, Tag("record")] | Annotated[SectionName, Tag("name")], NameOrRecord]
 
 
 class Material(Record):
@@ -274,4 +274,4 @@ class Material(Record):
         return value
 
 
-MaterialOrName = Annotated[Annotated[Material, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+MaterialOrName = Annotated[Annotated[Material, Tag("record")] | Annotated[MaterialName, Tag("name")], NameOrRecord]

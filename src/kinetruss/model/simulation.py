@@ -22,6 +22,7 @@ from kinetruss.model.record import (
     Span,
     Time,
 )
+from kinetruss.model.references import MemberName
 from kinetruss.model.trajectories import Trajectory
 from kinetruss.units import parse
 
@@ -277,9 +278,9 @@ class Event(Record):
         event.
     """
 
-    length: Name | None = None
+    length: MemberName | None = None
     coordinate: Name | None = None
-    force: Name | None = None
+    force: MemberName | None = None
     value: Annotated[float, WithJsonSchema(_VALUE)]
     direction: Literal["rising", "falling", "both"] = "both"
     stop: Flag = True

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, PlainSerializer, TypeAdapter, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault
 from kinetruss.model.bodies import Frame
-from kinetruss.model.common_faults import other_quantity, unknown
+from kinetruss.model.common_faults import other_quantity
 from kinetruss.model.drives import Direction, turns
 from kinetruss.model.record import (
     Coordinate,
@@ -25,6 +25,7 @@ from kinetruss.model.record import (
     Record,
     Time,
 )
+from kinetruss.model.references import DriveName, NodeName, Ref, Unread, unknown_names
 from kinetruss.model.table import ReadOnly, Table
 from kinetruss.model.trajectories import ConstantRate, Cyclic, Quintic, Sine, Spline, StepResponse, Trapezoid
 
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 Law = Literal["quintic", "trapezoid", "constant", "spline"]
 Ramp = Annotated[Number, Field(gt=0, le=0.5)]
 Objective = Literal["least_change", "stroke_ends", "least_effort", "conditioning"]
-Nodes = Annotated[tuple[Name, ...], Field(min_length=2)]
+Nodes = Annotated[tuple[NodeName, ...], Field(min_length=2)]
 
 
 class Way(Record):
@@ -125,12 +126,12 @@ class _Resolved(Record):
     """
 
     objective: Objective = "least_change"
-    weights: Table[Name, PositiveNumber] = ReadOnly()
-    hold: tuple[Name, ...] = ()
+    weights: Table[DriveName, PositiveNumber] = ReadOnly()
+    hold: tuple[DriveName, ...] = ()
     within_stroke: Flag = True
-    rate: PositiveRate | Table[Name, PositiveRate] | None = None
-    acceleration: PositiveSecondRate | Table[Name, PositiveSecondRate] | None = None
-    force: PositiveForce | Table[Name, PositiveForce] | None = None
+    rate: PositiveRate | Table[DriveName, PositiveRate] | None = None
+    acceleration: PositiveSecondRate | Table[DriveName, PositiveSecondRate] | None = None
+    force: PositiveForce | Table[DriveName, PositiveForce] | None = None
     within_rates: Flag = True
 
 
@@ -192,7 +193,7 @@ class Positioning(_Task):
 
     COORDINATES = ("x", "y", "z")
     kind: Literal["positioning"] = "positioning"
-    node: Name | None = None
+    node: NodeName | None = None
     nodes: Nodes | None = None
     point: Point | None = None
     path: Circle | None = None
@@ -254,7 +255,7 @@ class Pointing(_Task):
     COORDINATES = ("beta", "gamma", "x", "y", "z")
     kind: Literal["pointing"] = "pointing"
     platform: Nodes | None = None
-    line: tuple[Name, Name] | None = None
+    line: tuple[NodeName, NodeName] | None = None
     at: Point | None = None
 
     @model_validator(mode="after")
@@ -271,6 +272,15 @@ class Pointing(_Task):
         return self
 
 
+def _coordinates(model: ModelData) -> list[str]:
+    """Every coordinate of a structure by name."""
+    known = {*model.all_drives, *model.members, *(f"{member}.length" for member in model.members)}
+    known |= {f"{node}.{axis}" for node in model.nodes for axis in "xyz"[: model.dim]}
+    known |= {f"{pose}.{part}" for pose in model.poses for part in ("beta", "gamma", "height")}
+    known |= {f"{member}.angle" for member in model.members} if model.dim == 2 else set()
+    return sorted(known)
+
+
 class Coordinates(_Task):
     """Any coordinates by name: ``N8.x``, ``follower.angle``, ``M7`` (a length), ``bay.beta`` of a pose, a drive.
 
@@ -278,6 +288,7 @@ class Coordinates(_Task):
     """
 
     kind: Literal["coordinates"] = "coordinates"
+    moves: Table[Annotated[Name, Ref("coordinate", "drives", "bars", "active", known=_coordinates)], Course] = ReadOnly()
 
     @model_validator(mode="after")
     def _some(self) -> Coordinates:
@@ -287,7 +298,7 @@ class Coordinates(_Task):
 
 
 _One = Gimbal | Positioning | Reflecting | Docking | Pointing | Coordinates
-_Trajectory = Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline
+_Trajectory = Annotated[Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline, Unread()]
 _Single = Annotated[_One | _Trajectory, Field(discriminator="kind")]
 
 
@@ -338,8 +349,15 @@ def target_faults(model: ModelData, target: Any, path: Place = ("targets",)) -> 
     >>> [fault.message for fault in kt.model.target_faults(model, lift)]
     ["no node called 'C'."]
     """
-    if isinstance(target, TARGETS):
-        yield from _drives(model, target, path)
+    if isinstance(target, TARGETS):  # trajectories move coordinates of nodes here
+        yield from unknown_names(model, target, path)
+    yield from target_rules(model, target, path)
+
+
+def target_rules(model: ModelData, target: Any, path: Place) -> Iterator[Fault]:
+    """Tasks that contradict the model or themselves."""
+    if isinstance(target, TARGETS) and model.all_drives and set(target.hold) >= set(model.all_drives):
+        yield Fault((*path, "hold"), "holds all drives, so nothing can move.", "Hold fewer.")
     if not isinstance(target, Combined):
         yield from _single(model, target, path)
         return
@@ -356,26 +374,12 @@ def target_faults(model: ModelData, target: Any, path: Place = ("targets",)) -> 
             asked[one] = k
 
 
-def _drives(model: ModelData, target: Any, path: Place) -> Iterator[Fault]:
-    drives = model.all_drives
-    for field in ("hold", "weights", "rate", "acceleration", "force"):
-        given = getattr(target, field)
-        for name in given if isinstance(given, Iterable) else ():
-            if name not in drives:
-                yield unknown("drive", name, drives, (*path, field, name))
-    if drives and set(target.hold) >= set(drives):
-        yield Fault((*path, "hold"), "holds all drives, so nothing can move.", "Hold fewer.")
-
-
 def _single(model: ModelData, task: Any, path: Place) -> Iterator[Fault]:
     if not isinstance(task, TARGETS) or isinstance(task, Combined):
         return
     for field in ("node", "nodes", "platform", "base", "line"):
         given = getattr(task, field, None)
         names = (given,) if isinstance(given, str) else given or ()
-        for name in names:
-            if name not in model.nodes:
-                yield unknown("node", name, model.nodes, (*path, field))
         yield from _group(model, task, field, names, path)
     if task.kind in SPATIAL and model.dim == 2:
         yield Fault(path, f"{task.kind} is a task in space; the model is planar.", "Use coordinates, positioning or docking.")
@@ -388,7 +392,11 @@ def _single(model: ModelData, task: Any, path: Place) -> Iterator[Fault]:
             "Give the poses of the bays, or division: exact.",
         )
     if isinstance(task, Coordinates):
-        yield from _coordinates(model, task, path)
+        for name in task.moves:
+            node, _, axis = name.rpartition(".")
+            if node in model.nodes and axis in model.fixed.get(node, ""):
+                mend = "Name another coordinate, or release the support."
+                yield Fault((*path, "moves", name), "is fixed and cannot move.", mend)
     for name, course in task.moves.items():
         yield from _course_faults(model, task, name, course, (*path, "moves", name))
 
@@ -437,21 +445,6 @@ def _held(model: ModelData, task: Any, node: str, path: Place) -> Iterator[Fault
     elif axes:
         text = f"{node!r} is fixed in {axes[0]}, so there is nothing for the drives to hold."
         yield Fault(path, text, f"Give free: [{', '.join(axes)}].")
-
-
-def _coordinates(model: ModelData, task: Coordinates, path: Place) -> Iterator[Fault]:
-    axes = "xyz"[: model.dim]
-    known = {*model.all_drives, *model.members, *(f"{member}.length" for member in model.members)}
-    known |= {f"{node}.{axis}" for node in model.nodes for axis in axes}
-    known |= {f"{pose}.{part}" for pose in model.poses for part in ("beta", "gamma", "height")}
-    known |= {f"{member}.angle" for member in model.members} if model.dim == 2 else set()
-    for name in task.moves:
-        if name not in known:
-            yield unknown("coordinate", name, sorted(known), (*path, "moves", name))
-            continue
-        node, _, axis = name.rpartition(".")
-        if node in model.nodes and axis in model.fixed.get(node, ""):
-            yield Fault((*path, "moves", name), "is fixed and cannot move.", "Name another coordinate, or release the support.")
 
 
 def _asked(model: ModelData, task: Any) -> list[Any]:

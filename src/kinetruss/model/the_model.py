@@ -19,6 +19,7 @@ from kinetruss.model.description import described
 from kinetruss.model.hub_expansion import with_arms
 from kinetruss.model.hubs import hub_faults, missing_nodes
 from kinetruss.model.members import Node
+from kinetruss.model.references import unknown_names
 from kinetruss.model.table import ReadOnly
 
 
@@ -67,7 +68,7 @@ class Model(ModelData):
     @model_validator(mode="before")
     @classmethod
     def _library_names(cls, value: Any) -> Any:
-        return with_library_records(value) if isinstance(value, dict) else value
+        return with_library_records(ModelData, value) if isinstance(value, dict) else value
 
     @model_validator(mode="after")
     def _consistent(self) -> Model:
@@ -125,9 +126,10 @@ def _take(model: Model, tables: dict[str, Any]) -> None:
 
 
 def _faulty_bodies(model: Model) -> set[str]:
-    """Faults of bodies that cannot be braced as given."""
+    """Bodies that cannot be braced as given."""
     dim = dimension(len(node.at) for node in model.nodes.values())
-    return {str(fault.path[1]) for fault in body_faults(model, dim)}
+    unknown = unknown_names(model, model.bodies, ("bodies",), (ModelData, "bodies"))
+    return {str(fault.path[1]) for fault in (*unknown, *body_faults(model, dim))}
 
 
 def _dimension_of(nodes: Any) -> int:

@@ -11,7 +11,7 @@ from pydantic import Field, Tag, model_validator
 
 from kinetruss.errors import Fault, InputError
 from kinetruss.kernels.motion import profiles
-from kinetruss.model.drives import LengthDrive
+from kinetruss.model.drives import CoordinateName, LengthDrive
 from kinetruss.model.loads import Shape, check_times
 from kinetruss.model.record import (
     Angle,
@@ -28,6 +28,7 @@ from kinetruss.model.record import (
     Time,
     Whole,
 )
+from kinetruss.model.references import TrajectoryName
 from kinetruss.model.table import Filled, ReadOnly, Table
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 
 Move = tuple[Coordinate, Coordinate]
-Moves = Filled[Name, Move]
+Moves = Filled[CoordinateName, Move]
 
 
 class Quintic(Record):
@@ -84,7 +85,7 @@ class ConstantRate(Record):
     """
 
     kind: Literal["constant_rate"] = "constant_rate"
-    rates: Filled[Name, Rate]
+    rates: Filled[CoordinateName, Rate]
     duration: PositiveTime
 
 
@@ -102,7 +103,7 @@ class Sine(Record):
     """
 
     kind: Literal["sine"] = "sine"
-    amplitudes: Filled[Name, Coordinate]
+    amplitudes: Filled[CoordinateName, Coordinate]
     period: PositiveTime
     phase: Angle = 0.0
     duration: PositiveTime
@@ -176,7 +177,7 @@ class Tabulated(Record):
     """A table in time: times (s) and one column a coordinate, without long gaps."""
 
     times: Annotated[tuple[Time, ...], Field(min_length=4), Series]
-    values: Filled[Name, Annotated[tuple[Coordinate, ...], Series]]
+    values: Filled[CoordinateName, Annotated[tuple[Coordinate, ...], Series]]
     largest_gap: Annotated[Number, Field(gt=1)] = 10.0
 
     @model_validator(mode="after")
@@ -283,7 +284,7 @@ class Measured(Tabulated):
 Trajectory = Annotated[
     Quintic | Trapezoid | ConstantRate | Sine | Cyclic | StepResponse | Spline | Measured, Field(discriminator="kind")
 ]
-TrajectoryOrName = Annotated[Annotated[Trajectory, Tag("record")] | Annotated[Name, Tag("name")], NameOrRecord]
+TrajectoryOrName = Annotated[Annotated[Trajectory, Tag("record")] | Annotated[TrajectoryName, Tag("name")], NameOrRecord]
 
 
 def moved_by(trajectory: Any) -> tuple[str, Mapping[str, Any]]:

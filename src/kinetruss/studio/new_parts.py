@@ -41,15 +41,16 @@ def forms() -> dict[str, Any]:
     """What the page needs to show any entry.
 
     tables : name -> about, spec of an entry. records : name -> about, kind, fields: name -> spec, with ``needed``.
-    A spec has a ``type``: value (unit), choice (of, free: other texts too), flag, text, list (of, count), table (of), record
-    (of: names of records, named: a name of the library or of a table may stand for it), any (YAML text).
+    A spec has a ``type``: value (unit), choice (of, free: other texts too), flag, text, list (of, count), table (of, keys),
+    record (of: names of records), any (YAML text). names : tables whose entries, also those of the library, the text or the
+    keys may name; also : other words for them.
     """
     made = schema()
     tables = {}
     for name, one in made["else"]["properties"].items():
         entry = one.get("additionalProperties")
         if isinstance(entry, dict):
-            spec = {"type": "record", "of": [SHORT[name]], "named": False} if name in SHORT else _spec(entry)
+            spec = {"type": "record", "of": [SHORT[name]]} if name in SHORT else _spec(entry)
             tables[name] = {"about": one.get("description", ""), **spec}
     return {"tables": tables, "records": {name: _record(one) for name, one in made["$defs"].items()}}
 
@@ -68,10 +69,11 @@ def _spec(part: dict[str, Any]) -> Spec:
     """The form of one field."""
     extra = {"default": part["default"]} if part.get("default") not in (None, [], {}) else {}
     ways = _ways(part)
+    extra |= next((_named(way) for way in ways if "x-names" in way), {})
     records = [way["$ref"].rpartition("/")[2] for way in ways if "$ref" in way]
     chosen = next((way["enum"] for way in ways if "enum" in way), None)
     if records:
-        return {"type": "record", "of": records, "named": any(way.get("type") == "string" for way in ways)} | extra
+        return {"type": "record", "of": records} | extra
     if chosen is not None:
         if any(one is True for one in chosen):
             return {"type": "flag"} | extra
@@ -89,8 +91,13 @@ def _plain(way: dict[str, Any]) -> Spec:
         items = way.get("prefixItems")
         return {"type": "list", "of": _spec(items[0] if items else way.get("items", {})), "count": len(items or ()) or None}
     if way.get("type") == "object" and isinstance(way.get("additionalProperties"), dict):
-        return {"type": "table", "of": _spec(way["additionalProperties"])}
+        return {"type": "table", "of": _spec(way["additionalProperties"]), "keys": _named(way.get("propertyNames", {}))}
     return {"type": "text" if way.get("type") == "string" else "any"}
+
+
+def _named(way: dict[str, Any]) -> Spec:
+    """What a name may refer to."""
+    return {key: way[f"x-{key}"] for key in ("names", "also") if f"x-{key}" in way}
 
 
 def _ways(part: dict[str, Any]) -> list[dict[str, Any]]:

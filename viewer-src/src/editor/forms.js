@@ -84,29 +84,16 @@ export class Forms {
     };
     const hint = spec.default !== undefined && typeof spec.default !== "object" ? `${spec.default}${unit ? ` ${unit}` : ""}` : unit || (list ? "a, b" : "");
     const entry = field(words(name), shown, set, { hint, size: list || spec.type === "any" ? 16 : 9, name: label });
-    const suggested = this.suggestions(spec, name);
-    if (suggested.length) {
-      const id = `names-${label.replace(/[^\w-]/g, "_")}`;
-      entry.querySelector("input").setAttribute("list", id);
-      entry.append(el("datalist", { id }, suggested.map((one) => el("option", { value: one }))));
-    }
+    offer(entry, label, spec.type === "choice" ? spec.of.map(String) : this.names(spec));
     if (unit && shown !== "") entry.title = unit;
     return entry;
-  }
-
-  /** Names that fit into a field. */
-  suggestions(spec, name) {
-    const { state } = this.draw;
-    if (spec.type === "choice") return spec.of.map(String);
-    if (spec.type !== "text") return [];
-    if (/bar|member|active|beam/.test(name)) return state.members.map((one) => one.name);
-    return /node|start|end|arm/.test(name) ? state.nodes : [];
   }
 
   table(context, spec, name, value, path) {
     const rows = Object.entries(value || {}).map(([key, one]) => el("div", { class: "row" }, this.field(context, spec.of, key, one, [...path, key])));
     const label = path.join(".");
     const fields = [["name", "", ""], ["value", spec.of.unit || "", spec.of.type]].map(([which, hint]) => field(which, "", () => {}, { hint, size: 8, name: `new ${which} in ${label}` }));
+    offer(fields[0], `keys ${label}`, this.names(spec.keys));
     const add = () => {
       const [key, typed] = fields.map((one) => one.querySelector("input").value.trim());
       if (key && typed) context.set([...path, key], spec.of.type === "list" && !typed.startsWith("[") ? `[${typed}]` : typed);
@@ -127,7 +114,7 @@ export class Forms {
       if (inner.draft) inner.set(path, start);
       else this.begin(path, start);
     };
-    const names = spec.named ? this.names(spec) : [];
+    const names = this.names(spec);
     const options = [...(whole ? [] : [["", "-"]]), ...names, ...spec.of.map((one) => [`: ${one}`, spec.of.length > 1 ? words(records[one].kind || one) : names.length ? "own values ..." : "given"])];
     const choose = (chosen) => {
       if (chosen.startsWith(": ")) begin(chosen.slice(2));
@@ -158,12 +145,21 @@ export class Forms {
     return [el("div", { class: "row" }, shown), more.length ? folded("More fields", el("div", { class: "row" }, more)) : null, about && path.length === 2 ? folded("What they mean", el("pre", { class: "about" }, about)) : null];
   }
 
-  /** Names of the model and of the library for a record. */
-  names(spec) {
-    const found = Object.entries(this.forms.tables).find(([, one]) => one.type === "record" && one.of[0] === spec.of[0]);
-    if (!found) return [];
-    return [...new Set([...Object.keys(this.draw.state.data[found[0]] || {}), ...(this.draw.choices[found[0]] || [])])];
+  /** Names of the model and of the library that a field may have; of bars as drives those that are driven. */
+  names({ names = [], also = [] }) {
+    const { data } = this.draw.state;
+    const fits = (table, one) => table !== "poses" && (table !== "bars" || !names.includes("drives") || one.kind === "driven");
+    const own = (table) => Object.entries(data[table] || {}).filter(([, one]) => fits(table, one)).map(([name]) => name);
+    return [...new Set([...names.flatMap((table) => [...own(table), ...(this.draw.choices[table] || [])]), ...also])];
   }
+}
+
+/** Offer names for what is typed into a field. */
+function offer(entry, label, names) {
+  if (!names.length) return;
+  const id = `names-${label.replace(/[^\w-]/g, "_")}`;
+  entry.querySelector("input").setAttribute("list", id);
+  entry.append(el("datalist", { id }, names.map((one) => el("option", { value: one }))));
 }
 
 export function words(name) {
