@@ -80,11 +80,15 @@ def test_rates_along_a_motion_agree_with_those_of_gradients(seed):
     g = measure_gradients(system, 0, x[None])[0]
     g1, g2 = measure_turning(system, 0, x, v, a)
     _, H = measure_hessian(system, 0, x)
-    assert rate == pytest.approx(g @ v.ravel(), rel=1e-12)
+    assert rate == pytest.approx(g @ v.ravel(), rel=0, abs=1e-13 * (np.abs(g) @ np.abs(v.ravel())))
     assert second == pytest.approx(g @ a.ravel() + g1 @ v.ravel(), rel=1e-9, abs=1e-9 * np.abs(H).max())
-    h = 1e-4
-    along = [measure_turning(system, 0, x + s * h * v + 0.5 * h * h * a, v + s * h * a, a)[0] for s in (1, -1)]
-    assert np.abs((along[0] - along[1]) / (2 * h) - g2).max() < 1e-4 * max(1.0, np.abs(g2).max())
+
+    def slope(h):
+        along = [measure_turning(system, 0, x + s * h * v + 0.5 * h * h * a, v + s * h * a, a)[0] for s in (1, -1)]
+        return (along[0] - along[1]) / (2 * h)
+
+    # Richardson's extrapolation: where a hinge is short, an error of second order alone would depend on the seed
+    assert np.abs((4 * slope(0.5e-4) - slope(1e-4)) / 3 - g2).max() < 1e-6 * max(1.0, np.abs(g2).max())
 
 
 @settings(max_examples=40, deadline=None)
