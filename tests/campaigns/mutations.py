@@ -41,6 +41,8 @@ UNITS = [
     "m**2",
     "m m m m m m m m",
 ]
+MOST_TEXT = 20_000_000
+"""Characters of a table that is made of thousands of equal entries."""
 FACTORS = [-1, 0, 0.5, 2, 1 + 1e-9, 10, 0.1, 1e3, 1e-3, 1e6, 1e-6, 1e12, 1e-12, 1e40, 1e-40, 1e200]
 NAMES = [
     "", " ", "a b", "a/b", "é", "e\u0301", "名前", "\u202eABC", "\u200b", "😀", "x" * 3000, "\x1b[31mred\x1b[0m", "\x07",
@@ -273,7 +275,11 @@ class Mutant:
     def many(self) -> None:
         """A table with thousands of entries."""
         table = at(self.tree, self._pick(lambda value: isinstance(value, dict) and bool(value)))
-        table |= dict.fromkeys((f"k{i}" for i in range(self.dice.choice([10, 3000]))), next(iter(table.values())))
+        count, entry = self.dice.choice([10, 3000]), next(iter(table.values()))
+        # thousands of tables of thousands would fill the memory before anybody reads them
+        count = min(count, max(10, MOST_TEXT // len(json.dumps(entry))))
+        # each its own, so that the next change alters one of them
+        table |= {f"k{i}": copy.deepcopy(entry) for i in range(count)}
 
 
 def is_number(value: Any) -> bool:
