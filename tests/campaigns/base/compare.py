@@ -103,7 +103,7 @@ class Found:
 
     def note(self, one: Difference, rules: list[dict[str, Any]], covers: Iterable[str]) -> None:
         for rule in rules:
-            asked = ((one.quantity, "quantity"), (one.name, "kind"), (one.place, "place"))
+            asked = ((one.quantity, "quantity"), (one.name, "kind"), (one.place, "place"), (one.old, "old"), (one.new, "new"))
             bound = one.allowed if rule["bound"] == "allowed" else rule["bound"]
             fits = all(fnmatchcase(what, rule.get(key, "*")) for what, key in asked)
             if fits and rule.get("covers", "") in ("", *covers) and one.share <= bound:
