@@ -25,6 +25,7 @@ import tomllib
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from difflib import SequenceMatcher
 from fnmatch import fnmatchcase
 from functools import cache
 from itertools import zip_longest
@@ -219,20 +220,22 @@ def read_alike(work: Path, source: Path, examples: int, wrong: int, seed: int, f
             if old == new:
                 found.counts["shown"] += 1
             else:
-                found.note(_first_difference(name.removesuffix(".txt"), old, new), intended(), ())
+                for one in _differences(name.removesuffix(".txt"), old, new):
+                    found.note(one, intended(), ())
 
 
 def _lines(path: Path) -> list[str]:
     return path.read_text(encoding="utf-8", errors="surrogatepass").splitlines() if path.exists() else []
 
 
-def _first_difference(name: str, old: list[str], new: list[str]) -> Difference:
-    """Where two texts differ first."""
-    both = list(zip_longest(old, new, fillvalue="nothing"))
-    at, (one, two) = next((k, pair) for k, pair in enumerate(both) if pair[0] != pair[1])
-    begin = max(next(k for k, pair in enumerate(zip_longest(one, two)) if len({*pair}) > 1) - 40, 0)
-    here = slice(begin, begin + 160)
-    return Difference(0, name, "shown", f"line {at + 1}", one[here], two[here], np.inf, sum(a != b for a, b in both))
+def _differences(name: str, old: list[str], new: list[str]) -> Iterator[Difference]:
+    """Where two texts differ: every line, put beside the one that took its place."""
+    for what, begin, end, now, last in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
+        both = zip_longest(old[begin:end], new[now:last], fillvalue="nothing") if what != "equal" else ()
+        for line, (one, two) in enumerate(both, begin + 1):
+            at = max(next(k for k, pair in enumerate(zip_longest(one, two)) if len({*pair}) > 1) - 40, 0)
+            here = slice(at, at + 160)
+            yield Difference(0, name, "shown", f"line {line}", one[here], two[here], np.inf)
 
 
 def told(found: Found, missing: list[str]) -> None:

@@ -72,7 +72,8 @@ def of_sizing(model: Path, mission: Path) -> Iterator[tuple[str, str]]:
 
 
 def of_wrong(path: Path) -> str:
-    """What is said of a model file that was put wrong."""
+    """What is said of a model file that was put wrong: all of its faults, however many."""
+    kt.errors.MOST_LINES = sys.maxsize
     try:
         model = kt.read(path)
     except kt.KinetrussError as error:
