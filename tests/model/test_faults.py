@@ -155,6 +155,12 @@ def test_all_at_once_and_none_that_only_follows(changes, places):
     assert [line.split(": ")[0] for line in told(PLANE, **changes)] == places
 
 
+def test_names_of_two_members_come_in_the_order_of_the_file():
+    names = [f"M{number}" for number in (7, 3, 9, 1, 8, 2, 6, 4)]
+    lines = told(SPACE, active={name: active()["M"] for name in names}, bars=dict.fromkeys(reversed(names), ("A", "B")))
+    assert [line.split(":")[0] for line in lines if "also the name of a bar" in line] == [f"active.{name}" for name in names]
+
+
 def test_thousands_of_faults_are_found_in_a_moment():
     nodes = {f"n{i}": (i, 0) for i in range(2000)}
     bars = {f"b{i}": {"ends": (f"n{i}", f"n{i + 1}"), "mass": "1 m"} for i in range(1999)}

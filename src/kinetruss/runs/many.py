@@ -371,7 +371,7 @@ def _check_target(target: Path, paths: Sequence[Path], overwrite: bool) -> None:
         return
     if not overwrite:
         raise InputError(f"{target} holds runs already. Name another folder, or replace them: --overwrite (overwrite=True).")
-    for path in {*paths, *_finished(target)}:
+    for path in dict.fromkeys([*paths, *_finished(target)]):
         check_unlocked(path)
         check_target(path, overwrite)
 

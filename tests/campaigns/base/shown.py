@@ -72,12 +72,13 @@ def of_sizing(model: Path, mission: Path) -> Iterator[tuple[str, str]]:
 
 
 def of_wrong(path: Path) -> str:
-    """What is said of a model file that was put wrong: all of its faults, however many."""
+    """What is said of a model file that was put wrong: all of its faults, sorted, since BASE took some from sets."""
     kt.errors.MOST_LINES = sys.maxsize
     try:
         model = kt.read(path)
     except kt.KinetrussError as error:
-        return f"{type(error).__name__}: {error}".replace(str(path.parent), "-")
+        lines = str(error).replace(str(path.parent), "-").splitlines()
+        return "\n".join([type(error).__name__, *sorted(lines)])
     return f"accepted: {model}"
 
 
