@@ -16,6 +16,8 @@ from kinetruss import dynamics, kinematics
 from samples import tripod
 from served import WAIT, Served, serve, start
 
+pytestmark = pytest.mark.slow  # a studio in a process of its own
+
 
 def live(served: Served, **changes) -> ClientConnection:
     options = {"origin": served.origin, "max_size": 2**24, "open_timeout": WAIT, "compression": None, "proxy": None}
@@ -141,7 +143,6 @@ def test_saving_goes_into_the_folder_only(studio):
     assert {path.name for path in studio.folder.iterdir()} - {".kinetruss"} == {"model.yaml", "mine.yaml"}
 
 
-@pytest.mark.slow
 def test_ctrl_c_ends_it_with_pages_open(tmp_path):
     served = serve(tripod(), tmp_path)
     with live(served) as page:
@@ -154,7 +155,6 @@ def test_ctrl_c_ends_it_with_pages_open(tmp_path):
     assert "Traceback" not in rest
 
 
-@pytest.mark.slow
 def test_a_port_that_is_taken_is_named(studio, tmp_path):
     import subprocess
     import sys
@@ -173,7 +173,6 @@ def drawing(served: Served) -> ClientConnection:
     return live(served, uri=f"{base}draw/live")
 
 
-@pytest.mark.slow
 def test_drawing_pages_share_one_drawing_and_the_live_page_operates_it(tmp_path):
     served = start(tmp_path, "--new", "--space")
     assert served.address.endswith("/draw/")
