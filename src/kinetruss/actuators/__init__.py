@@ -11,15 +11,10 @@ if TYPE_CHECKING:
         merge_summaries as merge_summaries,
         summarise as summarise,
     )
-    from kinetruss.actuators.demands import (
-        Move as Move,
-        evaluate as evaluate,
-        moves as moves,
-        power_flow as power_flow,
-        screw_couples as screw_couples,
-    )
+    from kinetruss.actuators.demands import evaluate as evaluate, screw_couples as screw_couples
     from kinetruss.actuators.drive_model import Gains as Gains, place_poles as place_poles
     from kinetruss.actuators.drive_runs import simulate_drive as simulate_drive
+    from kinetruss.actuators.energies import Move as Move, moves as moves, power_flow as power_flow
     from kinetruss.actuators.screws import (
         breakaway_torque as breakaway_torque,
         gear_ratio_for as gear_ratio_for,

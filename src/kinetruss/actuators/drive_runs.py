@@ -38,8 +38,6 @@ if TYPE_CHECKING:
     from kinetruss.actuators.events import Interpolant, ModeEvent
     from kinetruss.actuators.modes import Instant
 
-
-if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 

@@ -30,8 +30,6 @@ if TYPE_CHECKING:
 
     from kinetruss.actuators.events import ModeEvent
 
-
-if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 

@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 
     from kinetruss.actuators.modes import MotorModes
 
-
-if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
     from kinetruss.kernels.structure.equations import Equations, Workspace
 
+    Floats = NDArray[np.float64]
+
 
 TURN = 2 * np.pi
 OWN = 1e-8
@@ -140,9 +142,6 @@ def _refuse_redundant(names: list[str], start: StructureBody) -> None:
 
 
 # The structure as the body of its motors: how it answers to the accelerations of the coordinates that they drive.
-
-if TYPE_CHECKING:
-    Floats = NDArray[np.float64]
 
 
 TOLERANCE = 1e-13

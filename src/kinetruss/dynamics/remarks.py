@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.simulation_problem import Problem
     from kinetruss.kernels.integrate.state import Samples
 
+    Floats = NDArray[np.float64]
+
 
 STATUS = {
     m.DONE: Status.COMPLETED,
@@ -255,9 +257,6 @@ def _mend(work: Integration, stepped: bool) -> str:
 # complement of the equations of motion loses the square of what the equations themselves lose. A residual of the equations
 # gives it back (`solve_refined` of the kernels). What round-off of the positions does to the forces no solver can mend: it is
 # measured, by positions that differ in their last digit.
-
-if TYPE_CHECKING:
-    Floats = NDArray[np.float64]
 
 
 LOW = 1e-2

@@ -19,8 +19,6 @@ from kinetruss.results import variable
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-
-if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 

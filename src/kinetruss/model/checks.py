@@ -113,7 +113,7 @@ def _compliance(model: ModelData, name: str, member: Active) -> Iterator[Fault]:
 
 
 def _members(model: ModelData) -> Iterator[Fault]:
-    for name in filter(model.bars.__contains__, model.active):
+    for name in (one for one in model.active if one in model.bars):
         yield Fault(("active", name), f"{name!r} is also the name of a bar.", "Give each member its own name.")
     for table, members in (("bars", model.bars), ("active", model.active)):
         for name, member in members.items():

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.results import Forces
 
-
-if TYPE_CHECKING:
     Pose = NDArray[np.float64]
 
 

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from kinetruss.results import Forces, Motion, Result
     from kinetruss.runs import RunResult
 
+    Described = tuple[dict[str, Any], dict[str, NDArray[Any]]]
+
 
 FORMAT = "kinetruss.scene"
 VERSION = 1
@@ -72,9 +74,6 @@ CHANNELS: dict[str, dict[str, str]] = {
 
 
 # The parts of a scene that change in time: motion, forces of the load cases, channels.
-
-if TYPE_CHECKING:
-    Described = tuple[dict[str, Any], dict[str, NDArray[Any]]]
 
 
 EXACT = 600_000

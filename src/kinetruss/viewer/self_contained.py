@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from kinetruss.runs import RunResult
     from kinetruss.viewer.moving import Mode, Scene
 
+    Shown = Model | Result | RunResult
+
 
 def heading(channel: dict[str, Any], limits: Sequence[float]) -> str:
     """The heading: the coloured quantity with its unit."""
@@ -143,9 +145,6 @@ def _text(data: bytes) -> str:
 
 
 # Write the page of a model, a motion or a run.
-
-if TYPE_CHECKING:
-    Shown = Model | Result | RunResult
 
 
 def write(

@@ -231,7 +231,9 @@ def _lines(path: Path) -> list[str]:
 def _differences(name: str, old: list[str], new: list[str]) -> Iterator[Difference]:
     """Where two texts differ: every line, put beside the one that took its place."""
     for what, begin, end, now, last in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
-        both = zip_longest(old[begin:end], new[now:last], fillvalue="nothing") if what != "equal" else ()
+        if what == "equal":
+            continue
+        both = zip_longest(old[begin:end], new[now:last], fillvalue="nothing")
         for line, (one, two) in enumerate(both, begin + 1):
             at = max(next(k for k, pair in enumerate(zip_longest(one, two)) if len({*pair}) > 1) - 40, 0)
             here = slice(at, at + 160)

@@ -72,13 +72,11 @@ def of_sizing(model: Path, mission: Path) -> Iterator[tuple[str, str]]:
 
 
 def of_wrong(path: Path) -> str:
-    """What is said of a model file that was put wrong: all of its faults, sorted, since BASE took some from sets."""
-    kt.errors.MOST_LINES = sys.maxsize
+    """What is said of a model file that was put wrong."""
     try:
         model = kt.read(path)
     except kt.KinetrussError as error:
-        lines = str(error).replace(str(path.parent), "-").splitlines()
-        return "\n".join([type(error).__name__, *sorted(lines)])
+        return f"{type(error).__name__}:\n{error}".replace(str(path.parent), "-")
     return f"accepted: {model}"
 
 
@@ -97,6 +95,7 @@ def main() -> int:
     parser.add_argument("--wrong", type=Path, help="folder of model files that were put wrong")
     given = parser.parse_args()
     warnings.simplefilter("ignore")
+    kt.errors.MOST_LINES = sys.maxsize  # all faults are compared, however many
     given.folder.mkdir(parents=True, exist_ok=True)
     for name in list(kt.library.example_files())[: given.examples]:
         for what, text in of_example(name):

@@ -112,7 +112,7 @@ def _member_faults(cell: Cell) -> Iterator[Fault]:
             for node in (*member.ends, *(() if member.orientation is None else (member.orientation,))):
                 if node not in cell.nodes:
                     yield Fault((table, name), f"there is no node {shown(node)} in the cell.", nearest(node, cell.nodes))
-    for name in filter(cell.bars.__contains__, cell.active):
+    for name in (one for one in cell.active if one in cell.bars):
         yield Fault(("active", name), "is the name of a bar as well.", "Rename one of the two.")
 
 

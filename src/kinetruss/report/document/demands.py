@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
+    Array = NDArray[np.float64]
+    Record = dict[str, Any]
+
 
 MOST = 40
 """Largest number of rows of a table; the data in the page have all."""
@@ -104,9 +107,6 @@ def left_out(entries: Sized) -> str:
 
 
 # Minima and maxima over a whole run: axial forces, reactions, drives.
-
-if TYPE_CHECKING:
-    Array = NDArray[np.float64]
 
 
 def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
@@ -223,9 +223,6 @@ def _peak(values: Any) -> float:
 
 
 # Demand and capacity: strength of members, limits of actuators.
-
-if TYPE_CHECKING:
-    Record = dict[str, Any]
 
 
 SCALE = "Utilisation is demand over capacity, safety factors included; at 100 %, the mark, the limit is reached."

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from kinetruss.display import Markup
     from kinetruss.runs import RunResult
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

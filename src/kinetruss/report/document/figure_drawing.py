@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.report.document.figure_contents import Loaded
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
     from kinetruss.runs import RunResult
 
+    Row = dict[str, Any]
+
 
 def section_constants(model: Model) -> list[Markup]:
     """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
@@ -53,9 +55,6 @@ def section_constants(model: Model) -> list[Markup]:
 
 
 # Lists of a structure: its nodes, its members with length, section and mass, and the mass of the whole.
-
-if TYPE_CHECKING:
-    Row = dict[str, Any]
 
 
 def lists(model: Model) -> list[Markup]:

@@ -17,6 +17,8 @@ from kinetruss.report.run_tables import exceeded, moment, poses_of
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
+    Record = dict[str, Any]
+
 
 POOR_BALANCE = 1e-6
 """Largest relative error of the energy balance without a warning; for computed motions it is near round-off."""
@@ -253,9 +255,6 @@ def _checked(record: Mapping[str, Any]) -> str:
 
 
 # The first part of a report: state of the run, main results, warnings.
-
-if TYPE_CHECKING:
-    Record = dict[str, Any]
 
 
 def span_of(record: Record) -> str:

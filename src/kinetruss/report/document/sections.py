@@ -16,8 +16,6 @@ from kinetruss.report.run_tables import moment, poses_of
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
 
-
-if TYPE_CHECKING:
     Record = dict[str, Any]
 
 

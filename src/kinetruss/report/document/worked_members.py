@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Forces, Row
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

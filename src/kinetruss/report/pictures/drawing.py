@@ -19,8 +19,6 @@ from kinetruss.report.pictures.specs import INK, PRINT, QUIET, RC, WIDTHS, Colou
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

@@ -26,8 +26,6 @@ from kinetruss.units import parse
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

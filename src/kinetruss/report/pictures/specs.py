@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    Array = NDArray[np.float64]
+
 
 STYLES = ("-", (0, (6, 2)), (0, (2, 1.5)))
 """Line styles: after the last colour, curves take the next style, so that no two look the same."""
@@ -76,9 +78,6 @@ def pen(index: int) -> dict[str, object]:
 
 
 # Specifications of figures as plain arrays.
-
-if TYPE_CHECKING:
-    Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

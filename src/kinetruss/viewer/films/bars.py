@@ -14,8 +14,6 @@ if TYPE_CHECKING:
 
     from kinetruss.viewer.moving import Scene
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Colours = NDArray[np.uint8]
     Owned = list[tuple[Copies, NDArray[np.int64]]]

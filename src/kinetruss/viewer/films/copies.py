@@ -13,8 +13,6 @@ from kinetruss.display import rgb
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from kinetruss.runs import RunResult
     from kinetruss.viewer.moving import Mode, Scene
 
+    Frames = Iterable[NDArray[np.uint8]]
+
 
 ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
 SHORT, LONG = 5.0, 8.0
@@ -45,9 +47,6 @@ def usual_speed(duration: float) -> float:
 
 
 # Writes frames to a file that appears completely or not at all.
-
-if TYPE_CHECKING:
-    Frames = Iterable[NDArray[np.uint8]]
 
 
 def rate_of(suffix: str, fps: float) -> float:

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
     from kinetruss.viewer.moving import Scene
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 

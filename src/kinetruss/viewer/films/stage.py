@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from kinetruss.viewer.films.copies import Copies
     from kinetruss.viewer.films.shown import Subject
 
-
-if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
