@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
@@ -185,6 +186,12 @@ def carried(points: Floats, m: Floats) -> tuple[float, NDArray[np.float64], NDAr
     return mass, np.asarray(center), np.asarray(r.T @ m @ r)
 
 
+@cache
+def _pairs(count: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Both indices of each pair of `count` points."""
+    return np.triu_indices(count, 1)
+
+
 def quality(points: Floats) -> float:
     """Normalised volume of a simplex of points (k, dim): 1 for a regular one, 0 if the points span a lower dimension."""
     points = np.asarray(points, float)
@@ -192,8 +199,8 @@ def quality(points: Floats) -> float:
     k = len(edges)
     if not k:
         return 1.0
-    i, j = np.triu_indices(k + 1, 1)
-    mean = float(np.mean(np.sum((points[i] - points[j]) ** 2, axis=1)))
+    i, j = _pairs(k + 1)
+    mean = float(((points[i] - points[j]) ** 2).sum(axis=1).mean())
     if mean == 0.0 or k > points.shape[1]:
         return 0.0
     # the product of singular values of the edges of a regular simplex of edge 1 is sqrt((k + 1)/2^k)

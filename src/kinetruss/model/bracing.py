@@ -349,9 +349,12 @@ def _missing(model: ModelData, body: Body, pairs: set[Pair], clusters: _Clusters
     nodes = body.nodes
     x = np.array([model.nodes[name].at for name in nodes], float)
     space = _Space(x)
-    for i, j in combinations(range(len(nodes)), 2):
-        if frozenset((nodes[i], nodes[j])) in pairs or clusters.together(nodes[i], nodes[j]):
-            space.take(i, j)
+    every = list(combinations(range(len(nodes)), 2))
+    kept = [(i, j) for i, j in every if frozenset((nodes[i], nodes[j])) in pairs or clusters.together(nodes[i], nodes[j])]
+    if len(kept) == len(every):
+        return []
+    for i, j in kept:
+        space.take(i, j)
     carriers = [nodes.index(name) for name in body.carried_by(model.dim)]
     edges = [sorted(pair) for pair in combinations(carriers, 2)]
     wanted: list[tuple[int, int]] = [(i, j) for i, j in sorted(edges) if space.take(i, j)]
@@ -360,7 +363,7 @@ def _missing(model: ModelData, body: Body, pairs: set[Pair], clusters: _Clusters
         if k not in carriers:
             wanted += space.best([(i, k) for i in done])
             done.append(k)
-    wanted += space.best(list(combinations(range(len(nodes)), 2)))
+    wanted += space.best(every)
     return [(nodes[i], nodes[j]) for i, j in wanted]
 
 
