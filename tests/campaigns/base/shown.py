@@ -36,7 +36,11 @@ LETTERS = re.compile(r"<text\b[^>]*>([^<]*)</text>")
 
 def readable(html: str) -> str:
     """A page in lines, of its drawings the letters."""
-    bare = DRAWING.sub(lambda found: "\n".join(f"drawn: {words}" for words in ["", *sorted(LETTERS.findall(found[0]))]), DATA.sub("", html))
+
+    def letters(drawing: re.Match[str]) -> str:
+        return "\n".join(f"drawn: {words}" for words in ["", *sorted(LETTERS.findall(drawing[0]))])
+
+    bare = DRAWING.sub(letters, DATA.sub("", html))
     return TAKEN.sub("-", re.sub(r">\s*<", ">\n<", bare))
 
 
