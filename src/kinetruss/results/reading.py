@@ -35,6 +35,11 @@ class Content:
     members: Members | None
     nodes: Mapping[str, Mapping[str, Any]]
 
+    def __post_init__(self) -> None:
+        for name in self.nodes:
+            if name and (parent := name.rpartition("/")[0]) not in self.nodes:
+                raise ValueError(f"{parent}/{DESCRIPTION} is missing".removeprefix("/"))
+
     @property
     def groups(self) -> set[str]:
         """Paths of the groups that hold arrays."""
@@ -79,12 +84,13 @@ def content(path: Path, ledger: Ledger, stamp: Stamp | None) -> Content:
     OSError, ValueError : it is missing or damaged.
     """
     if ledger.kinetruss_run == 1 and (root := path / ARRAYS).is_dir():
-        texts = {file.parent.relative_to(root).as_posix(): file.read_bytes() for file in root.rglob(DESCRIPTION)}
-        return Content(path, stamp, None, {name: json.loads(text) for name, text in texts.items()})
-    with (path / ARCHIVE).open("rb") as file:
-        members = listed(file) if ledger.state == "finished" else walked(file, ledger.length)
-        found = {name: content_of(file, name, one) for name, one in members.items() if name.endswith(DESCRIPTION)}
-    return Content(path, stamp, members, {name.rpartition("/")[0]: json.loads(text) for name, text in found.items()})
+        members = None
+        texts = {file.relative_to(root).as_posix(): file.read_bytes() for file in root.rglob(DESCRIPTION)}
+    else:
+        with (path / ARCHIVE).open("rb") as file:
+            members = listed(file) if ledger.state == "finished" else walked(file, ledger.length)
+            texts = {name: content_of(file, name, one) for name, one in members.items() if name.endswith(DESCRIPTION)}
+    return Content(path, stamp, members, {name.rpartition("/")[0]: json.loads(text) for name, text in texts.items()})
 
 
 def dataset(content: Content, group: str, ledger: Ledger) -> xr.Dataset:

@@ -17,8 +17,8 @@ import io
 import json
 import os
 import zipfile
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -99,7 +99,6 @@ class Writer:
     def __init__(self, path: Path, ledger: Ledger, archive: Archive, lock: Lock) -> None:
         self.path, self.ledger = path, ledger
         self._archive, self._lock = archive, lock
-        self._groups: dict[str, Any] = {}
 
     def append(
         self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0, state: Mapping[str, NDArray[Any]] | None = None
@@ -200,16 +199,15 @@ def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = Fal
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise cannot_write(path, error) from error
-    lock = held or hold(path)
-    try:
+
+    def begin() -> Ledger:
         clear(path, keep=(LEDGER,))
         write_ledger(path, ledger)
-        archive = Archive(path / ARCHIVE)
+        (path / ARCHIVE).touch()
         atomic(path / MODEL, model_text)  # from here on the run can be read and continued
-    except OSError as error:
-        lock.release()
-        raise StoreError(failure(path, ledger, error)) from error
-    return Writer(path, ledger, archive, lock)
+        return ledger
+
+    return _opened(path, ledger, begin, held)
 
 
 def store_whole(
@@ -254,20 +252,30 @@ def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
     ------
     StoreError : another process is writing it; its archive is damaged, or cannot be written.
     """
-    lock = held or hold(path)
-    ledger = replace(ledger, status="", message="")
-    try:
-        if ledger.kinetruss_run < FORMAT:
-            ledger = _converted(path, ledger)
+
+    def begin() -> Ledger:
+        same = replace(ledger, status="", message="")
+        found = _converted(path, same) if ledger.kinetruss_run < FORMAT else same
         remove(path / ARRAYS)
-        archive = Archive(path / ARCHIVE, ledger.length)
-    except ValueError as error:
-        lock.release()
-        raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
-    except OSError as error:
-        lock.release()
-        raise StoreError(failure(path, ledger, error)) from error
-    return Writer(path, ledger, archive, lock)
+        return found
+
+    return _opened(path, ledger, begin, held)
+
+
+def _opened(path: Path, ledger: Ledger, begin: Callable[[], Ledger], held: Lock | None) -> Writer:
+    """A writer of a folder that `begin` has made ready; the lock is released if that fails."""
+    with ExitStack() as undone:
+        lock = held or hold(path)
+        undone.callback(lock.release)
+        try:
+            ready = begin()
+            archive = Archive(path / ARCHIVE, ready.length)
+        except ValueError as error:
+            raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
+        except OSError as error:
+            raise StoreError(failure(path, ledger, error)) from error
+        undone.pop_all()
+    return Writer(path, ready, archive, lock)
 
 
 def _converted(path: Path, ledger: Ledger) -> Ledger:
