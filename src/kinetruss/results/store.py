@@ -256,7 +256,10 @@ def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
     def begin() -> Ledger:
         same = replace(ledger, status="", message="")
         found = _converted(path, same) if ledger.kinetruss_run < FORMAT else same
-        remove(path / ARRAYS)
+        if (path / ARRAYS).exists():
+            # the model is written again, so that those who read the files are told that they are gone
+            atomic(path / MODEL, (path / MODEL).read_text("utf-8"))
+            remove(path / ARRAYS)
         return found
 
     return _opened(path, ledger, begin, held)
@@ -281,8 +284,7 @@ def _opened(path: Path, ledger: Ledger, begin: Callable[[], Ledger], held: Lock 
 def _converted(path: Path, ledger: Ledger) -> Ledger:
     """The ledger of a run of format 1 after its files are members of an archive, by the same names.
 
-    A kill before the ledger is replaced leaves the files as they were. The model is written again, so that those who read
-    the files are told that they are gone.
+    A kill before the ledger is replaced leaves the files as they were.
     """
     root = path / ARRAYS
     remove(path / ARCHIVE)
@@ -294,9 +296,7 @@ def _converted(path: Path, ledger: Ledger) -> Ledger:
     finally:
         archive.close()
     ledger = replace(ledger, kinetruss_run=FORMAT, length=archive.length)
-    model = (path / MODEL).read_text("utf-8")
     write_ledger(path, ledger)
-    atomic(path / MODEL, model)
     return ledger
 
 
