@@ -27,8 +27,7 @@ from kinetruss.model import Model
 from kinetruss.results import Status
 from kinetruss.results.folder import check_target, clear, is_store, read_ledger
 from kinetruss.results.lock import check_unlocked, holding
-from kinetruss.results.packed import pack
-from kinetruss.results.store import key
+from kinetruss.results.store import key, store_whole
 from kinetruss.results.wide_tables import NOT_CHECKED, most_used
 from kinetruss.runs.blocks import blocks
 from kinetruss.runs.instants import DERIVED
@@ -278,7 +277,7 @@ class _Work:
             options={**ledger.options, "derived": DERIVED},
             wall_time=time.perf_counter() - started,
         )
-        pack(path, ledger, variant.model.model_dump_json(), _datasets(first), overwrite=self.overwrite)
+        store_whole(path, ledger, variant.model.model_dump_json(), _datasets(first), overwrite=self.overwrite)
         return _done(status, status.ok and ledger.whole, first.verdict)
 
     def _shared(self, job: Plan) -> Plan:

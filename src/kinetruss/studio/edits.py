@@ -13,7 +13,7 @@ import numpy as np
 from kinetruss.errors import InputError, ModelError
 from kinetruss.io import write
 from kinetruss.model import Active, Bar, LoadCase, Model, NodalForce, nearest
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -14,7 +14,7 @@ from typing import Any
 from urllib.parse import quote
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 FOLDER = ".kinetruss"
 MOST = 50

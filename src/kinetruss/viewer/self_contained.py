@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import POLICY, html_page, number, quantity, scale
 from kinetruss.errors import InputError
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 from kinetruss.viewer.packing import pack
 from kinetruss.viewer.scenes import scene
 

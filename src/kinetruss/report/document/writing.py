@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from kinetruss.report.document.frame import with_pages
 from kinetruss.report.document.run_report import document_page
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.model import TitleBlock

@@ -28,7 +28,7 @@ from kinetruss.report.pictures.specs import (
     Panel,
     pen,
 )
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 __all__ = ["draw", "save"]
 

@@ -15,7 +15,7 @@ from PIL import Image
 from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, limits_of, number, quantity, rgb
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 from kinetruss.viewer.films.shown import Look, Subject
 from kinetruss.viewer.films.stage import ANGLE, Camera, aimed
 from kinetruss.viewer.moving import CHANNELS
