@@ -1,10 +1,10 @@
 """The verdict in one line: OK, over capacity, not fully checked, not checked."""
 
 import pytest
+from kinetruss.strength.governing import Governing, headline
 
 import kinetruss as kt
 from kinetruss import runs, strength
-from kinetruss.strength.governing import Governing, headline
 from samples import tripod
 
 STEEL = kt.Material(E=210e9, density=7850, yield_strength=235e6)

@@ -12,7 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, row_text, variable
-from kinetruss.results.wide_tables import NOT_CHECKED, most_used
+from kinetruss.results.wide_tables import most_used
 from kinetruss.strength.beam_verdict import beam_notes, beam_parts, chord_of
 from kinetruss.strength.critical_loads import beyond_euler, missing, notes
 from kinetruss.strength.parts import parts_of, twisted_parts
@@ -69,7 +69,7 @@ def highest(rows: Iterable[Row]) -> float:
     """Highest utilisation of some entries; NaN if none was checked, or only rules without demand."""
     some = list(rows)
     found = most_used(row.utilisation for row in some)
-    return math.nan if found == 0 and any(row.note.startswith(NOT_CHECKED) for row in some if not row.checked) else found
+    return math.nan if found == 0 and any(row.status == "not checked" for row in some) else found
 
 
 def _by_member(

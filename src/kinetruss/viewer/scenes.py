@@ -14,6 +14,7 @@ from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
+from kinetruss.results.wide_tables import NOT_CHECKED
 from kinetruss.runs import RunResult
 from kinetruss.runs.mission_results import check_histories
 from kinetruss.strength import check
@@ -37,7 +38,7 @@ from kinetruss.viewer.topology import topology
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.strength.governing import Headline
+    from kinetruss.strength.findings import Finding
 
 
 AT_REST = "Not checked: an equilibrium has no verdict. A run has one, or the forces of statics.at_poses"
@@ -100,11 +101,13 @@ def scene(
         "format": FORMAT, "version": VERSION, "kinetruss": __version__, "kind": subject.kind, "name": subject.name,
         "title": subject.model.title, "dim": subject.model.dim, "status": Status.COMPLETED.value, "message": "",
         "gravity": list(subject.model.gravity or (0.0,) * subject.model.dim), "rounded": False, "loads": [], "channels": [],
-        "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
+        "samples": {"all": 1, "shown": 1}, "cases": [], "not_unique": [],
     }  # fmt: skip
     shown = list(modes)
-    verdict = _verdict(subject)
-    header["verdict"] = verdict.record | ({"text": AT_REST} if subject.rest is not None else {})
+    finding = _finding(subject)
+    header["verdict"] = finding.record | ({"text": AT_REST} if subject.rest is not None else {})
+    header["verdict"]["more"] += finding.doubts
+    header["not_checked"] = _not_checked(finding)
     if subject.motion is None:
         more, histories = _standing(subject)
         if subject.linear is not None:
@@ -112,8 +115,8 @@ def scene(
         elif subject.rest is None:
             shown = mechanisms(subject.model) + shown
     else:
-        if verdict.governing is not None and np.isfinite(verdict.governing.time):
-            instants = (*instants, verdict.governing.time)
+        if finding.governing is not None and np.isfinite(finding.governing.time):
+            instants = (*instants, finding.governing.time)
         more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
     header |= more
     fixed = ("time", *header.get("over_run", ()))
@@ -151,19 +154,31 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
     return _Subject(model=model, kind="motion", motion=what)
 
 
-def _verdict(subject: _Subject) -> Headline:
+def _finding(subject: _Subject) -> Finding:
     """What governs, of the load cases shown: from the run, or checked here."""
-    from kinetruss.strength.governing import headline
+    from kinetruss.strength.findings import demands, find
 
     run = subject.run
-    if run is not None and (len(subject.forces) == len(run.forces) or not subject.forces):
-        return headline(run.verdict, run.demand, timed=run.motion.data.sizes["time"] > 1)
+    if run is not None and (run.verdict is not None or not run.forces) and len(subject.forces) in (0, len(run.forces)):
+        return run.finding
     if not subject.forces:
-        return headline(None)
+        return find(None)
+    verdict = check(subject.model, subject.forces)
+    if run is None:
+        return find(verdict, timed=subject.motion is not None and subject.motion.data.sizes["time"] > 1)
     names = {one.load_case for one in subject.forces}
-    timed = subject.motion is not None and subject.motion.data.sizes["time"] > 1
-    demand = {k: v for k, v in (run.demand if run else {}).items() if k in names}
-    return headline(check(subject.model, subject.forces), demand, timed=timed)
+    demand = demands({name: one for name, one in run.demand.items() if name in names})
+    return find(verdict, demand, partial=run.partial, doubts=run.doubts, timed=run.timed)
+
+
+def _not_checked(finding: Finding) -> dict[str, str]:
+    """Member -> its rules that were not checked and why, in words."""
+    found: dict[str, list[str]] = {}
+    for row in finding.members:
+        if row.status == "not checked":
+            of = "" if row.part == row.member else f" of {row.part}"
+            found.setdefault(row.member, []).append(f"{row.rule}{of}: {row.note.removeprefix(NOT_CHECKED)}")
+    return {member: "; ".join(words) for member, words in found.items()}
 
 
 def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

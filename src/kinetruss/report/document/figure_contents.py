@@ -11,8 +11,7 @@ import numpy as np
 from kinetruss.display import instant, number
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.report.document.demands import cased, is_over, share_of, value_of
-from kinetruss.report.document.result import governing_entry
+from kinetruss.report.document.demands import cased, share_of, value_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -43,9 +42,11 @@ class Loaded:
 
 def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
     """The instant of the governing entry, or of the largest member force, with the loads that act then."""
-    worst = governing_entry(record)
+    worst = run.finding.governing
     model, case, k = run.model, next(iter(run.forces), None), 0
-    entry: Mapping[str, Any] | None = worst or next(iter(record["largest_forces"]), None)
+    entry: Mapping[str, Any] | None = next(iter(record["largest_forces"]), None)
+    if worst is not None:
+        entry = {"load_case": worst.load_case, "pose": worst.pose, "time": worst.time}
     if entry is not None:
         case = entry["load_case"] if entry["load_case"] in run.forces else case
         k = _sample(run, entry)
@@ -60,10 +61,9 @@ def loaded(run: RunResult, record: Mapping[str, Any]) -> Loaded:
     )
     governing, over = None, False
     if worst is not None:
-        member = worst["part"].rpartition(".")[0] if worst["part"] not in _names(model) else worst["part"]
-        used = share_of(worst["utilisation"])
-        over = is_over(worst)
-        governing = (member, f"{worst['part']}: {worst['rule']} {used}")
+        member = worst.part.rpartition(".")[0] if worst.part not in _names(model) else worst.part
+        over = worst.status == "exceeded"
+        governing = (member, f"{worst.part}: {worst.rule} {share_of(worst.utilisation)}")
     return Loaded(
         model=model,
         position=run.motion.data["position"].values[k],
