@@ -16,7 +16,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import Active, LengthDrive, Model, Quintic, nearest, turns
 from kinetruss.model.runs import MISSION
 from kinetruss.runs import MissionRun, RunResult
-from kinetruss.strength.governing import headline
+from kinetruss.runs.doubts import remarks
 from kinetruss.studio.messages import Busy
 from kinetruss.viewer import page, scene
 
@@ -247,10 +247,8 @@ class Results:
         run = model.runs[work.name]
         least = 1 if run.analysis == "dynamics.simulate" else SMALLEST
         result = runs.run(model, work.name, progress=work.progress, block=max(least, -(-run.samples // PARTS)))
-        found = headline(result.verdict, result.demand).record
-        words = [_done(result), found["text"], *found["more"], result.message]
-        if found["governing"] is not None:
-            words.insert(2, found["governing"]["text"])
+        found = result.finding
+        words = [_done(result), found.text, found.governs, *found.more, *found.doubts, remarks(result)]
         shown, title = _shown(result)
         number = None if shown is None else self._kept(page(scene(shown), title=f"{model.title or 'Drawing'}: {title}"), work)
         return {"kind": "ran", "words": "\n".join(filter(None, words)), "number": number}

@@ -14,7 +14,6 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics.continua import skin_of
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Pressure
-from kinetruss.model.beam_frames import shown_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -129,7 +128,6 @@ def moving(
         "samples": {"all": count, "shown": len(time)},
         "status": motion.status.value,
         "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
-        "not_checked": _unchecked(model) if described else {},
         "channels": channels,
         "over_run": over_run,
         "cases": described,
@@ -157,13 +155,6 @@ def load_times(result: Forces | Result, time: NDArray[np.float64]) -> NDArray[np
 def _not_held(run: RunResult | None) -> list[str]:
     """Sentences on the checks that the verdict of a run could not make."""
     return [] if run is None or run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
-
-
-def _unchecked(model: Model) -> dict[str, str]:
-    from kinetruss.strength.verdict import unchecked
-
-    shown = shown_names(model)
-    return {shown[name]: what for name, what in unchecked(model).items()}
 
 
 def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:

@@ -18,6 +18,7 @@ from kinetruss.model import Model, nearest
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.results.records import check_samples
+from kinetruss.results.wide_tables import NOT_CHECKED
 from kinetruss.runs import RunResult
 from kinetruss.runs.mission_results import check_histories
 from kinetruss.strength import check
@@ -45,7 +46,7 @@ from kinetruss.viewer.topology import topology
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.strength.governing import Headline
+    from kinetruss.strength.findings import Finding
 
 
 AT_REST = "Not checked: an equilibrium has no verdict. A run has one, or the forces of statics.at_poses"
@@ -108,11 +109,13 @@ def scene(
         "format": FORMAT, "version": VERSION, "kinetruss": __version__, "kind": subject.kind, "name": subject.name,
         "title": subject.model.title, "dim": subject.model.dim, "status": Status.COMPLETED.value, "message": "",
         "gravity": list(subject.model.gravity or (0.0,) * subject.model.dim), "rounded": False, "loads": [], "channels": [],
-        "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
+        "samples": {"all": 1, "shown": 1}, "cases": [], "not_unique": [],
     }  # fmt: skip
     shown = list(modes)
-    verdict = _verdict(subject)
-    header["verdict"] = verdict.record | ({"text": AT_REST} if subject.rest is not None else {})
+    finding = _finding(subject)
+    header["verdict"] = finding.record | ({"text": AT_REST} if subject.rest is not None else {})
+    header["verdict"]["more"] += finding.doubts
+    header["not_checked"] = _not_checked(finding)
     if subject.motion is None:
         more, histories = _standing(subject)
         if subject.linear is not None:
@@ -120,8 +123,8 @@ def scene(
         elif subject.rest is None:
             shown = mechanisms(subject.model) + shown
     else:
-        if verdict.governing is not None and np.isfinite(verdict.governing.time):
-            instants = (*instants, verdict.governing.time)
+        if finding.governing is not None and np.isfinite(finding.governing.time):
+            instants = (*instants, finding.governing.time)
         more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
     header |= more
     fixed = ("time", *header.get("over_run", ()))
@@ -172,7 +175,9 @@ def snapshots(
             when, loading = load_times(subject.forces[0], when), subject.forces[0].load_case
         loading = loading if loading in model.load_cases else None
         loads, found["load_force"] = loads_of(model, when, loading, data["position"].values)
-        more = {"loads": loads} | _gravity(subject.forces[:1])
+        more = {"loads": loads}
+        if subject.forces:  # a load case may have its own
+            more["gravity"] = [float(g) for g in subject.forces[0].data.attrs["gravity"]]
     if (colour is not None or case is not None) and not subject.forces and subject.rest is None:
         raise InputError("There are no forces to colour by. Give a run, forces or an equilibrium.")
     if case is not None and all(one.load_case != case for one in subject.forces):
@@ -192,11 +197,6 @@ def snapshots(
         header["channels"] = [channel]
         kept |= {name: values[list(samples)] for name, values in coloured.items()}
     return Scene(header=header, arrays=arrays | kept)
-
-
-def _gravity(forces: Sequence[Forces]) -> dict[str, Any]:
-    """The gravity of a load case, which may have its own."""
-    return {"gravity": [float(g) for g in one.data.attrs["gravity"]] for one in forces}
 
 
 def _coloured(subject: _Subject, found: dict[str, Any], colour: str) -> tuple[dict[str, Any], dict[str, NDArray[np.float64]]]:
@@ -261,19 +261,31 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
     return _Subject(model=model, kind="motion", motion=what)
 
 
-def _verdict(subject: _Subject) -> Headline:
+def _finding(subject: _Subject) -> Finding:
     """What governs, of the load cases shown: from the run, or checked here."""
-    from kinetruss.strength.governing import headline
+    from kinetruss.strength.findings import demands, find
 
     run = subject.run
-    if run is not None and (len(subject.forces) == len(run.forces) or not subject.forces):
-        return headline(run.verdict, run.demand, timed=run.motion.data.sizes["time"] > 1)
+    if run is not None and (run.verdict is not None or not run.forces) and len(subject.forces) in (0, len(run.forces)):
+        return run.finding
     if not subject.forces:
-        return headline(None)
+        return find(None)
+    verdict = check(subject.model, subject.forces)
+    if run is None:
+        return find(verdict, timed=subject.motion is not None and subject.motion.data.sizes["time"] > 1)
     names = {one.load_case for one in subject.forces}
-    timed = subject.motion is not None and subject.motion.data.sizes["time"] > 1
-    demand = {k: v for k, v in (run.demand if run else {}).items() if k in names}
-    return headline(check(subject.model, subject.forces), demand, timed=timed)
+    demand = demands({name: one for name, one in run.demand.items() if name in names})
+    return find(verdict, demand, partial=run.partial, doubts=run.doubts, timed=run.timed)
+
+
+def _not_checked(finding: Finding) -> dict[str, str]:
+    """Member -> its rules that were not checked and why, in words."""
+    found: dict[str, list[str]] = {}
+    for row in finding.members:
+        if row.status == "not checked":
+            of = "" if row.part == row.member else f" of {row.part}"
+            found.setdefault(row.member, []).append(f"{row.rule}{of}: {row.note.removeprefix(NOT_CHECKED)}")
+    return {member: "; ".join(words) for member, words in found.items()}
 
 
 def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:

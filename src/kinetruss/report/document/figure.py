@@ -9,8 +9,7 @@ import numpy as np
 
 from kinetruss.display import DRIVEN, instant, number, quantity
 from kinetruss.model import Pressure
-from kinetruss.report.document.demands import cased, is_over, share_of, value_of
-from kinetruss.report.document.result import governing_entry
+from kinetruss.report.document.demands import cased, share_of, value_of
 from kinetruss.report.document.run_pictures import embedded, lines_of
 from kinetruss.report.pictures.drawing import drawn, round_length
 from kinetruss.report.pictures.labels import CROWDED, Label
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.display import Markup
+    from kinetruss.results import Row
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
@@ -51,9 +51,11 @@ def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = Fa
 
 def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) -> tuple[Drawing, str]:
     """The instant of the governing entry, or of the largest member force, with the loads that act then; and its caption."""
-    worst = governing_entry(record)
+    worst = run.finding.governing
     case, k = next(iter(run.forces), None), 0
-    entry: Mapping[str, Any] | None = worst or next(iter(record["largest_forces"]), None)
+    entry: Mapping[str, Any] | None = next(iter(record["largest_forces"]), None)
+    if worst is not None:
+        entry = {"load_case": worst.load_case, "pose": worst.pose, "time": worst.time}
     if entry is not None:
         case = entry["load_case"] if entry["load_case"] in run.forces else case
         k = _sample(run, entry)
@@ -62,10 +64,10 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
     pairs = arrows(places, 0, least=LEAST_FORCE)
     over, labels, chief = False, [], None
     if worst is not None:
-        over = is_over(worst)
-        chief = _member(places, run, worst["part"])
+        over = worst.status == "exceeded"
+        chief = _member(places, run, worst.part)
     if worst is not None and chief is not None:
-        words = f"{worst['part']}: {worst['rule']} {share_of(worst['utilisation'])}"
+        words = f"{worst.part}: {worst.rule} {share_of(worst.utilisation)}"
         labels.append(Label(words=words, at=middle(places, chief), colour=ALARM if over else INK, bold=True))
     lengths = [float(np.linalg.norm(end - start)) for start, end, _ in pairs]
     least = sorted(lengths, reverse=True)[:NAMED][-1] if lengths else 0.0
@@ -131,7 +133,7 @@ def _marks(places: Places) -> list[str]:
     return [words[kind] for kind, nodes in places.supports.items() if nodes]
 
 
-def _caption(run: RunResult, case: str | None, k: int, worst: Mapping[str, Any] | None, over: bool, places: Places) -> str:
+def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: bool, places: Places) -> str:
     model, header, time = run.model, places.scene.header, run.motion.data["time"].values
     when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
     if "pose" in run.motion.data.coords:
@@ -139,7 +141,7 @@ def _caption(run: RunResult, case: str | None, k: int, worst: Mapping[str, Any] 
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if worst is not None:
         mark = "red, over its capacity" if over else "on a broad pale band"
-        words.append(f"the governing part {mark} ({worst['part']}: {worst['rule']} {share_of(worst['utilisation'])})")
+        words.append(f"the governing part {mark} ({worst.part}: {worst.rule} {share_of(worst.utilisation)})")
     if header["drives"]:
         words.append("driven members green")
     if held := _marks(places):
