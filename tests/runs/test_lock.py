@@ -434,7 +434,8 @@ def test_an_archive_that_is_replaced_while_it_is_opened_is_not_told_as_damaged(f
 
     def replaced(*given):
         if not done:
-            done.append(runs.run(fourbar(9), out=folder, block=4, overwrite=True))
+            done.append(place)
+            runs.run(fourbar(9), out=folder, block=4, overwrite=True)
             if damaged:
                 raise ValueError("what was read is half of the one and half of the other")
         return real(*given)
