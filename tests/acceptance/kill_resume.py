@@ -176,6 +176,9 @@ def warm_run(given: tuple[str, kt.Model, str, int], kills: int, dice: random.Ran
         if os.WIFSIGNALED(status):
             counts.append(load_count(out) if (out / "kinetruss.json").exists() else -1)
             bad = half(out)
+            code = (
+                0 if open_to_resume(out) and open_store(out).ledger.state == "finished" else None
+            )  # killed after its last word
         else:
             code = os.WEXITSTATUS(status)
     bad = bad or ([note.read_text()] if code else differences(whole, out))

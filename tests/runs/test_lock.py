@@ -19,7 +19,7 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, KinetrussError, StoreError
 from kinetruss.io import export
-from kinetruss.results import folder as _folder, lock as _lock
+from kinetruss.results import folder as _folder, lock as _lock, reading
 from kinetruss.results.archive import Archive
 from kinetruss.results.folder import ARCHIVE, Ledger, claimed
 from kinetruss.results.lock import LOCK, hold, holding, is_locked
@@ -424,6 +424,27 @@ def test_a_run_that_is_replaced_while_it_is_read_is_not_mixed_with_the_new_one(f
     with pytest.raises(StoreError, match="was replaced by another run while it was read. Read it again"):
         found.motion.position.values  # noqa: B018 - read when used
     assert runs.load(folder).motion.position.values.shape[0] == 9
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("damaged", [False, True])
+@pytest.mark.parametrize("place", ["listed", "content_of"])
+def test_an_archive_that_is_replaced_while_it_is_opened_is_not_told_as_damaged(folder, monkeypatch, place, damaged):
+    real, done = getattr(reading, place), []
+
+    def replaced(*given):
+        if not done:
+            done.append(place)
+            runs.run(fourbar(9), out=folder, block=4, overwrite=True)
+            if damaged:
+                raise ValueError("what was read is half of the one and half of the other")
+        return real(*given)
+
+    monkeypatch.setattr(reading, place, replaced)
+    with pytest.raises(StoreError, match="was replaced by another run while it was read. Read it again"):
+        open_store(folder)
+    assert done
+    assert open_store(folder).ledger.whole
 
 
 @pytest.mark.slow
