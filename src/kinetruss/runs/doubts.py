@@ -86,7 +86,7 @@ def not_unique(run: RunResult) -> list[str]:
 
 def singularity(run: RunResult) -> dict[str, float] | None:
     """The smallest measure of singularity and its time; None where it is not known."""
-    gauge = run.motion.data["singularity"].values
+    gauge = run.motion.arrays["singularity"].values if "singularity" in run.motion.arrays else np.zeros(0)
     if not len(gauge) or np.isnan(gauge).all():
         return None
     at = int(np.nanargmin(gauge))
