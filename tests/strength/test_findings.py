@@ -176,3 +176,25 @@ def test_a_table_of_variants_tells_the_verdict_of_members_and_drives():
         assert record["worst"]["utilisation"] < 1
     assert report.variants(found).record[0]["verdict"] == "Over capacity"  # a motor
     assert "Over capacity" in report.variants(found).text
+
+
+def test_a_load_case_without_section_forces_is_no_ok():
+    """Small displacements have no section forces under loads between joints: 100 kN amid a bar was OK."""
+    loads = {"push": kt.NodalForce(node="C", force=(100, -1e3)), "turn": kt.BodyForce(body="left", force=(0, -1e5))}
+    cases = {"one": kt.LoadCase(loads={"push": 1.0}), "two": kt.LoadCase(loads={"turn": 1.0})}
+    run = runs.run(pair(loads=loads, load_cases=cases, runs={"small": kt.Run(analysis="statics.linear")}))
+    assert (list(run.statics), list(run.forces)) == (["one", "two"], ["one"])
+    assert run.finding.state == "open"
+    (words,) = run.finding.left_out
+    assert words.startswith("Not included: strength under two, ")
+    assert words in report.summary(run).text
+    assert words in report.document_page(run).record["warnings"]
+    assert words in viewer.scene(run).header["verdict"]["more"]
+
+
+def test_an_equilibrium_that_is_not_stable_is_a_doubt():
+    nodes = {"A": (0, 0), "B": kt.Node(at=(0, 1), mass=1.0), "C": kt.Node(at=(0, 2), mass=1.0)}
+    tower = pair(nodes=nodes, fixed=["A"], bars={"low": ("A", "B"), "high": ("B", "C")}, loads={}, gravity=(0, -9.81))
+    run = runs.run(tower.with_(runs={"rest": kt.Run(analysis="statics.equilibrium")}))
+    assert run.finding.doubts == ("The equilibrium under all loads is not stable: 2 modes of negative stiffness.",)
+    assert f"warning: {run.finding.doubts[0]}" in report.summary(run).text

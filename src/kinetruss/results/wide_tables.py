@@ -117,7 +117,7 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     parts, rules = data[subject].values.tolist(), [str(name) for name in data[rule].values]
     count = len(parts)
     members = data["member"].values.tolist() if "member" in data else parts
-    units = data["unit"].values.tolist()
+    units = data["unit"].values.tolist() if "unit" in data else [""] * len(rules)
     # read whole arrays: reading single values from a dataset takes a hundred times as long
     numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
     texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}

@@ -1,4 +1,6 @@
-"""What makes the numbers of a run unsure: an energy balance that does not close, a singular position, forces not unique."""
+"""What makes the numbers of a run unsure: an energy balance that does not close, a singular position, forces not unique; and
+load cases that no check includes.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import instant, number
+from kinetruss.display import counted, instant, number
 from kinetruss.mechanics import not_unique_note
 
 if TYPE_CHECKING:
@@ -55,9 +57,21 @@ def doubts(run: RunResult) -> Iterator[str]:
             f"The force is not unique in {', '.join(names)}: the structure is redundant, and the distribution "
             "depends on stiffness or convention."
         )
+    for case, found in run.statics.items():
+        soft = {"unstable": "of negative stiffness", "neutral": "without stiffness"}
+        if ways := [f"{counted(k, 'mode')} {what}" for name, what in soft.items() if (k := int(found.attrs.get(name, 0)))]:
+            yield f"The equilibrium under {'all loads' if case == 'all' else case} is not stable: {' and '.join(ways)}."
     for one in () if run.simulation is None else run.simulation.passages:
         if not one.certain:
             yield f"At the singular position passed at {one} the tolerance cannot distinguish the branches."
+
+
+def cases_left_out(run: RunResult) -> list[str]:
+    """A sentence on load cases with displacements and without section forces, so that no check includes them."""
+    names = [case for case in run.statics if run.forces and case not in run.forces]
+    return (
+        [f"Not included: strength under {', '.join(names)}, whose loads act on members between their joints."] if names else []
+    )
 
 
 def remarks(run: RunResult) -> str:
@@ -72,7 +86,7 @@ def not_unique(run: RunResult) -> list[str]:
 
 def singularity(run: RunResult) -> dict[str, float] | None:
     """The smallest measure of singularity and its time; None where it is not known."""
-    gauge = run.motion.data["singularity"].values
+    gauge = run.motion.arrays["singularity"].values if "singularity" in run.motion.arrays else np.zeros(0)
     if not len(gauge) or np.isnan(gauge).all():
         return None
     at = int(np.nanargmin(gauge))

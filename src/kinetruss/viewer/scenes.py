@@ -109,7 +109,7 @@ def scene(
         "format": FORMAT, "version": VERSION, "kinetruss": __version__, "kind": subject.kind, "name": subject.name,
         "title": subject.model.title, "dim": subject.model.dim, "status": Status.COMPLETED.value, "message": "",
         "gravity": list(subject.model.gravity or (0.0,) * subject.model.dim), "rounded": False, "loads": [], "channels": [],
-        "samples": {"all": 1, "shown": 1}, "cases": [], "not_unique": [],
+        "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
     }  # fmt: skip
     shown = list(modes)
     finding = _finding(subject)
