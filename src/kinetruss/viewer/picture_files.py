@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     Frames = Iterable[NDArray[np.uint8]]
 
 
+PALE = 248
+"""Least part of red, green and blue of a colour that a GIF shows as white: Pillow finds the colours of its table by steps of 4,
+and would take a pale one for the paper."""
+
+
 def rate_of(suffix: str, fps: float) -> float:
     """Possible frames per second: delays in a GIF are whole hundredths of a second, at least two."""
     return fps if suffix == ".mp4" else 100.0 / max(2, round(100.0 / fps))
@@ -85,7 +90,11 @@ def _gif(frames: Frames, part: Path, fps: float, colours: NDArray[np.uint8]) -> 
     sample = Image.new("RGB", (first.width, first.height + swatches.height))
     sample.paste(first)
     sample.paste(swatches, (0, first.height))
-    table = sample.quantize(255, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    found = sample.quantize(255, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    entries = np.reshape(found.getpalette() or [], (-1, 3))
+    entries[(entries >= PALE).all(axis=1)] = 255
+    table = Image.new("P", (1, 1))
+    table.putpalette(entries.ravel().tolist())
     begin = first.quantize(palette=table, dither=Image.Dither.NONE)
     rest = (one.quantize(palette=table, dither=Image.Dither.NONE) for one in pictures)
     with part.open("wb") as stream:
