@@ -82,6 +82,7 @@ class Film {
     view.renderer.setPixelRatio(this.fine);
     const places = placesOf(view), around = 2 * view.bars.ball;
     if (view.mode) for (const size of [-this.reach, this.reach]) places.push(...this.swung(size));
+    if (look.grid) places.push(...groundOf(view).flat());
     this.places = [-around, around].flatMap((more) => places.map((point) => point.map((x) => x + more)));
     const backward = new Vector3(...look.direction).normalize();
     camera.up.set(0, ...(Math.abs(backward.z) > 0.999 ? [1, 0] : [0, 1]));
