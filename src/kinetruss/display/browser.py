@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import fcntl
 import itertools
 import json
@@ -113,6 +114,15 @@ class Browser:
         self._events.clear()
         self.send("Page.navigate", url=page.resolve().as_uri())
         self._until(lambda: "Page.loadEventFired" in self._events)
+
+    def paper(self, page: Path) -> bytes:
+        """A file printed as PDF, on the paper that its style names."""
+        self.open(page)
+        found = self.send("Page.printToPDF", printBackground=True, preferCSSPageSize=True, generateTaggedPDF=True)
+        printed = base64.b64decode(found["data"])
+        if not printed.startswith(b"%PDF-") or b"%%EOF" not in printed[-64:]:
+            raise BrowserError(f"{self._program} failed (what it printed is not whole).")
+        return printed
 
     def ask(self, expression: str) -> Any:
         """The value of an expression of JavaScript in the page, of a promise what it comes to."""
