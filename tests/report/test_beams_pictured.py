@@ -9,7 +9,6 @@ import kinetruss as kt
 from kinetruss import report, viewer
 from kinetruss.report.run_figures import specifications
 from kinetruss.strength.beam_verdict import middle_forces
-from kinetruss.viewer.films.shown import Look, Subject
 from kinetruss.viewer.places import Places
 
 PUSH = 300.0
@@ -94,16 +93,14 @@ def deflection(s: np.ndarray) -> np.ndarray:
 def test_a_bent_beam_is_drawn_along_its_deflection():
     model, rest = cantilever()
     one = viewer.scene(rest, model=model)
-    subject = Subject(one, Look())
-    x = subject.points(0)
-    _, boxes = subject.rods(0, x, subject.colours(0, None, (0, 1)))
-    assert len(boxes.radius) == 12  # a rectangular beam
-    drawn = np.concatenate([boxes.start, boxes.end[-1:]])
+    (along,), (nodes,) = one.arrays["beam_along"], one.arrays["beam_nodes"]
+    drawn = along @ one.arrays["position"][0][nodes]
+    assert len(drawn) == 13
     tip = abs(deflection(np.ones(1))[0])
     np.testing.assert_allclose(drawn[:, 1], deflection(np.linspace(0, 1, 13)), atol=1e-7 * tip)
     # on paper the same points
     (curve,) = Places(one).lines
-    np.testing.assert_allclose(curve, drawn[:, :2], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(curve, drawn, rtol=0, atol=1e-15)
 
 
 def test_a_scene_has_the_section_forces_of_a_beam():

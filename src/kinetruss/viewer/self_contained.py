@@ -116,6 +116,11 @@ def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None,
     return _document(title or "kinetruss", data, policy, f' data-live="{live}"')
 
 
+def film_page(still: Scene) -> str:
+    """The page that draws pictures and films of a scene, as `kinetruss.viewer.pictures` asks it to."""
+    return _document("kinetruss", _data(still, ""), POLICY, ' data-live="film"')
+
+
 def _data(one: Scene, name: str) -> str:
     return f'<script type="text/plain" class="kinetruss-scene" data-label="{html.escape(name)}">{_text(pack(one))}</script>\n'
 
