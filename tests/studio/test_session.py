@@ -10,8 +10,8 @@ import pytest
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from kinetruss.studio import Session
-from kinetruss.studio.commands import MOST
-from kinetruss.studio.edits import seen_now
+from kinetruss.studio.files import seen_now
+from kinetruss.studio.messages import SMALL
 from samples import fourbar, tripod
 
 
@@ -172,7 +172,7 @@ def test_key_frames_become_a_run_with_its_worst_instants():
     assert worst["used"] == pytest.approx(wanted.utilisation, rel=1e-9)
     assert worst["time"] == pytest.approx(wanted.time)
     assert "at least two" in ask(session, do="run", frames=frames[:1])["message"]
-    assert ask(session, do="live")["kind"] == "scene"
+    assert ask(session, do="show")["kind"] == "scene"
 
 
 def test_what_is_saved_is_what_is_shown(tmp_path):
@@ -185,7 +185,7 @@ def test_what_is_saved_is_what_is_shown(tmp_path):
     again = Session(model)
     assert again.pose.values == session.pose.values
     np.testing.assert_allclose(again.pose.position, session.pose.position, atol=1e-12)
-    np.testing.assert_allclose(again.query()["member_force"], session.query()["member_force"], atol=1e-9)
+    np.testing.assert_allclose(ask(again, do="query")["member_force"], ask(session, do="query")["member_force"], atol=1e-9)
     assert kt.run(model, "studio").status.ok
 
 
@@ -267,7 +267,7 @@ def test_values_that_are_hardly_meant_are_asked_about(command, words):
      '{"do": "move", "values": {"LA": 1e400}}', '{"do": "move", "values": {"nope": 1}}',
      '{"do": "move", "values": {"LA": "x"}}',
      '{"do": "gravity", "value": [1]}', '{"do": "gravity", "value": [1, 2]}', '{"do": "mass", "node": "T", "mass": -1}',
-     '{"do": "switch", "member": "nope", "to": "cut"}', '{"do": "live", "more": 1}', "[" * 100_000, "x" * (MOST + 1)],
+     '{"do": "switch", "member": "nope", "to": "cut"}', '{"do": "show", "more": 1}', "[" * 100_000, "x" * (SMALL + 1)],
 )  # fmt: skip
 def test_what_is_not_understood_is_refused_in_a_sentence(text):
     session = Session(tripod())

@@ -38,7 +38,7 @@ function throughFrame(live) {
   window.addEventListener("message", ({ source, data }) => {
     if (source === window.parent && source !== window && data?.kinetruss) live.hear(data.kinetruss);
   });
-  window.parent.postMessage({ kinetruss: "{\"do\":\"live\"}" }, "*");
+  window.parent.postMessage({ kinetruss: "{\"do\":\"show\"}" }, "*");
   setTimeout(() => live.still(), window.parent === window ? 0 : SILENT); // alone there is nobody to answer
   live.open((text) => window.parent.postMessage({ kinetruss: text }, "*"));
 }
