@@ -154,17 +154,20 @@ class Session:
     ) -> Reached:  # fmt: skip
         """The pose of changed data of a live model, which become the next step."""
         model = model_of(data, [], self.drawing.state.folder, MAX_SIZE)
-        pose = self._stood(model)
+        pose = self._stood(model, self.model)
         self.drawing.take(data, words, drag, typed=typed, model=model, anew=anew, lost=lost)
         return pose
 
-    def _stood(self, model: Model) -> Reached:
-        """The model closed at the drive values shown, or in equilibrium; checked for forces."""
-        values = {}
-        for name, value in present_values(model, self.pose.position).items() if _same_nodes(model, self.model) else ():
-            low, high, limited = range_of(model, name, self.pose.position)
-            values[name] = self.pose.values.get(name, min(max(value, low), high) if limited else value)
-        pose = stand(model, self.pose.position, values) if _same_nodes(model, self.model) else start_of(model)
+    def _stood(self, model: Model, before: Model) -> Reached:
+        """A model closed at the drive values shown, or in equilibrium; checked for forces. before : the model of the pose."""
+        if list(model.nodes) != list(before.nodes):
+            pose = start_of(model)
+        else:
+            values = {}
+            for name, value in present_values(model, self.pose.position).items():
+                low, high, limited = range_of(model, name, self.pose.position)
+                values[name] = self.pose.values.get(name, min(max(value, low), high) if limited else value)
+            pose = stand(model, self.pose.position, values)
         instant(model, pose.position, self.case)
         return pose
 
@@ -196,10 +199,11 @@ class Session:
 
     def step(self, by: int) -> Answer:
         """Undo (-1) or redo (1) one step."""
+        before = None if self.draw else self.model
         self.drawing.step(by)
-        if not self.draw:
+        if before is not None:
             try:
-                self._pose = self._stood(self.model)
+                self._pose = self._stood(self.model, before)
             except KinetrussError:
                 self.drawing.step(-by)
                 raise
@@ -451,8 +455,3 @@ def _opened(model: Model | None, text: str, folder: Path | None, dim: int, draw:
         if not faults:
             return State(data, text, folder=folder or Path(), within=draw, model=model)
     return State(plain_model(model), model=model)
-
-
-def _same_nodes(one: Model, other: Model) -> bool:
-    """Whether a pose of one model is one of the other."""
-    return one is other or list(one.nodes) == list(other.nodes)
