@@ -9,7 +9,7 @@ from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError, UnitError
 from kinetruss.io.writing import changed_text, data_of, head_of, text_of
-from kinetruss.model import Model
+from kinetruss.model import Model, of_file
 from kinetruss.studio.edits import MEMBERS, Data, moved, place_of
 from kinetruss.studio.judging import Judged, judged
 from kinetruss.units import parse
@@ -114,6 +114,23 @@ def read_text(text: str, folder: Path, *, within: bool = True) -> tuple[Data, li
     except ModelError as error:
         return {}, error.faults
     return data, faults or faulty_shape(data)
+
+
+def model_of(data: Data, folder: Path) -> Model:
+    """The model of plain data; motions of runs are files of the folder. Nothing is read.
+
+    Raises
+    ------
+    ModelError : faults, in the words of a file.
+    """
+    rows = data.get("runs")
+    runs = rows if isinstance(rows, dict) else {}
+    for name, run in runs.items():
+        if isinstance(run, dict) and isinstance(run.get("motion"), str):
+            runs = {**runs, name: {**run, "motion": str(folder / run["motion"])}}
+    data = {**data, "runs": runs} if runs else data
+    with of_file():
+        return Model(**data)
 
 
 class Drawing:

@@ -257,16 +257,14 @@ def with_load(data: Data, name: str, node: str, force: Sequence[float]) -> Data:
     listing = {key: case for key, case in cases.items() if isinstance(case, dict) and case.get("loads") is not None}
     if not any(force):
         found = without(data, "loads", name)
-        changed = {key: {**case, "loads": _less(case["loads"], name)} for key, case in listing.items()}
+        changed = {
+            key: {**case, "loads": {k: v for k, v in case["loads"].items() if k != name}} for key, case in listing.items()
+        }
     else:
         new = name not in (data.get("loads") or {})
         found = _put(data, "loads", name, {"node": node, "force": list(force)})
         changed = {key: {**case, "loads": {**case["loads"], name: 1.0}} for key, case in listing.items() if new}
     return {**found, "load_cases": {**cases, **changed}} if changed else found
-
-
-def _less(table: Mapping[str, Any], name: str) -> dict[str, Any]:
-    return {key: value for key, value in table.items() if key != name}
 
 
 def with_mass(data: Data, model: Model, node: str, mass: float) -> Data:
@@ -281,7 +279,7 @@ def with_mass(data: Data, model: Model, node: str, mass: float) -> Data:
 def with_value(data: Data, path: Sequence[str], value: Any) -> Data:
     """The data with the value at a path; None removes it. Empty tables are removed too."""
     if path[0] == "fixed":
-        data = {**data, "fixed": _fixed(data)}
+        data = {**data, "fixed": supports(data)}
     found = _with(data, list(path), value, ())
     if path[0] == "bars" and len(path) > 2 and found.get("bars", {}).get(path[1]) is None:
         raise InputError(f"No bar called {path[1]!r}. {nearest(path[1], data.get('bars') or {})}")
@@ -319,12 +317,13 @@ def _with(here: Any, path: list[str], value: Any, before: tuple[str, ...]) -> An
     return found if found or len(before) != 1 else None
 
 
-def _fixed(data: Data) -> dict[str, str]:
+def supports(data: Data) -> dict[str, str]:
     """Supports as a table node -> axes."""
     given = data.get("fixed") or {}
     if isinstance(given, dict):
         return dict(given)
-    axes = "xyz"[: len(place_of(data, next(iter(data["nodes"]))))]
+    nodes = data.get("nodes")
+    axes = "xyz"[: len(place_of(data, next(iter(nodes)))) if nodes else 2]
     return dict.fromkeys(given, axes)
 
 
@@ -338,7 +337,7 @@ def deleted(data: Data, nodes: Iterable[str], members: Iterable[str]) -> tuple[D
         cut |= {name for name, entry in entries.items() if gone & set(ends_of(entry))}
         found[table] = {name: entry for name, entry in entries.items() if name not in cut}
     if found.get("fixed"):
-        found["fixed"] = {name: axes for name, axes in _fixed(data).items() if name not in gone}
+        found["fixed"] = {name: axes for name, axes in supports(data).items() if name not in gone}
     found["nodes"] = {name: entry for name, entry in (data.get("nodes") or {}).items() if name not in gone}
     found = {key: value for key, value in found.items() if value not in ({}, []) or key == "nodes"}
     found = clamped_where_beams_are(found)

@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError, ModelError
-from kinetruss.io import MAX_SIZE
 from kinetruss.io.emitting import plain_record
-from kinetruss.io.reading import model_of
 from kinetruss.model import Active, Bar, Model, nearest
+from kinetruss.studio.drawing import State, model_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.studio.drawing import State
     from kinetruss.studio.edits import Data
 
 
@@ -103,7 +101,7 @@ def _lean(data: Data, state: State, original: State) -> tuple[Data, Data]:
     lost: Data = {}
     for _ in range(ROUNDS):
         try:
-            model_of(data, [], state.folder, MAX_SIZE)
+            model_of(data, state.folder)
         except ModelError as error:
             gone = {(str(fault.path[0]), str(fault.path[1])) for fault in error.faults if len(fault.path) > 1}
             gone = {(table, entry) for table, entry in gone if table in LEAN and entry in _names(data, table)}

@@ -149,81 +149,45 @@ def travelled(model: Model, frames: Sequence[KeyFrame], start: Mapping[str, floa
 
 
 def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
-    """The worst instants of a run: rule, member, utilisation and time; highest utilisation first."""
-    rows: list[dict[str, Any]] = []
-    if result.verdict is not None:
-        rows += [
-            {
-                "what": row.rule,
-                "member": row.member,
-                "used": _for_json(row.utilisation),
-                "value": number(row.value),
-                "unit": row.unit,
-                "time": number(row.time),
-                "case": row.load_case,
-            }
-            for row in result.verdict.table()
-            if row.checked
-        ]
+    """The worst instants of a run: rule, member, utilisation and time; highest utilisation first.
+
+    Then the largest tension and compression, and the pose nearest to a singularity.
+    """
+    table = () if result.verdict is None else result.verdict.table()
+    rows = [
+        _row(row.rule, row.member, row.value, row.unit, row.time, row.load_case, row.utilisation)
+        for row in table
+        if row.checked
+    ]
     for case, demand in result.demand.items():
         data = demand.data
         for k, name in enumerate(data["active"].values):
             for q, what in enumerate(data["quantity"].values):
-                used = float(data["utilisation"].values[k, q])
+                used, value, time = (float(data[column].values[k, q]) for column in ("utilisation", "value", "time_of"))
                 if np.isfinite(used):
-                    value, time = number(data["value"].values[k, q]), number(data["time_of"].values[k, q])
-                    rows.append(
-                        {
-                            "what": str(what),
-                            "member": str(name),
-                            "used": used,
-                            "value": value,
-                            "unit": str(data["unit"].values[q]),
-                            "time": time,
-                            "case": case,
-                        }
-                    )
+                    rows.append(_row(what, name, value, data["unit"].values[q], time, case, used))
     rows.sort(key=lambda row: -float(row["used"]))
     return rows[:most] + _largest(result)
 
 
-def _for_json(used: float) -> float | str:
-    """A utilisation for JSON; it is infinite above Euler's load."""
-    return used if np.isfinite(used) else "Infinity"
+def _row(what: Any, member: Any, value: float, unit: Any, time: float, case: str, used: float | None) -> dict[str, Any]:
+    """One row for JSON; a utilisation above Euler's load is infinite."""
+    share = "Infinity" if used is not None and not np.isfinite(used) else used
+    row = {"what": str(what), "member": str(member), "used": share, "value": number(value), "unit": str(unit)}
+    return row | {"time": number(time), "case": case}
 
 
 def _largest(result: RunResult) -> list[dict[str, Any]]:
-    """Largest tension and compression, and the pose nearest to a singularity."""
     found = []
     for case, forces in result.forces.items():
-        N = forces.arrays["member_force"].values
+        N, time, names = (forces.arrays[name].values for name in ("member_force", "time", "member"))
         for what, at in (("largest tension", N.argmax()), ("largest compression", N.argmin())):
             t, k = np.unravel_index(at, N.shape)
-            found.append(
-                {
-                    "what": what,
-                    "member": str(forces.arrays["member"].values[k]),
-                    "used": None,
-                    "value": float(N[t, k]),
-                    "unit": "N",
-                    "time": float(forces.arrays["time"].values[t]),
-                    "case": case,
-                }
-            )
-    gauge = result.motion.arrays["singularity"].values
+            found.append(_row(what, names[k], N[t, k], "N", time[t], case, None))
+    gauge, time = (result.motion.arrays[name].values for name in ("singularity", "time"))
     if np.isfinite(gauge).any():
         weak = int(np.nanargmin(gauge))
-        found.append(
-            {
-                "what": "nearest to singular",
-                "member": "",
-                "used": None,
-                "value": float(gauge[weak]),
-                "unit": "",
-                "time": float(result.motion.arrays["time"].values[weak]),
-                "case": "",
-            }
-        )
+        found.append(_row("nearest to singular", "", gauge[weak], "", time[weak], "", None))
     return found
 
 

@@ -12,13 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError, ModelError, StoreError
-from kinetruss.io import MAX_SIZE
 from kinetruss.io.emitting import plain_model
-from kinetruss.io.reading import model_of
 from kinetruss.io.writing import changed_text
 from kinetruss.model import Model, nearest, turns
 from kinetruss.studio import shown
-from kinetruss.studio.drawing import Drawing, State, fresh, read_text
+from kinetruss.studio.drawing import Drawing, State, fresh, model_of, read_text
 from kinetruss.studio.files import Drafts, FileThereError, Seen, save, seen_now
 from kinetruss.studio.messages import BESIDE, LARGE, SMALL, KeyFrame, frames_of, message_of
 from kinetruss.studio.poses import Instant, Reached, instant, posed, present_values, range_of, reach, stand, start_of
@@ -153,7 +151,7 @@ class Session:
         lost: Data | None = None,
     ) -> Reached:  # fmt: skip
         """The pose of changed data of a live model, which become the next step."""
-        model = model_of(data, [], self.drawing.state.folder, MAX_SIZE)
+        model = model_of(data, self.drawing.state.folder)
         pose = self._stood(model, self.model)
         self.drawing.take(data, words, drag, typed=typed, model=model, anew=anew, lost=lost)
         return pose
@@ -310,7 +308,10 @@ class Session:
             return {"kind": "exists", "message": str(there)}
         words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs and not self.draw else "")
         if self.drafts is not None and text is not None:
-            self.drafts.add(text, f"saved as {path.name}")
+            try:
+                self.drafts.add(text, f"saved as {path.name}")
+            except StoreError as error:  # the file is written
+                words = f"{words}, but no version was kept: {str(error).rstrip('.')}"
         if not self.draw:
             self._put(None)
             gone = ", ".join(self.lost)
@@ -403,7 +404,7 @@ class Session:
         folder = self.original.folder
         try:
             first, data = record["original"], record["model"]
-            original, model = (model_of(one, [], folder, MAX_SIZE) for one in (first, data))
+            original, model = (model_of(one, folder) for one in (first, data))
             position = np.array(record["position"], dtype=float)
             if position.shape != (len(model.nodes), model.dim):
                 raise ValueError
@@ -414,7 +415,7 @@ class Session:
         except (KinetrussError, KeyError, TypeError, ValueError, AttributeError) as error:
             why = f" {error}" if isinstance(error, KinetrussError) else ""
             raise InputError(f"The changes that were kept cannot be shown.{why}") from None
-        if original != self.original.model:
+        if original != model_of(self.original.data, folder):
             self.original = State(first, text or None, folder=folder, within=False, model=original)
             self.drawing = Drawing(self.original, original.dim)
             self.seen = {}  # saving over the changed file takes a confirmation

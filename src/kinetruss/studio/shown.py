@@ -13,7 +13,7 @@ from kinetruss.errors import Fault, UnitError
 from kinetruss.io.writing import located
 from kinetruss.model import NodalForce, turns
 from kinetruss.shelves import shelf, shelves
-from kinetruss.studio.edits import CELLS, MEMBERS, ends_of, place_of
+from kinetruss.studio.edits import CELLS, MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import loose_ends
 from kinetruss.studio.member_kinds import role_of
 from kinetruss.studio.new_parts import forms
@@ -181,7 +181,7 @@ def drawing_of(session: Session, light: bool = False) -> Record:
         "dim": drawing.dim,
         "nodes": list(places),
         "members": [{"name": name, "ends": ends, "kind": _kind(drawing, name)} for name, ends in known.items()],
-        "fixed": _fixed(data, len(next(iter(places.values()), [0, 0]))),
+        "fixed": supports(data),
         "loads": _loads(found),
         "data": data,
         "text": text,
@@ -229,11 +229,6 @@ def _kind(drawing: Drawing, name: str) -> str:
     if model is not None:
         return role_of(model, name)
     return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
-
-
-def _fixed(data: dict[str, Any], dim: int) -> dict[str, str]:
-    given = data.get("fixed") or {}
-    return dict(given) if isinstance(given, dict) else dict.fromkeys(given, "xyz"[:dim])
 
 
 def _loads(found: Judged) -> list[dict[str, Any]]:
