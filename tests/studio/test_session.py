@@ -190,6 +190,17 @@ def test_a_live_model_has_what_was_removed_again_after_undo_and_its_lost_entries
     assert session.model == tripod()
 
 
+def test_a_member_is_switched_by_the_names_of_its_nodes_after_nodes_came_and_went():
+    session = Session(tripod())
+    assert ask(session, do="delete", members=["LB"], nodes=["B"])["kind"] == "scene"
+    found = ask(session, do="switch", member="LB", to="elastic")
+    assert (found["kind"], "'B', which is not in the model any more" in found["message"]) == ("error", True)
+    before = ask(session, do="query")
+    length = np.linalg.norm(np.subtract(*(before["position"][before["nodes"].index(end)] for end in ("C", "T"))))
+    assert ask(session, do="switch", member="LC", to="rigid")["kind"] == "scene"
+    assert session.model.bars["LC"].length == pytest.approx(length, abs=1e-12)
+
+
 def test_no_message_reads_a_file_outside_the_folder(tmp_path):
     (tmp_path / "in").mkdir()
     (tmp_path / "push.csv").write_text("t [s],x [N],y [N],z [N]\n0,1,2,3\n1,3,4,5\n")

@@ -47,8 +47,12 @@ def switched(state: State, original: State, position: NDArray[np.float64], name:
     first = original.model
     if first is None or name not in first.members:
         raise InputError(f"No member called {name!r}. {nearest(name, () if first is None else first.members)}")
+    nodes = () if state.model is None else state.model.nodes
+    places = dict(zip(nodes, position, strict=True))
+    if to != "cut" and (gone := [end for end in first.members[name].ends if end not in places]):
+        raise InputError(f"{name!r} ends at {gone[0]!r}, which is not in the model any more. Undo, or cut the member.")
     data = {table: rows for table, rows in state.data.items() if table not in ("bars", "active")}
-    record = None if to == "cut" else _record(first, position, name, to)
+    record = None if to == "cut" else _record(first, places, name, to)
     for table in ("bars", "active"):
         rows = {other: row for other, row in (state.data.get(table) or {}).items() if other != name}
         if record is not None and isinstance(record, Active) == (table == "active"):
@@ -59,12 +63,11 @@ def switched(state: State, original: State, position: NDArray[np.float64], name:
     return _lean(data, state, original)
 
 
-def _record(original: Model, position: NDArray[np.float64], name: str, to: str) -> Bar | Active:
+def _record(original: Model, places: Mapping[str, NDArray[np.float64]], name: str, to: str) -> Bar | Active:
     own = original.members[name]
     if to == "own" or (isinstance(own, Active) and to == "driven"):
         return own
-    nodes = list(original.nodes)
-    a, b = (position[nodes.index(end)] for end in own.ends)
+    a, b = (places[end] for end in own.ends)
     length = float(np.linalg.norm(b - a))
     if isinstance(own, Active):
         own = _uniform(original, own)
