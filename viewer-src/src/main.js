@@ -1,7 +1,7 @@
 // Starts the page: scenes in <script type="text/plain" class="kinetruss-scene"> elements become pictures.
 
 import { App } from "./app.js";
-import { startDraw } from "./editor/start.js";
+import { startDraw } from "./editor/draw.js";
 import { startFilm } from "./film.js";
 import { startLive } from "./live.js";
 import { fromBase64, readScene } from "./scene.js";

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Mapping
@@ -18,7 +17,7 @@ from kinetruss.errors import AnalysisError, KinetrussError
 from kinetruss.kinematics.positions import assembled, refuse_unmet
 from kinetruss.mechanics import arrange, compile
 from kinetruss.mechanics.positions import drive_values
-from kinetruss.model import Model, Quintic, turns
+from kinetruss.model import Active, LengthDrive, Model, Quintic, turns
 from kinetruss.results import Row
 from kinetruss.statics.search import row_errors
 from kinetruss.strength import check
@@ -113,6 +112,44 @@ def _full(system: System, position: Pose) -> NDArray[np.float64]:
     full = np.zeros_like(system.x0)
     full[:, : system.dim] = position
     return full
+
+
+def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, float]) -> Model:
+    """The model in another pose: with its node positions, and driven members with their lengths there."""
+    nodes = {
+        name: node.model_copy(update={"at": tuple(map(float, position[k]))})
+        for k, (name, node) in enumerate(model.nodes.items())
+    }
+    # a rigid bar without a given length has that of its node positions; keep it to the last bit
+    lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
+    bars = {
+        name: bar.model_copy(update={"length": lengths[name]})
+        if bar.kind == "rigid" and bar.length is None
+        else bar.model_copy(update={"length": values.get(name)})
+        if bar.kind == "driven" and name in values
+        else bar.model_copy(update={"natural_length": lengths[name]})
+        if bar.kind in ("elastic", "cable") and bar.natural_length is None and bar.pretension is None
+        else bar
+        for name, bar in model.bars.items()
+    }
+    active = {
+        name: member.model_copy(update={"length": values[name]}) if name in values else member
+        for name, member in model.active.items()
+    }
+    return model.with_(nodes=nodes, bars=bars, active=active)
+
+
+def range_of(model: Model, name: str, position: Pose) -> tuple[float, float, bool]:
+    """Smallest and largest value of a slider at a pose (n_nodes, dim), m or rad, and whether they are limits of the model."""
+    drive, system = model.all_drives[name], compile(model)
+    start = float(system.drive_start[list(system.drives).index(name)])
+    if isinstance(drive, LengthDrive):
+        member = model.members[drive.bar]
+        if isinstance(member, Active) and member.limits is not None:
+            return (*member.limits, True)
+        return 0.6 * start, 1.5 * start, False
+    reach = math.pi if turns(drive) else 0.5 * float(np.ptp(position, axis=0).max())
+    return start - reach, start + reach, False
 
 
 # Moves from one good pose to another, and decides which poses may be shown.
@@ -291,10 +328,8 @@ class Instant:
 
 def instant(model: Model, position: NDArray[np.float64], case: str | None, fine: bool = True) -> Instant:
     """All results shown for a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
-    still = np.zeros((1, *position.shape))
-    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
-    forces = dynamics.inverse(model, motion, case, static=False)
-    _, arrays = moving(model, motion, [forces], None, 600)
+    forces = at_rest(model, position, case)
+    _, arrays = moving(model, forces.motion, [forces], None, 600)
     fine = fine or len(model.members) <= MANY
     demand = _demand(model, forces) if fine and model.actuators else None
     mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
@@ -302,6 +337,13 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
     return Instant(
         forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=_alarms(finding), verdict=finding.record
     )
+
+
+def at_rest(model: Model, position: NDArray[np.float64], case: str | None = None) -> Forces:
+    """Forces of a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
+    still = np.zeros((1, *position.shape))
+    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
+    return dynamics.inverse(model, motion, case, static=False)
 
 
 def alarms_of(model: Model, forces: Forces) -> list[str]:
@@ -367,10 +409,3 @@ def _limit(model: Model, name: str) -> float | None:
 def number(value: Any) -> float | None:
     """A float, or None if JSON cannot represent it."""
     return float(value) if math.isfinite(value) else None
-
-
-def framed(header: dict[str, Any], *blocks: bytes) -> bytes:
-    """One binary message: length of the header (uint32), the header in JSON padded to four bytes, then the blocks."""
-    text = json.dumps(header, ensure_ascii=False, allow_nan=False).encode()
-    text += b" " * (-len(text) % 4)
-    return b"".join([len(text).to_bytes(4, "little"), text, *blocks])
