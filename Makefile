@@ -5,11 +5,11 @@ EXAMPLE := src/kinetruss/library/examples/double_octahedral_slew.yaml
 
 .PHONY: setup demo shell test quick lint docs pictures bench bench-peers lock viewer clean
 
-# Everything for work on kinetruss: what the demo needs, test tools, VTK, a browser's driver, the site's builder.
+# Everything for work on kinetruss: what the demo needs, test tools, a browser's driver, the site's builder.
 setup: .venv/.ready
 
 .venv/.ready: requirements.lock .venv/.demo
-	@echo "Setting up .venv: the other packages (2 GB) ..."
+	@echo "Setting up .venv: the other packages (1.5 GB) ..."
 	@$(BIN)/python .ci/packages.py requirements.lock
 	@touch $@
 	@echo "Ready. To use kinetruss in a shell: . .venv/bin/activate   (or: make shell)"

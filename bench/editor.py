@@ -19,7 +19,7 @@ import statistics
 import time
 
 import kinetruss as kt
-from kinetruss.studio.desk import Desk
+from kinetruss.studio import Session
 
 BAYS = 50
 
@@ -48,7 +48,7 @@ def truss(*, braced: int = 0, lengths: bool = False, driven: bool = False) -> kt
 
 
 def measure(name: str, model: kt.Model, edits: int) -> dict[str, object]:
-    desk = Desk(model)
+    desk = Session(model, draw=True)
     times = []
     for k in range(edits + 10):
         message = json.dumps({"do": "move", "places": {"t7": [7 + 0.001 * (k % 50), 1.0 + 0.002 * (k % 30)]}, "drag": 1})

@@ -1,4 +1,6 @@
-"""Sphinx: the site. `make docs` builds it into build/site; pages under docs/made are written at every build."""
+"""Sphinx: the site. `make docs` builds it into build/site; pages under docs/made are written before, and
+computed again if the package or the scripts of the site have changed.
+"""
 
 import sys
 from pathlib import Path

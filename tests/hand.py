@@ -20,7 +20,7 @@ class Hand:
 
     def settle(self) -> None:
         self.shown.until(
-            "kinetruss.draw.state && !kinetruss.draw.waiting && !kinetruss.draw.want && !kinetruss.draw.queue.length"
+            "kinetruss.draw.state && !kinetruss.draw.waiting && !kinetruss.draw.wanted && !kinetruss.draw.queue.length"
         )
 
     def state(self) -> dict:

@@ -1,7 +1,6 @@
 """The gallery: every example with its picture and film, made from its run when the site is built."""
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -40,48 +39,53 @@ GROUPS = {
 """Examples by subject, what everyone knows first."""
 
 
-def pages(made: Path) -> Iterator[tuple[str, str]]:
-    """The one page; pictures and films lie beside it."""
-    folder = made / "gallery"
-    folder.mkdir(parents=True, exist_ok=True)
+def names() -> list[str]:
+    """All examples of the gallery."""
+    return [name for group in GROUPS.values() for name in group]
+
+
+def pages(moves: dict[str, bool]) -> list[tuple[str, str]]:
+    """The one page; pictures and films lie beside it. moves : of each example, whether it has a film."""
     lines = [
         "# Gallery",
         "",
         "Every example that comes with kinetruss: `kinetruss examples NAME --copy my`, `kinetruss run my/NAME.yaml -o my/run`.",
         "",
     ]
-    files = {name: file for name, (file, *_) in kt.library.example_files().items()}
-    for group, names in GROUPS.items():
+    for group, several in GROUPS.items():
         lines += [f"## {group}", "", "`````{grid} 1 1 2 2", ":gutter: 3", ""]
-        for name in names:
-            lines += _card(name, files[name], folder)
+        for name in several:
+            lines += _card(name, moves[name])
         lines += ["`````", ""]
-    yield "gallery/index.md", "\n".join([*lines, FILMS])
+    return [("gallery/index.md", "\n".join([*lines, FILMS]))]
 
 
-def _card(name: str, file: Path, folder: Path) -> list[str]:
-    model = kt.read(file)
-    run = next(iter(model.runs))
-    newer = max(file.stat().st_mtime, Path(kt.__file__).stat().st_mtime)
-    moves = _drawn(name, model, run, folder, newer)
-    shown = VIDEO.format(name=name, title=model.title) if moves else f"![{model.title}]({name}.png)\n"
-    words = f"`{name}`, run `{run}`. {_comment(file)}"
-    return [f"````{{grid-item-card}} {model.title}", ":class-card: example", "", shown, words, "````", ""]
-
-
-def _drawn(name: str, model: kt.Model, run: str, folder: Path, newer: float) -> bool:
-    """Picture and, of runs that move, film; files that are newer than the example are kept."""
-    picture, film = folder / f"{name}.png", folder.parent / "static" / "films" / f"{name}.mp4"
-    film.parent.mkdir(parents=True, exist_ok=True)
-    if picture.is_file() and picture.stat().st_mtime > newer:
-        return film.is_file()
+def drawn(name: str, made: Path) -> bool:
+    """Draw an example and, if it moves, film it; whether it does."""
+    model, run = _example(name)
+    picture, film = made / "gallery" / f"{name}.png", made / "static" / "films" / f"{name}.mp4"
+    for path in (picture, film):
+        path.parent.mkdir(parents=True, exist_ok=True)
     found: Any = kt.run(model, run)
     kt.report.picture(found, picture)
     time = found.motion.arrays["time"].values
     if len(time) < 3 or "pose" in found.motion.arrays:
+        film.unlink(missing_ok=True)
         return False
     kt.viewer.render(found, film, size=(640, 400), fps=FPS, speed=float(time[-1] - time[0]) / SECONDS)
     return True
+
+
+def _example(name: str) -> tuple[kt.Model, str]:
+    model = kt.read(kt.library.example_files()[name][0])
+    return model, next(iter(model.runs))
+
+
+def _card(name: str, moves: bool) -> list[str]:
+    model, run = _example(name)
+    shown = VIDEO.format(name=name, title=model.title) if moves else f"![{model.title}]({name}.png)\n"
+    words = f"`{name}`, run `{run}`. {_comment(kt.library.example_files()[name][0])}"
+    return [f"````{{grid-item-card}} {model.title}", ":class-card: example", "", shown, words, "````", ""]
 
 
 def _comment(file: Path) -> str:

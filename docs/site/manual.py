@@ -1,15 +1,13 @@
 """The verification manual: every entry of `kinetruss verify`, computed when the site is built."""
 
 import itertools
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 from kinetruss.display import number
 from kinetruss.verification import verify
 
 
-def pages(_made: Path) -> Iterator[tuple[str, str]]:
+def pages() -> list[tuple[str, str]]:
     """The overview and a page for each group of cases."""
     entries = sorted(verify().entries, key=lambda entry: entry.id)
     if missed := [entry.id for entry in entries if not entry.passed]:
@@ -21,9 +19,10 @@ def pages(_made: Path) -> Iterator[tuple[str, str]]:
         worst = max((one.relative_difference / one.tolerance for one in found if one.tolerance), default=0.0)
         lines.append(f"| [{name}]({name}.md) | {len(found)} | {sum(one.passed for one in found)} | {number(worst, 2)} |")
     lines += ["", "```{toctree}", ":hidden:", "", *groups, "```", ""]
-    yield "manual/index.md", "\n".join(lines)
-    for name, found in groups.items():
-        yield f"manual/{name}.md", _group(name, found)
+    return [
+        ("manual/index.md", "\n".join(lines)),
+        *((f"manual/{name}.md", _group(name, found)) for name, found in groups.items()),
+    ]
 
 
 def _group(name: str, entries: list[Any]) -> str:

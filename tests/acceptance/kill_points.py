@@ -43,8 +43,8 @@ def writers() -> Iterator[tuple[str, kt.Model, dict[str, object]]]:
         short.with_(runs=short.runs | {"all": kt.Run(analysis="mission", motions=(name,), samples=9)}),
         {"name": "all"},
     )
-    yield "variants", short, {"settings": {"gravity": ["[0, -9.81] m/s^2"]}}
-    yield "two variants", short, {"settings": {"gravity": ["[0, -9.81] m/s^2", "[0, -1.6] m/s^2"]}}
+    yield "variants", short, {"settings": {"gravity": ["[0, -9.81]"]}}
+    yield "two variants", short, {"settings": {"gravity": ["[0, -9.81]", "[0, -1.6]"]}}
 
 
 def killed(work: Callable[[], object], folder: Path, point: int) -> bool:

@@ -14,8 +14,8 @@ from pypdf import PdfReader
 
 from kinetruss import report, viewer
 from kinetruss.display import aligned, quantity
+from kinetruss.display.browser import PAPER, Browser, chromium
 from kinetruss.display.html import PLAIN
-from kinetruss.report.document.writing import print_page
 from kinetruss.results import Status
 from kinetruss.runs import RunResult
 
@@ -157,8 +157,8 @@ def test_heads_of_long_tables_come_again_on_each_page(tmp_path, lift):
     head = "<table><thead><tr><th>REPEATED</th></tr></thead><tbody>"
     long = f'<figure class="table"><div class="scroll">{head}{row * 200}</tbody></table></div></figure>'
     (tmp_path / "long.html").write_text(text.replace("</main>", f"{long}</main>"))
-    assert print_page(tmp_path / "long.html", tmp_path / "long.pdf", tmp_path / "browser") == ""
-    pages = [one.extract_text() for one in PdfReader(tmp_path / "long.pdf").pages]
+    with Browser(chromium(), PAPER) as printer:
+        pages = [one.extract_text() for one in PdfReader(io.BytesIO(printer.paper(tmp_path / "long.html"))).pages]
     assert sum("REPEATED" in one for one in pages) >= 3
 
 

@@ -152,6 +152,28 @@ def test_members_are_switched_and_loads_edited(show, served):
     clean(shown)
 
 
+def test_edits_are_undone_and_done_again(show, served):
+    shown = show(served["dyad"].address)
+    undo, redo = (shown.page.get_by_role("button", name=name, exact=True) for name in ("Undo", "Redo"))
+    assert undo.is_disabled() and redo.is_disabled()
+    ask(shown, do="mass", node="C", mass=50.0)
+    ask(shown, do="switch", member="left", to="rigid")
+    assert undo.get_attribute("title") == "Undo making left rigid"
+    undo.click()
+    shown.until("kinetruss.live.setup.redo === 'making left rigid'")
+    settled(shown)
+    assert shown.js("scene.header.kinds") == ["driven", "driven"]
+    shown.page.locator(".pane canvas").focus()
+    shown.press("Control+z")
+    shown.until("kinetruss.live.setup.masses.C === 5")
+    assert undo.is_disabled()
+    redo.click()
+    shown.press("Control+y")
+    shown.until("kinetruss.live.setup.members[0].role === 'rigid'")
+    assert ask(shown, do="query")["values"].keys() == {"right"}
+    clean(shown)
+
+
 def still(model):
     x = kinematics.assemble(model)[None]
     return x, 0 * x, 0 * x

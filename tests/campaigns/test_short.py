@@ -1,10 +1,10 @@
-"""Three campaigns for some seconds each; their long forms are commands in CONTRIBUTING.md."""
+"""Four campaigns for some seconds each; their long forms are commands in CONTRIBUTING.md."""
 
 import os
 
 import pytest
 
-from campaigns import cache, measured, two_writers
+from campaigns import cache, measured, studio_attack, two_writers
 
 pytestmark = pytest.mark.slow
 
@@ -28,3 +28,9 @@ def test_cache(tmp_path):
 def test_measured(law, even):
     found = measured.kind(law, 1e-3, even, count=20, seed=3)
     assert list(found.faults()) == []
+
+
+def test_studio_attack(tmp_path):
+    found = studio_attack.campaign(tmp_path, messages=120, seed=3)
+    assert found.faults == []
+    assert {"scene", "drawing", "error"} <= set(found.counts)

@@ -16,6 +16,7 @@ from kinetruss import report
 from kinetruss.cli import main
 from kinetruss.runs.mission_results import pairs_of
 from kinetruss.runs.missions import run_mission
+from samples import tripod
 
 STEEL = kt.library.materials.STEEL_S235
 share = st.floats(-1, 1, allow_subnormal=False).map(lambda value: round(value, 4))
@@ -198,7 +199,29 @@ def test_what_a_condition_makes_impossible_is_a_finding_and_the_rest_goes_on():
     assert "4 of 8 pairs cannot be" in mission.message
     assert all("broken" in label for label in mission.findings)
     assert mission.verdict.table()[0].load_case.split(", ")[1] == "plain"
-    assert "what to know" in report.summary(mission).text
+    text = report.summary(mission).text
+    assert "what to know" in text
+    assert (mission.finding.state, mission.finding.text) == ("open", "4 of 8 pairs cannot be")
+    assert f"verdict: {mission.finding.sentence}\nwarning: " in text
+    assert report.summary(mission).record["verdict"]["state"] == "open"
+    assert report.lines(mission)[0].startswith("4 of 8 pairs cannot be. Governing: ")
+    assert "4 of 8 pairs cannot be" in repr(mission)
+
+
+def test_a_motor_beyond_its_limit_is_over_capacity_in_a_mission_too():
+    """What a mission says counts the limits of its drives; the studio counted its members alone."""
+    model = tripod(21)
+    fast = model.runs["lift"].with_(trajectory=kt.Quintic(moves={"LA": (1.0295630, 1.15)}, duration=0.2))
+    runs = {"fast": fast, "all": kt.Run(analysis="mission", motions=("fast",))}
+    mission = kt.run(model.with_(runs=runs), "all")
+    single = kt.run(model.with_(runs={"fast": fast}), "fast")
+    found, alone = mission.finding, single.finding
+    assert (found.state, found.kind) == ("over", "drive")
+    assert (found.governing.part, found.governing.rule) == (alone.governing.part, alone.governing.rule)
+    assert found.governing.utilisation == alone.governing.utilisation
+    assert len(found.over) == len(alone.over)
+    assert found.unlimited == alone.unlimited
+    assert report.lines(mission)[1].endswith("that were checked are exceeded.")
 
 
 @pytest.mark.slow

@@ -32,6 +32,10 @@ def test_the_example(sizing):
     assert [row.name for row in sizing.groups] == ["lower_longerons", "upper_longerons", "battens", "actuators"]
     (drives,) = sizing.drives
     assert drives.self_locking
+    found = sizing.finding
+    assert (found.state, found.text) == ("open", "Strength not fully checked: 3 of 24 parts")  # base rods without a section
+    assert f"verdict: {found.sentence}" in kt.design.table(sizing)
+    assert kt.design.record(sizing)["verdict"] == found.record
     assert drives.utilisation * 1.25 <= 1
     before = sum(row.mass_before for row in sizing.groups) + 3 * 3.0  # the base rods stay
     assert before == pytest.approx(sizing.mass_before)

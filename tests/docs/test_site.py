@@ -16,6 +16,7 @@ sys.path.insert(0, str(ROOT / "docs" / "site"))
 
 import api  # noqa: E402
 import gallery  # noqa: E402
+import made  # noqa: E402
 import tables  # noqa: E402
 
 pytestmark = pytest.mark.slow
@@ -104,3 +105,18 @@ def test_every_example_is_in_one_group_of_the_gallery():
 def test_the_reference_of_the_model_begins_with_the_model():
     page = dict(api.pages(Path()))["api/model.md"]
     assert re.findall(r"^### (\w+)$", page, re.MULTILINE)[:3] == ["Model", "Node", "Bar"]
+
+
+@pytest.mark.parametrize("file", ["src/kinetruss/viewer/bundle.js", "src/kinetruss/library/delta.yaml", "docs/site/gallery.py"])
+def test_the_site_is_computed_again_when_what_it_is_made_from_changes(file, tmp_path):
+    path = tmp_path / file
+    for one in (path, tmp_path / "requirements.lock"):
+        one.parent.mkdir(parents=True, exist_ok=True)
+        one.write_text("one")
+    before = made.key(tmp_path)
+    cached = path.parent / "__pycache__" / "kernel.nbi"
+    cached.parent.mkdir()
+    cached.write_text("compiled")
+    assert made.key(tmp_path) == before
+    path.write_text("two")
+    assert made.key(tmp_path) != before

@@ -92,8 +92,8 @@ def test_hubs_carry_it() -> None:
     for member in ("C.L0", "C.L3", "L2"):
         cut = kt.dynamics.free_body(loaded, motion, found, member=member, time=1.0)
         assert cut.residual < 1e-10 * float(np.abs(found.data.joint_force).max())
-    assert "Not held" not in kt.strength.check(loaded, found).message
-    said = "Not held: the torque of the screw of L0 about the axis"
+    assert "Not included" not in kt.strength.check(loaded, found).message
+    said = "Not included: the torque of the screw of L0 about the axis"
     assert said in kt.strength.check(model, forces).message
     start = dict(zip(model.all_drives, motion.data.drive_position.values[0].tolist(), strict=True))
     mission = model.with_(

@@ -1,38 +1,26 @@
-"""Pictures without a screen: what draws them comes with the packages, what VTK draws by does not."""
+"""Pictures without a screen: Chromium draws them, which does not come with the packages."""
 
 from __future__ import annotations
 
-import ctypes
 import os
-import sys
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
 from kinetruss import runs
+from kinetruss.display.browser import chromium
 from kinetruss.runs import RunResult
 from samples import fourbar, tripod
 
 
-def _draws() -> bool:
-    if not sys.platform.startswith("linux"):
-        return True
-    for library in ("libEGL.so.1", "libOSMesa.so.8", "libOSMesa.so.6"):
-        with suppress(OSError):
-            ctypes.CDLL(library)
-            return True
-    return False
-
-
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Without EGL or OSMesa nothing can be drawn; where everything must be tested that is a failure."""
-    if _draws() or os.environ.get("CI") == "true":
+    """Without Chromium nothing can be drawn; where everything must be tested that is a failure."""
+    if chromium() or os.environ.get("CI") == "true":
         return
     here = Path(__file__).parent
     for item in items:
         if here in item.path.parents:
-            item.add_marker(pytest.mark.skip(reason="nothing draws without a screen (apt-get install libegl1 libgl1-mesa-dri)"))
+            item.add_marker(pytest.mark.skip(reason="no chromium on this machine (apt-get install chromium)"))
 
 
 @pytest.fixture(scope="session")

@@ -1,10 +1,15 @@
 """Pictures and films: size, what is seen where, in which colours, at which instants."""
 
+import itertools
 import json
+import os
 import re
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import imageio_ffmpeg
 import numpy as np
@@ -15,14 +20,12 @@ from PIL import Image
 import kinetruss as kt
 from kinetruss import io, kinematics, runs, viewer
 from kinetruss.cli import main
-from kinetruss.display import OVER, SKINS, colours_of, limits_of, rgb
+from kinetruss.display import OVER, SKINS, browser, colours_of, limits_of, rgb
 from kinetruss.dynamics import linearise
-from kinetruss.errors import InputError, StoreError
-from kinetruss.viewer.films.copies import box
-from kinetruss.viewer.films.frame import strips
-from kinetruss.viewer.films.render import _Job
-from kinetruss.viewer.films.shown import Look, Subject
-from kinetruss.viewer.films.stage import PRESETS, _drawing, aimed
+from kinetruss.errors import AnalysisError, InputError, StoreError
+from kinetruss.viewer import pictures
+from kinetruss.viewer.picture_frame import strips
+from kinetruss.viewer.pictures import PRESETS, _direction, _opened
 from samples import fourbar
 
 pytestmark = pytest.mark.slow
@@ -60,6 +63,21 @@ def decoded(path: Path) -> tuple[dict[str, str], np.ndarray]:
     return told, np.frombuffer(done.stdout, np.uint8).reshape(-1, height, width, 3).astype(int)
 
 
+@contextmanager
+def drawn(shown: viewer.Scene, size: tuple[int, int] = SIZE, camera="iso", **chosen) -> Iterator[Callable[[str], Any]]:
+    """A question to the page that draws a bare picture; `film` is what it draws, `view` with which camera."""
+    look = {"mode": None, "paths": [], "colour": None, "ghost": False, "faces": False, "loads": True, "grid": False}
+    look |= {"width": size[0], "height": size[1], "direction": _direction(camera, shown.header["dim"]).tolist()} | chosen
+    with _opened(shown) as browser:
+        browser.ask(f"kinetruss.film({json.dumps(look)})")
+        yield lambda asked: browser.ask(f"(() => {{ const film = kinetruss.shown, {{ view }} = film; return {asked}; }})()")
+
+
+def places(ask: Callable[[str], Any], points: np.ndarray) -> np.ndarray:
+    """Pixels (n, 2) of points (n, 3)."""
+    return np.array(ask(f"{points.tolist()}.map((point) => view.project(point))"))[:, :2]
+
+
 @pytest.mark.parametrize("size", [(480, 360), (361, 641)])
 def test_a_picture_has_the_size_asked_for_and_shows_something(lift, tmp_path, size):
     shown = pixels(viewer.render(lift, tmp_path / "lift.png", size=size))
@@ -73,23 +91,17 @@ def test_a_picture_has_the_size_asked_for_and_shows_something(lift, tmp_path, si
     assert (shown[-below:].min(axis=2) < 128).sum() > 100  # the legend
 
 
-def middles(run, frame, camera, size):
-    """Pixels (members, 2) of the middles of the members at a frame."""
-    position = np.pad(run.motion.position.values[frame], ((0, 0), (0, 1)))
-    ends = viewer.scene(run).arrays["ends"]
-    return camera.seen(position[ends].mean(axis=1), *size).round().astype(int)
-
-
 @pytest.mark.parametrize("frame", [0, 13, 30])
 def test_colours_are_those_of_the_forces(turn, tmp_path, frame):
-    subject = Subject(viewer.scene(turn), Look(grid=False))
-    job = _Job(subject=subject, channel=None, limits=(0, 1), size=SIZE, camera="iso", bare=True)
-    camera = job.eye(SIZE[0] / SIZE[1])
+    one = viewer.scene(turn)
+    middles = np.pad(turn.motion.position.values[frame][one.arrays["ends"]].mean(axis=1), ((0, 0), (0, 1)))
+    with drawn(one) as ask:
+        where = places(ask, middles).round().astype(int)
     time = float(turn.motion.time.values[frame])
     shown = pixels(viewer.render(turn, tmp_path / "t.png", size=SIZE, at=time, bare=True, grid=False))
     force = next(iter(turn.forces.values())).member_force.values
     wanted = colours_of("diverging", force[frame], limits_of("diverging", force)).astype(int)
-    for (x, y), colour in zip(middles(turn, frame, camera, SIZE), wanted, strict=True):
+    for (x, y), colour in zip(where, wanted, strict=True):
         # a little to the side of the axis it is darker; on the axis it is the colour itself
         near = shown[y - 2 : y + 3, x - 2 : x + 3].reshape(-1, 3)
         assert np.abs(near - colour).max(axis=1).min() <= 6
@@ -107,8 +119,12 @@ def test_members_beyond_capacity_and_unknown_ones_have_colours_of_their_own():
 @pytest.mark.parametrize("camera", [*PRESETS, (1, 2, -0.5)])
 @pytest.mark.parametrize("wide", [0.5, 2.0])
 def test_the_eye_sees_everything_as_large_as_can_be(lift, camera, wide):
-    points = lift.motion.position.values.reshape(-1, 3)
-    seen = aimed(camera, points, wide, 3).seen(points, 1000, 1000)
+    nodes = lift.motion.position.values.reshape(-1, 3)
+    with drawn(viewer.scene(lift), (round(600 * wide), 600), camera) as ask:
+        points = np.array(ask("film.places"))
+        seen = places(ask, points) / (600 * wide, 600) * 1000
+    assert (points.min(axis=0) <= nodes.min(axis=0)).all()
+    assert (points.max(axis=0) >= nodes.max(axis=0)).all()
     assert seen.min() >= 20
     assert seen.max() <= 980
     spread = np.ptp(seen, axis=0)
@@ -151,15 +167,12 @@ def test_rectangles_are_boxes_with_the_sides_of_their_section(tmp_path):
     flat = kt.Bar(ends=("A", "B"), section=kt.Rectangle(width=0.03, height=0.06))
     round_ = kt.Bar(ends=("B", "C"), section=kt.Rod(diameter=0.04))
     model = kt.Model(nodes=nodes, bars={"flat": flat, "round": round_})
-    subject = Subject(viewer.scene(model), Look())
-    x = subject.points(0)
-    rods, boxes = subject.rods(0, x, subject.colours(0, None, (0, 1)))
-    assert (len(rods.radius), len(boxes.radius)) == (1, 1)
-    points, normals = box().placed(boxes)
-    assert np.ptp(points, axis=0) == pytest.approx([1.0, 0.03, 0.06])  # axis 2 is upright: z is in the plane of axes 1 and 2
-    assert np.abs(normals).sum(axis=1) == pytest.approx(1.0)
-    _, rims = subject.bars.rims(x)
-    assert (rims.radius > boxes.radius).all()
+    with drawn(viewer.scene(model)) as ask:
+        rods, boxes, bar = ask("[view.bars.rods.count, view.bars.boxes.count, [...view.bars.boxes.instanceMatrix.array]]")
+        rims = ask("view.bars.rims.meshes.filter((rim) => rim.instanceMatrix === view.bars.boxes.instanceMatrix).length")
+    assert (rods, boxes, rims) == (1, 1, 1)
+    corners = np.array(list(itertools.product((-1, 1), (-0.5, 0.5), (-1, 1)))) @ np.reshape(bar, (4, 4))[:3, :3]
+    assert np.ptp(corners, axis=0) == pytest.approx([1.0, 0.03, 0.06])  # axis 2 is upright: z is in the plane of axes 1 and 2
     shown = pixels(viewer.render(model, tmp_path / "flat.png", camera="front", size=(480, 360), bare=True, grid=False))
     assert (np.ptp(shown, axis=2) > 5).any()
 
@@ -217,26 +230,25 @@ def test_a_membrane_has_the_colour_of_its_stress(tmp_path):
         nodes=mesh.nodes, membranes={"web": mesh.membrane(thickness=0.01)}, material=kt.Material(E=1e9, density=0.0)
     )
     start = np.array([node.at for node in model.nodes.values()])
-    subject = Subject(viewer.scene(model), Look())
-    assert subject.skin_colours(0, None, (0, 1)).tolist() == [rgb(SKINS["membrane"]).tolist()] * 2
+    with drawn(viewer.scene(model)) as ask:
+        assert ask("[0, 1].map((face) => view.skins.colourOf(face))") == [rgb(SKINS["membrane"]).tolist()] * 2
     held = model.with_(fixed=mesh.at(x=0.0), loads={n: kt.NodalForce(node=n, force=(1e4, 0.0)) for n in mesh.at(x=1.0)})
     rest = kt.statics.equilibrium(held)
     assert np.ptp(rest.data["position"].values[:, 0]) > np.ptp(start[:, 0])
     picture = pixels(viewer.render(rest, tmp_path / "x.png", model=held, size=SIZE, bare=True, loads=False, grid=False))
-    shown = Subject(viewer.scene(rest, model=held), Look())
-    channel = next(one for one in shown.scene.header["channels"] if one["id"] == "stress")
-    limits = limits_of("sequential", shown.shown_values(channel))
-    colours = shown.skin_colours(0, channel, limits)
-    for face, place in enumerate(shown.points(0)[shown.skin].mean(axis=1)):
-        camera = aimed("iso", _around(shown), SIZE[0] / SIZE[1], 2)
-        x, y = camera.seen(place[None], *SIZE)[0].round().astype(int)
-        assert picture[y, x] == pytest.approx(colours[face], abs=12)
+    shown = viewer.scene(rest, model=held)
+    stress = shown.arrays["skin_stress"][0]
+    colours = colours_of("sequential", stress, limits_of("sequential", shown.arrays["skin_stress"]))
+    faces = np.pad(shown.arrays["position"][0], ((0, 0), (0, 1)))[shown.arrays["skin"]].mean(axis=1)
+    with drawn(shown, colour="stress", loads=False) as ask:
+        where = places(ask, faces).round().astype(int)
+    for (x, y), colour in zip(where, colours, strict=True):
+        assert picture[y, x] == pytest.approx(colour, abs=12)
 
 
-def _around(shown: Subject) -> np.ndarray:
-    """What the camera of a picture has to see."""
-    points = np.concatenate([shown.places.reshape(-1, 3), shown.tips()])
-    return np.concatenate([points - 2 * shown.ball, points + 2 * shown.ball])
+def test_the_same_film_is_the_same_file(turn, tmp_path):
+    one, two = (viewer.render(turn, tmp_path / name, size=(320, 240), fps=5) for name in ("one.gif", "two.gif"))
+    assert one.read_bytes() == two.read_bytes()
 
 
 def test_a_motion_without_forces_is_coloured_by_speed_or_kind(lift, tmp_path):
@@ -292,9 +304,9 @@ def test_what_stands_still_makes_no_film(lift, tmp_path):
         viewer.render(lift.model, tmp_path / "x.gif")
 
 
-def test_missing_packages_are_named(lift, tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "pyvista", None)
-    with pytest.raises(InputError, match=r"pip install 'kinetruss\[render\]'"):
+def test_what_is_missing_is_named(lift, tmp_path, monkeypatch):
+    monkeypatch.setattr(pictures, "chromium", lambda: None)
+    with pytest.raises(InputError, match=r"Chromium, and none was found.*apt-get install chromium"):
         viewer.render(lift, tmp_path / "x.png")
     monkeypatch.undo()
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
@@ -307,12 +319,28 @@ def test_missing_packages_are_named(lift, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_where_nothing_draws_it_is_said(monkeypatch):
-    monkeypatch.delenv("DISPLAY", raising=False)
-    with pytest.raises(InputError, match="apt-get install libegl1"):
-        _drawing(("libNone.so.1",))
-    monkeypatch.setenv("DISPLAY", ":0")
-    assert _drawing(("libNone.so.1",)) == "vtkXOpenGLRenderWindow"
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (None, "cannot be started"),
+        ("#!/bin/sh\necho out of memory >&2\nexit 3\n", "out of memory"),
+        ("#!/bin/sh\nexec sleep 60 3<&- 4>&-\n", "it ended"),
+        ("#!/bin/sh\nexec sleep 60\n", "did not answer within 1 s"),
+    ],
+)
+def test_a_browser_that_fails_is_told_and_ended(lift, tmp_path, monkeypatch, text, words):
+    program = tmp_path / "browser"
+    if text:
+        program.write_text(text)
+        program.chmod(0o755)
+    monkeypatch.setattr(pictures, "chromium", lambda: str(program))
+    monkeypatch.setattr(browser, "PATIENCE", 1.0)
+    monkeypatch.setattr(browser, "LEAVE", 0.1)
+    with pytest.raises(AnalysisError, match=f"Nothing was drawn: .*{words}"):
+        viewer.render(lift, tmp_path / "film.mp4")
+    assert not (tmp_path / "film.mp4").exists()
+    with pytest.raises(ChildProcessError):  # none is left
+        os.waitpid(-1, os.WNOHANG)
 
 
 def test_a_file_that_cannot_be_written_is_named(lift, tmp_path):

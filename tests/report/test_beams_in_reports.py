@@ -13,9 +13,8 @@ import kinetruss as kt
 from frame_models import BEAMS, LOADS, NODES, SIDE, STEEL, G, portal
 from kinetruss import report
 from kinetruss.display import DRIVEN, OVER
-from kinetruss.report.document.figure_contents import loaded
-from kinetruss.report.document.figure_drawing import HALO, drawn as figure_drawn, lines_of_members
-from kinetruss.report.pictures.drawing import projected
+from kinetruss.report.document.figure import loaded
+from kinetruss.report.pictures.drawing import BAND, drawn
 from reference.plane_frame import solve
 from samples import fourbar
 
@@ -71,10 +70,9 @@ def leaf(force: float) -> kt.runs.RunResult:
 @pytest.mark.slow
 def test_the_figure_draws_beams_along_their_bent_axes():
     run = leaf(6.0)
-    figure = loaded(run, report.document_page(run).record)
-    lines = lines_of_members(figure, projected(figure.position))
-    assert set(lines) == set(run.model.beams)  # no chords
-    one = lines["s1"]
+    (stand,) = loaded(run, report.document_page(run).record)[0].stands
+    assert len(stand.lines) == len(run.model.beams)  # no chords
+    one = stand.lines[0]
     assert len(one) > 5
     chord = one[0] + np.linspace(0, 1, len(one))[:, None] * (one[-1] - one[0])
     bow = np.abs(one - chord).max()
@@ -87,24 +85,25 @@ def test_the_figure_draws_beams_along_their_bent_axes():
 @pytest.mark.parametrize(("force", "over"), [(3.0, False), (12.0, True)])
 def test_the_governing_member_is_red_only_over_its_capacity(force, over):
     run = leaf(force)
-    figure = loaded(run, report.document_page(run).record)
-    assert figure.over is over
-    pens = {tuple(round(255 * one) for one in pen[:3]) for ax in figure_drawn(figure).axes for drawn in ax.collections
-            for pen in drawn.get_edgecolor()}  # fmt: skip
-    red, halo = (tuple(int(colour[k : k + 2], 16) for k in (1, 3, 5)) for colour in (OVER, HALO))
+    figure, caption = loaded(run, report.document_page(run).record)
+    assert figure.stands[0].band == (0, over)  # the first segment, at the clamp
+    pens = {tuple(round(255 * one) for one in pen[:3]) for ax in drawn(figure).axes for lines in ax.collections
+            for pen in lines.get_edgecolor()}  # fmt: skip
+    red, band = (tuple(int(colour[k : k + 2], 16) for k in (1, 3, 5)) for colour in (OVER, BAND))
     assert (red in pens) is over
-    assert (halo in pens) is not over
-    assert ("in red" in figure.caption or "red, over" in figure.caption) is over
+    assert (band in pens) is not over
+    assert ("red, over" in caption) is over
 
 
 @pytest.mark.slow
 def test_a_driven_member_that_governs_stays_green():
     run = kt.run(fourbar(), "turn")
-    figure = loaded(run, report.document_page(run).record)
-    assert figure.governing[0] == "crank"
-    colours = [pen for ax in figure_drawn(figure).axes for drawn in ax.collections for pen in drawn.get_edgecolor()
-               if drawn.get_linewidth()[0] > 2]  # fmt: skip
-    assert {to_hex(pen) for pen in colours} == {DRIVEN, HALO}
+    figure, caption = loaded(run, report.document_page(run).record)
+    assert figure.stands[0].band == (list(run.model.members).index("crank"), False)
+    assert "(crank: " in caption
+    colours = [pen for ax in drawn(figure).axes for lines in ax.collections for pen in lines.get_edgecolor()
+               if lines.get_linewidth()[0] > 2]  # fmt: skip
+    assert {to_hex(pen) for pen in colours} == {DRIVEN, BAND}
 
 
 @pytest.mark.slow

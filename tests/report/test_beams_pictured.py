@@ -7,10 +7,9 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import report, viewer
-from kinetruss.report.pictures.picture import curves_of
 from kinetruss.report.run_figures import specifications
 from kinetruss.strength.beam_verdict import middle_forces
-from kinetruss.viewer.films.shown import Look, Subject
+from kinetruss.viewer.places import Places
 
 PUSH = 300.0
 
@@ -39,10 +38,15 @@ def test_drawings_and_figures_have_beams_and_no_frames(tmp_path):
         assert ".d1" not in text
         assert ">B<" in text
     shape = next(one for one in specifications(run) if one.name == "shape")
-    assert shape.nodes == ("A", "B", "C", "D")
-    assert {frozenset(ends) for ends in shape.ends} == {frozenset(pair) for pair in ((0, 1), (1, 2), (0, 3))}
-    assert set(shape.held) == {0, 3}
-    assert all(pose.position.shape == (4, 2) for pose in shape.poses)
+    (stand,) = shape.stands
+    words = {one.words for one in stand.labels}
+    assert {"A", "B", "C", "D", "lower", "upper", "tie"} <= words
+    assert not any(".d" in name for name in words)
+    ends = {frozenset((tuple(line[0]), tuple(line[-1]))) for line in stand.lines}
+    found = dict(zip(run.model.nodes, run.motion.position.values[0], strict=True))
+    assert ends == {frozenset((tuple(found[a]), tuple(found[b]))) for a, b in ("AB", "BC", "AD")}
+    assert {kind: len(nodes) for kind, nodes in stand.supports.items()} == {"clamped": 1, "held": 1, "guided": 0}
+    assert stand.dots.shape == (4, 2)
 
 
 def test_scenes_name_what_is_left_out():
@@ -89,16 +93,14 @@ def deflection(s: np.ndarray) -> np.ndarray:
 def test_a_bent_beam_is_drawn_along_its_deflection():
     model, rest = cantilever()
     one = viewer.scene(rest, model=model)
-    subject = Subject(one, Look())
-    x = subject.points(0)
-    _, boxes = subject.rods(0, x, subject.colours(0, None, (0, 1)))
-    assert len(boxes.radius) == 12  # a rectangular beam
-    drawn = np.concatenate([boxes.start, boxes.end[-1:]])
+    (along,), (nodes,) = one.arrays["beam_along"], one.arrays["beam_nodes"]
+    drawn = along @ one.arrays["position"][0][nodes]
+    assert len(drawn) == 13
     tip = abs(deflection(np.ones(1))[0])
     np.testing.assert_allclose(drawn[:, 1], deflection(np.linspace(0, 1, 13)), atol=1e-7 * tip)
     # on paper the same points
-    (curve,) = curves_of(model, rest.position.values).values()
-    np.testing.assert_allclose(curve, drawn[:, :2], rtol=0, atol=1e-15)
+    (curve,) = Places(one).lines
+    np.testing.assert_allclose(curve, drawn, rtol=0, atol=1e-15)
 
 
 def test_a_scene_has_the_section_forces_of_a_beam():

@@ -10,8 +10,8 @@ from matplotlib.colors import to_rgb
 from kinetruss import report
 from kinetruss.display import COLOURS
 from kinetruss.errors import InputError, StoreError
-from kinetruss.report.pictures.drawing import projected
-from kinetruss.report.pictures.specs import Bars, Histories, Shape, pen
+from kinetruss.report.pictures.specs import Bars, Drawing, Histories, pen
+from kinetruss.report.pictures.stands import projected
 from kinetruss.report.plots import specification
 from kinetruss.report.run_figures import specifications
 from kinetruss.runs import RunResult, run
@@ -70,10 +70,10 @@ def test_motors_show_their_limit(tripod_run):
 
 
 def test_the_shape_of_a_full_turn_is_shown_at_the_start_and_far_from_it(fourbar_run):
-    shape = next(figure for figure in specifications(fourbar_run) if isinstance(figure, Shape))
-    assert len(shape.poses) == 3
-    assert shape.driven == (True, False, False)
-    first, *others = (pose.position for pose in shape.poses)
+    shape = next(figure for figure in specifications(fourbar_run) if isinstance(figure, Drawing))
+    assert len(shape.stands) == 3
+    assert tuple(kind == "driven" for kind in shape.kinds) == (True, False, False)
+    first, *others = (stand.dots for stand in shape.stands)
     np.testing.assert_array_equal(first, fourbar_run.motion.position.values[0])
     assert all(np.abs(other - first).max() > 0.1 for other in others)
 

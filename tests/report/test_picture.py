@@ -20,6 +20,7 @@ from kinetruss.report.pictures.draw import draw
 from kinetruss.report.pictures.specs import Histories
 from kinetruss.report.plots import specification
 from kinetruss.runs import RunResult, run
+from kinetruss.viewer.scenes import snapshots
 from samples import fourbar, tripod
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -103,7 +104,7 @@ def test_the_same_drawing_has_the_same_bytes(turn, tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["iso", "front", "side", "top"])
 def test_views_show_what_lies_across_them(tmp_path, view):
-    from kinetruss.report.pictures.drawing import projected
+    from kinetruss.report.pictures.stands import projected
 
     seen = projected(np.eye(3), view)
     flat = {"front": [[1, 0], [0, 0], [0, 1]], "side": [[0, 0], [1, 0], [0, 1]], "top": [[1, 0], [0, 1], [0, 0]]}
@@ -217,11 +218,11 @@ def test_the_command(tmp_path, monkeypatch):
 
 
 def test_the_page_and_the_drawing_say_the_same_of_strength(lift):
-    from kinetruss.report.pictures.picture import _coloured, pictured
-
     scene = viewer.scene(lift, case="pushed")
+    samples = range(len(scene.arrays["time"]))
     for colour, array in (("force", "member_force"), ("stress", "stress"), ("utilisation", "utilisation")):
-        assert np.array_equal(_coloured(pictured(lift), colour, "pushed")[1], scene.arrays[array], equal_nan=True)
+        drawn = snapshots(lift, case="pushed", samples=samples, colour=colour)
+        assert np.array_equal(drawn.arrays[array], scene.arrays[array], equal_nan=True)
 
 
 @pytest.mark.slow

@@ -9,9 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.report.document.figure_contents import loaded
-from kinetruss.report.document.figure_drawing import _arrows
-from kinetruss.report.pictures.drawing import projected
+from kinetruss.report.document.figure import loaded
 
 
 @pytest.fixture(scope="module")
@@ -53,8 +51,9 @@ def test_elastic_bars_are_counted_as_bars_too(truss):
 
 @pytest.mark.slow
 def test_an_arrow_along_a_member_is_drawn_on_its_other_side(truss):
-    figure = loaded(truss, report.document_page(truss).record)
-    ends = {words: (start, end) for start, end, words in _arrows(figure)}
-    place = projected(figure.position)
+    (stand,) = loaded(truss, report.document_page(truss).record)[0].stands
+    middles = {tuple(one.at): one.words for one in stand.labels}
+    ends = {middles[tuple((start + end) / 2)]: (start, end) for start, end in stand.arrows}
+    place = stand.dots
     assert np.allclose(ends["3 kN"][1], place[3])  # member DE leaves D along the force: the arrow ends at the node
     assert np.allclose(ends["20 kN"][0], place[1])  # nothing below B: it begins there

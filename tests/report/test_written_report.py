@@ -1,12 +1,14 @@
 """A report as files."""
 
+import sys
 from pathlib import Path
 
 import pytest
 
 from kinetruss import report
+from kinetruss.display import browser
 from kinetruss.errors import StoreError
-from kinetruss.report.document import writing as _print
+from kinetruss.report.document import writing
 from kinetruss.results.folder import REPORT
 from kinetruss.runs import RunResult, run
 from samples import fourbar
@@ -19,20 +21,38 @@ def turn() -> RunResult:
     return run(fourbar())
 
 
-def browser(folder: Path, script: str) -> str:
-    """A program that stands in for Chromium; $paper is the file that it should print."""
-    path = folder / "browser.sh"
-    head = '#!/bin/sh\nfor word in "$@"; do case $word in --print-to-pdf=*) paper=${word#--print-to-pdf=};; esac; done\n'
-    path.write_text(head + script)
+ANSWERS = """#!{python}
+import base64, json, os, sys
+open("{folder}/words", "w").write(" ".join(sys.argv))
+def tell(message):
+    os.write(4, json.dumps(message).encode() + b"\\0")
+asked = b""
+while piece := os.read(3, 65536):
+    *whole, asked = (asked + piece).split(b"\\0")
+    for one in map(json.loads, whole):
+        data = base64.b64encode({printed!r}).decode()
+        tell({{"id": one["id"], "result": {{"targetId": "a", "sessionId": "b", "data": data}}}})
+        if one["method"] == "Page.navigate":
+            tell({{"method": "Page.loadEventFired"}})
+"""
+"""A program that stands in for Chromium: it answers every request, and prints always the same."""
+
+
+def program(folder: Path, script: str) -> str:
+    path = folder / "browser"
+    path.write_text(script)
     path.chmod(0o755)
     return str(path)
 
 
+def printing(folder: Path, printed: bytes) -> str:
+    return program(folder, ANSWERS.format(python=sys.executable, folder=folder, printed=printed))
+
+
 @pytest.mark.slow
 def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
-    (tmp_path / "sample.pdf").write_bytes(PDF)
-    program = browser(tmp_path, f'cp {tmp_path}/sample.pdf "$paper"; printf "%s " "$@" > {tmp_path}/words')
-    monkeypatch.setattr(_print, "chromium", lambda: program)
+    found = printing(tmp_path, PDF)
+    monkeypatch.setattr(writing, "chromium", lambda: found)
     done = report.write_document(turn, tmp_path / "deep" / "report", view="<p>view", date="today")
     assert (done.page.name, done.paper, done.note) == ("report.html", tmp_path / "deep" / "report" / "report.pdf", "")
     assert done.page.read_text() == report.document_page(turn, view="<p>view", date="today").html
@@ -45,17 +65,18 @@ def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("script", "words"),
     [
-        ("exit 3", "failed (exit code 3)"),
-        ("echo no screen >&2; exit 1", "failed (no screen)"),
-        ('printf "%%PDF-1.4 half" > "$paper"', "failed"),
-        ("sleep 30", "did not print the page within 0.2 s"),
+        ("#!/bin/sh\nexit 3", "failed (it ended)"),
+        ("#!/bin/sh\necho no screen >&2; exit 1", "failed (no screen)"),
+        ("", "failed (what it printed is not whole)"),
+        ("#!/bin/sh\nexec sleep 30", "did not answer within 0.2 s"),
     ],
 )
 def test_paper_that_is_not_whole_is_not_kept(turn, tmp_path, monkeypatch, script, words):
-    program = browser(tmp_path, script)
-    monkeypatch.setattr(_print, "chromium", lambda: program)
+    found = program(tmp_path, script) if script else printing(tmp_path, b"%PDF-1.4 half")
+    monkeypatch.setattr(writing, "chromium", lambda: found)
     if "sleep" in script:
-        monkeypatch.setattr(_print, "PATIENCE", 0.2)
+        monkeypatch.setattr(browser, "PATIENCE", 0.2)
+        monkeypatch.setattr(browser, "LEAVE", 0.1)
     place = tmp_path / "report"
     place.mkdir()
     (place / "report.pdf").write_bytes(PDF)  # of an earlier run
@@ -69,7 +90,7 @@ def test_paper_that_is_not_whole_is_not_kept(turn, tmp_path, monkeypatch, script
 @pytest.mark.slow
 def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
-    monkeypatch.setattr(_print, "PLACES", ())
+    monkeypatch.setattr(browser, "PLACES", ())
     done = report.write_document(turn, tmp_path)
     assert done.paper is None
     assert "no Chromium was found" in done.note
@@ -80,7 +101,7 @@ def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monke
 @pytest.mark.slow
 def test_a_program_that_cannot_be_started_is_told(turn, tmp_path, monkeypatch):
     (tmp_path / "browser").write_text("no program")
-    monkeypatch.setattr(_print, "chromium", lambda: str(tmp_path / "browser"))
+    monkeypatch.setattr(writing, "chromium", lambda: str(tmp_path / "browser"))
     assert "cannot be started" in report.write_document(turn, tmp_path).note
 
 

@@ -98,6 +98,7 @@ WALK = {
     "flexible.corrected": lambda f: kt.flexible.corrected(MODEL, f, "C.x"),
     "flexible.frequencies": lambda f: kt.flexible.frequencies(MODEL, f),
     "flexible.vibration": lambda f: kt.flexible.vibration(MODEL, f),
+    "strength.find": lambda f: kt.strength.find(kt.strength.check(MODEL, f)).sentence,
     "report.beside": lambda f: kt.report.beside((MODEL, f), (MODEL, f)).text,
     "report.histories_svg": lambda f: [kt.report.histories_svg(one) for one in (f, f.motion)],
     "viewer.scene": lambda f: kt.viewer.pack(kt.viewer.scene(f, model=MODEL)),

@@ -19,13 +19,14 @@ import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, KinetrussError, StoreError
 from kinetruss.io import export
-from kinetruss.results import folder as _folder, lock as _lock
-from kinetruss.results.folder import Ledger, claimed
+from kinetruss.results import folder as _folder, lock as _lock, reading
+from kinetruss.results.archive import Archive
+from kinetruss.results.folder import ARCHIVE, Ledger, claimed
 from kinetruss.results.lock import LOCK, hold, holding, is_locked
-from kinetruss.results.packed import pack
-from kinetruss.results.store import create, open_store
+from kinetruss.results.store import create, open_store, store_whole
 from permissions import bound
 from samples import fourbar
+from stores import archived, members, stopped
 
 HOLD = """
 import sys
@@ -68,11 +69,6 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {str(file.relative_to(folder)): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
 
 
-def unfinished(folder: Path) -> None:
-    ledger = json.loads((folder / "kinetruss.json").read_text())
-    (folder / "kinetruss.json").write_text(json.dumps(ledger | {"state": "writing", "committed": 4}))
-
-
 def writers(folder: Path) -> dict[str, object]:
     model = fourbar(5)
     return {
@@ -81,7 +77,7 @@ def writers(folder: Path) -> dict[str, object]:
         "resume": lambda: runs.resume(folder),
         "variants": lambda: runs.run_variants(model, VARIANTS, out=folder, overwrite=True),
         "one variant": lambda: runs.run_variants(model, {"runs.turn.samples": [5]}, out=folder, overwrite=True),
-        "packed": lambda: pack(folder, open_store(folder).ledger, "{}", {}, overwrite=True),
+        "whole": lambda: store_whole(folder, open_store(folder).ledger, "{}", {}, overwrite=True),
     }
 
 
@@ -108,9 +104,9 @@ def test_a_folder_that_is_removed_time_and_again_is_refused(tmp_path, monkeypatc
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("way", ["plain", "overwrite", "resume", "variants", "one variant", "packed"])
+@pytest.mark.parametrize("way", ["plain", "overwrite", "resume", "variants", "one variant", "whole"])
 def test_whoever_writes_is_named_to_the_second_and_loses_nothing(folder, way):
-    unfinished(folder)
+    stopped(folder, 4)
     holder = Holder(folder)
     before = contents(folder)
     try:
@@ -281,7 +277,7 @@ def test_a_folder_replaced_in_the_middle_of_a_block_is_not_said_to_hold_it(tmp_p
         create(path, ledger(), '"new"').release()
         raise FileNotFoundError(errno.ENOENT, "No such file or directory")
 
-    monkeypatch.setattr("kinetruss.results.store.write_chunk", replaced)
+    monkeypatch.setattr("kinetruss.results.store.Archive.append", replaced)
     with pytest.raises(StoreError, match="was removed or replaced") as told:
         writer.append(rows(0))
     assert "--overwrite" not in str(told.value)
@@ -353,7 +349,7 @@ def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, num
     def refuse(*_given, **_more):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr("kinetruss.results.store.write_chunk", refuse)
+    monkeypatch.setattr("kinetruss.results.store.Archive.append", refuse)
     with pytest.raises(StoreError) as told:
         writer.append(rows(2))
     assert "2 of 6 samples are kept in it and good" in str(told.value)
@@ -369,7 +365,13 @@ def test_what_is_kept_is_said_with_the_mend_that_fits(tmp_path, monkeypatch, num
 
 @pytest.mark.slow
 def test_a_chunk_that_is_not_there_is_an_error_and_no_number(folder):
-    (folder / "results.zarr/forces/all/total/member_force/1.0").unlink()
+    members = archived(folder)
+    del members["forces/all/total/member_force/1.0"]
+    (folder / ARCHIVE).unlink()
+    archive = Archive(folder / ARCHIVE)
+    archive.append(members)
+    archive.seal()
+    archive.close()
     found = runs.load(folder)
     with pytest.raises(StoreError, match=r"damaged: forces/all/total/member_force/1\.0 is missing"):
         found.forces["all"].data["member_force"].load()
@@ -379,30 +381,32 @@ def test_a_chunk_that_is_not_there_is_an_error_and_no_number(folder):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("how", ["empty", "cut", "noise", "one bit"])
-@pytest.mark.parametrize("packed", [False, True])
-def test_a_chunk_that_is_not_as_it_was_written_is_an_error_and_no_number(folder, tmp_path, how, packed):
-    """Every array of a run, one at a time; also in a run of one file."""
-    if packed:
-        folder = runs.run_variants(fourbar(9), {"runs.turn.samples": [9]}, out=tmp_path / "packed").paths["samples=9"]
-    places = [folder / "results.zarr.zip"] if packed else sorted((folder / "results.zarr").rglob("*/0*"))
-    assert places
-    for place in places[:: max(1, len(places) // 12)]:
-        data = place.read_bytes()
-        at = 2 * len(data) // 3
-        noise = bytes(255 - byte for byte in data[at:])
-        new = {
-            "empty": b"",
-            "cut": data[:at],
-            "noise": data[:at] + noise,
-            "one bit": data[:at] + bytes([data[at] ^ 4]) + data[at + 1 :],
-        }
-        place.write_bytes(new[how])
-        with pytest.raises(StoreError, match=r"damaged|no readable"):
-            export(folder, tmp_path / "run.csv", groups=())
-            for group in open_store(folder).groups:
-                open_store(folder).read(group).load()
-        place.write_bytes(data)
+@pytest.mark.parametrize("how", ["cut", "noise", "one bit"])
+@pytest.mark.parametrize("state", ["finished", "writing", "short variant"])
+def test_a_member_that_is_not_as_it_was_written_is_an_error_and_no_number(folder, tmp_path, how, state):
+    """Every member in turn, at its header, its name and its content; of a run that ended, and of one that did not."""
+    if state == "short variant":
+        folder = runs.run_variants(fourbar(9), {"runs.turn.samples": [9]}, out=tmp_path / "one").paths["samples=9"]
+    if state == "writing":
+        stopped(folder, 8)
+    file = folder / ARCHIVE
+    good, places = file.read_bytes(), members(folder)
+    assert len(places) > 40
+    for name, one in list(places.items())[::5]:
+        for at in (one.at, one.at + 14, one.at + 34, one.at + 30 + len(name) + one.size // 2):
+            new = {
+                "cut": good[:at],
+                "noise": good[:at] + bytes(255 - byte for byte in good[at:]),
+                "one bit": good[:at] + bytes([good[at] ^ 4]) + good[at + 1 :],
+            }
+            file.write_bytes(new[how])
+            with pytest.raises(StoreError, match=r"is damaged: .* Run it again with --overwrite"):
+                found = open_store(folder)
+                for group in found.groups:
+                    found.read(group).load()
+    file.write_bytes(good)
+    for group in open_store(folder).groups:
+        open_store(folder).read(group).load()
 
 
 @pytest.mark.slow
@@ -423,11 +427,32 @@ def test_a_run_that_is_replaced_while_it_is_read_is_not_mixed_with_the_new_one(f
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("damaged", [False, True])
+@pytest.mark.parametrize("place", ["listed", "content_of"])
+def test_an_archive_that_is_replaced_while_it_is_opened_is_not_told_as_damaged(folder, monkeypatch, place, damaged):
+    real, done = getattr(reading, place), []
+
+    def replaced(*given):
+        if not done:
+            done.append(place)
+            runs.run(fourbar(9), out=folder, block=4, overwrite=True)
+            if damaged:
+                raise ValueError("what was read is half of the one and half of the other")
+        return real(*given)
+
+    monkeypatch.setattr(reading, place, replaced)
+    with pytest.raises(StoreError, match="was replaced by another run while it was read. Read it again"):
+        open_store(folder)
+    assert done
+    assert open_store(folder).ledger.whole
+
+
+@pytest.mark.slow
 def test_what_is_known_only_at_the_end_is_not_shown_before(folder):
     """A kill between the last block and the last word: the table of margins may be half written."""
-    shutil.rmtree(folder / "results.zarr/verdict/utilisation")
-    record = json.loads((folder / "kinetruss.json").read_text())
-    (folder / "kinetruss.json").write_text(json.dumps(record | {"state": "writing", "status": ""}))
+    at = members(folder)["verdict/utilisation/0.0"].at
+    stopped(folder, 9)
+    os.truncate(folder / ARCHIVE, at + 50)
     found = runs.load(folder)
     assert (found.whole, found.state, found.verdict, found.good) == (False, "incomplete", None, 9)
     assert runs.resume(folder).verdict.table()
@@ -458,7 +483,7 @@ def overwritten(path: Path, packed: bool, last: int) -> bool:
         if packed:
             new = Ledger(run="turn", samples=2, block=2, committed=2, state="finished", status="COMPLETED",
                          options={}, provenance={"new": 1})  # fmt: skip
-            pack(path, new, fourbar(2).model_dump_json(), rows(0), overwrite=True)
+            store_whole(path, new, fourbar(2).model_dump_json(), rows(0), overwrite=True)
         else:
             create(path, ledger(), fourbar(6).model_dump_json(), overwrite=True).release()
         os._exit(0)

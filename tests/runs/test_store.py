@@ -2,14 +2,16 @@
 
 import json
 import resource
-import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
+import zarr
 
 from kinetruss.errors import InputError, StoreError
-from kinetruss.results.folder import Ledger, check_target, is_store
+from kinetruss.results.encoding import encoded
+from kinetruss.results.folder import ARCHIVE, Ledger, check_target, is_store
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Writer, create, key, open_store, reopen
 
@@ -24,6 +26,12 @@ def block(first: int, count: int = 10, size: int = 3) -> xr.Dataset:
 
 def ledger(samples: int = 30, size: int = 10) -> Ledger:
     return Ledger(run="turn", samples=samples, block=size, options={}, provenance={})
+
+
+def opened(folder: Path) -> xr.Dataset:
+    """The motion as the zarr package reads it."""
+    with zarr.storage.ZipStore(folder / ARCHIVE, mode="r") as store:
+        return xr.open_zarr(store, group="motion", consolidated=False).load()
 
 
 def test_blocks_come_back_as_one_dataset(tmp_path):
@@ -41,25 +49,31 @@ def test_another_zarr_reader_sees_the_same(tmp_path):
     writer = create(tmp_path / "run", ledger(10), "{}")
     writer.append({"motion": block(0)})
     writer.close("COMPLETED")
-    plain = xr.open_zarr(tmp_path / "run" / "results.zarr", group="motion", chunks=None, consolidated=False)
+    plain = opened(tmp_path / "run")
     np.testing.assert_array_equal(plain["force"].values, block(0)["force"].values)
     assert plain["force"].attrs["units"] == "N"
+
+
+def written_only(writer: Writer, data: xr.Dataset) -> None:
+    """Write a block that the ledger does not count."""
+    writer._archive.append(dict(encoded({"motion": data}, writer.ledger, {})))
 
 
 def test_only_committed_samples_are_read(tmp_path):
     writer = create(tmp_path / "run", ledger(), "{}")
     writer.append({"motion": block(0)})
-    writer._write("motion", block(10))  # chunks on disk, never counted: what a kill leaves behind
+    written_only(writer, block(10))  # on the disk, never counted: what a kill leaves behind
     store = open_store(tmp_path / "run")
     assert not store.ledger.whole
     assert store.read("motion").sizes["time"] == 10
+    writer.release()
 
 
 def test_reopening_goes_on_behind_the_last_good_sample(tmp_path):
     path = tmp_path / "run"
     writer = create(path, ledger(), "{}")
     writer.append({"motion": block(0)})
-    writer._write("motion", block(999))
+    written_only(writer, block(999))
     writer.release()
     again = reopen(path, open_store(path).ledger)
     again.append({"motion": block(10)})
@@ -74,7 +88,7 @@ def test_a_run_that_stopped_early_is_cut_to_what_is_good(tmp_path):
     writer.close("SINGULAR", "why")
     store = open_store(tmp_path / "run")
     assert (store.ledger.status, store.ledger.message, store.ledger.whole) == ("SINGULAR", "why", False)
-    plain = xr.open_zarr(tmp_path / "run" / "results.zarr", group="motion", chunks=None, consolidated=False)
+    plain = opened(tmp_path / "run")
     assert plain.sizes["time"] == 10
 
 
@@ -93,7 +107,7 @@ def test_one_writer_at_a_time(tmp_path):
     writer = create(tmp_path / "run", ledger(), "{}")
     assert is_locked(tmp_path / "run")
     with pytest.raises(StoreError, match="being written by this process"):
-        Writer(tmp_path / "run", ledger())
+        reopen(tmp_path / "run", ledger())
     writer.release()
     assert not is_locked(tmp_path / "run")
 
@@ -128,10 +142,11 @@ def test_overwriting_does_not_follow_a_link_out_of_the_folder(tmp_path):
     (elsewhere / "data").write_text("keep")
     path = tmp_path / "run"
     create(path, ledger(), "{}").release()
-    shutil.rmtree(path / "results.zarr")
-    (path / "results.zarr").symlink_to(elsewhere)
+    (path / ARCHIVE).unlink()
+    for name, target in ((ARCHIVE, "data"), ("results.zarr", ""), ("state", "")):
+        (path / name).symlink_to(elsewhere / target)
     create(path, ledger(), "{}", overwrite=True).release()
-    assert (elsewhere / "data").read_text() == "keep"
+    assert [(one.name, one.read_text()) for one in elsewhere.iterdir()] == [("data", "keep")]
 
 
 def test_a_file_is_no_folder(tmp_path):

@@ -1,6 +1,5 @@
 """A run that was killed, interrupted or is still being written is shown as such everywhere, and can be gone on with."""
 
-import json
 import shutil
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from kinetruss.results.lock import hold
 from kinetruss.results.store import open_store
 from kinetruss.runs import load, resume, run
 from samples import fourbar
+from stores import stopped
 
 BLOCK, SAMPLES = 4, 13
 
@@ -23,14 +23,6 @@ def whole(tmp_path_factory) -> Path:
     path = tmp_path_factory.mktemp("whole") / "run"
     run(fourbar(SAMPLES), out=path, block=BLOCK)
     return path
-
-
-def stopped(folder: Path, committed: int, status: str = "") -> Path:
-    """The folder as a kill (or with a status an interrupt) leaves it behind so many samples."""
-    record = json.loads((folder / "kinetruss.json").read_text())
-    record |= {"state": "writing", "committed": committed, "status": status}
-    (folder / "kinetruss.json").write_text(json.dumps(record))
-    return folder
 
 
 @pytest.fixture

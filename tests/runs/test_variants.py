@@ -16,10 +16,11 @@ from hypothesis import given, settings, strategies as st
 import kinetruss as kt
 from kinetruss import runs
 from kinetruss.errors import InputError, ModelError, StoreError
-from kinetruss.results.folder import PACKED
+from kinetruss.results.folder import ARCHIVE
 from kinetruss.runs.many import beside
 from kinetruss.runs.variant_sets import short_paths, spread
 from samples import fourbar, tripod
+from stores import members
 
 LIFT = "runs.lift.trajectory.duration"
 TRUSS = """
@@ -162,8 +163,8 @@ def test_a_variant_is_the_run_of_its_model(tmp_path):
 def test_the_archive_is_read_by_zarr(tmp_path):
     found = runs.run_variants(tripod(), {LIFT: [1, 2]}, out=tmp_path)
     path = found.paths["duration=1"]
-    assert names(path) == ["kinetruss.json", "model.json", PACKED]
-    with zarr.storage.ZipStore(path / PACKED, mode="r") as store:
+    assert names(path) == ["kinetruss.json", "model.json", ARCHIVE]
+    with zarr.storage.ZipStore(path / ARCHIVE, mode="r") as store:
         group = zarr.open_group(store, mode="r")
         np.testing.assert_array_equal(group["motion/position"][:], found["duration=1"].motion.position.values)
         assert group["motion/position"].attrs["units"] == "m"
@@ -172,16 +173,19 @@ def test_the_archive_is_read_by_zarr(tmp_path):
 
 def test_a_damaged_archive_is_said_to_be_so(tmp_path):
     path = runs.run_variants(tripod(), {LIFT: [1, 2]}, out=tmp_path).paths["duration=1"]
-    data = (path / PACKED).read_bytes()
-    (path / PACKED).write_bytes(data[: len(data) // 2])
-    with pytest.raises(StoreError, match="damaged|no readable"):
+    data = (path / ARCHIVE).read_bytes()
+    (path / ARCHIVE).write_bytes(data[: len(data) // 2])
+    with pytest.raises(StoreError, match="is damaged: its archive has no directory"):
         runs.load(path).motion.position.values.sum()
 
 
 @pytest.mark.slow
 def test_long_runs_are_stored_block_by_block(tmp_path):
     found = runs.run_variants(fourbar(2500), {"runs.turn.trajectory.duration": [0.6, 0.7]}, out=tmp_path)
-    assert all((path / "results.zarr").is_dir() for path in found.paths.values())
+    for path in found.paths.values():
+        assert [name for name in members(path) if name.startswith("motion/time/")] == [
+            f"motion/time/{k}" for k in ("zarr.json", 0, 1)
+        ]
     assert all(found.whole.values())
     assert found["duration=0.6"].settings == {"runs.turn.trajectory.duration": "0.6"}
 

@@ -6,7 +6,7 @@ import threading
 import pytest
 
 import kinetruss as kt
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 
 def test_what_stood_there_stays_until_the_end(tmp_path):

@@ -54,7 +54,7 @@ def test_an_error_of_the_work_is_raised(asked):
 def test_kernels_that_are_compiled_meanwhile_are_said(monkeypatch):
     from kinetruss.kernels.compiled.jit import keeper
     from kinetruss.kernels.compiled.progress import Progress
-    from kinetruss.studio.messages import Busy
+    from kinetruss.studio.requested_runs import Busy
 
     monkeypatch.setattr(keeper, "progress", Progress())
     busy = Busy()

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
+from drawn import drawing
 from kinetruss.io.writing import changed_text, data_of
 from kinetruss.library import example_files
 from kinetruss.studio import Session
-from kinetruss.studio.desk import Desk
 
 TEXT = """\
 # an arm
@@ -38,15 +38,15 @@ fixed: {A: xy, B: y} # held
 COMMENTS = [line.partition("#")[2] for line in TEXT.splitlines() if "#" in line]
 
 
-def done(desk: Desk, **command) -> dict:
+def done(desk: Session, **command) -> dict:
     found = desk.answer(json.dumps(command))
     assert found["kind"] == "drawing", found
     return found
 
 
 @pytest.fixture
-def desk() -> Desk:
-    found = Desk()
+def desk() -> Session:
+    found = drawing()
     done(found, do="text", text=TEXT)
     return found
 
@@ -101,7 +101,7 @@ def test_an_edit_of_every_example_keeps_its_comments():
 
 def test_what_cannot_be_patched_is_written_anew_below_its_head():
     text = "# mine\nkinetruss: 1\nnodes: {A: [0, 0], B: &b [1, 0], C: *b}\nbars: {b1: [A, B]}  # one\n"
-    desk = Desk()
+    desk = drawing()
     done(desk, do="text", text=text)
     found = done(desk, do="move", places={"B": [2, 0]})["text"]
     assert found.startswith("# mine\nkinetruss: 1\n")

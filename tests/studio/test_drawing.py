@@ -11,23 +11,24 @@ from hypothesis import Phase, settings, strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 
 import kinetruss as kt
+from drawn import drawing
 from kinetruss import dynamics, kinematics
 from kinetruss.library import example_files
-from kinetruss.studio.desk import Desk
+from kinetruss.studio import Session
 
 
-def ask(desk: Desk, **command) -> dict:
+def ask(desk: Session, **command) -> dict:
     found = desk.answer(json.dumps(command))
     return json.loads(json.dumps(found, allow_nan=False))
 
 
-def done(desk: Desk, **command) -> dict:
+def done(desk: Session, **command) -> dict:
     found = ask(desk, **command)
     assert found["kind"] in ("drawing", "moved"), found
     return found
 
 
-def triangle(desk: Desk) -> dict:
+def triangle(desk: Session) -> dict:
     """Two struts and a tie on a pin and a roller, loaded at the apex."""
     for at in ([0, 0], [2, 0], [1, "1500 mm"]):
         done(desk, do="add", at=at)
@@ -39,14 +40,14 @@ def triangle(desk: Desk) -> dict:
 
 
 def test_an_empty_drawing_says_how_to_begin_and_has_no_faults():
-    desk = Desk()
+    desk = drawing()
     for found in (done(desk, do="show"), done(desk, do="add", at=[0, 0]), done(desk, do="delete", nodes=["A"], members=[])):
         assert found["faults"] == []
     assert found["nodes"] == [] and "Nothing is drawn yet" in json.dumps(found)
 
 
 def test_a_triangle_is_drawn_and_has_the_forces_of_statics_by_hand():
-    found = triangle(Desk())
+    found = triangle(drawing())
     strut = -1000 * math.hypot(1, 1.5) / 1.5  # vertical balance at the apex
     assert found["force"] == pytest.approx([strut, strut, 1000 / 1.5], rel=1e-12)
     assert found["reaction"] == {"A": pytest.approx([0, 1000], abs=1e-9), "B": pytest.approx([0, 1000], abs=1e-9)}
@@ -56,7 +57,7 @@ def test_a_triangle_is_drawn_and_has_the_forces_of_statics_by_hand():
 
 @pytest.mark.slow
 def test_what_is_missing_is_said_at_every_step_and_drawing_goes_on():
-    desk = Desk()
+    desk = drawing()
     assert "Choose Bar and drag" in desk.first()["missing"][0]
     found = done(desk, do="add", at=[0, 0])
     assert [words.split(":")[0] for words in found["missing"]] == ["No bar yet", "No support yet"]
@@ -73,7 +74,7 @@ def test_what_is_missing_is_said_at_every_step_and_drawing_goes_on():
 
 @pytest.mark.slow
 def test_a_drive_that_acts_against_the_bars_and_redundancy_are_named():
-    desk = Desk()
+    desk = drawing()
     triangle(desk)
     found = done(desk, do="set", path=["fixed", "B"], value="xy")
     assert [row["kind"] for row in found["warnings"]] == ["redundant"]
@@ -89,7 +90,7 @@ def test_a_drive_that_acts_against_the_bars_and_redundancy_are_named():
 
 @pytest.mark.slow
 def test_undo_and_redo_go_through_all_states_and_a_drag_is_one_step():
-    desk = Desk()
+    desk = drawing()
     texts = [desk.first()["text"], triangle(desk)["text"]]
     for k in range(20):
         found = done(desk, do="move", places={"C": [1 + 0.01 * k, 1.5]}, drag=7)
@@ -107,7 +108,7 @@ def test_undo_and_redo_go_through_all_states_and_a_drag_is_one_step():
 
 
 def test_the_text_changes_the_drawing_and_faults_have_their_line():
-    desk = Desk()
+    desk = drawing()
     text = triangle(desk)["text"]
     found = done(desk, do="text", text=text.replace("[1, 1500 mm]", "[1, 3]  # higher"))
     assert found["places"][2] == [1, 3]
@@ -127,7 +128,7 @@ def test_the_text_changes_the_drawing_and_faults_have_their_line():
 
 
 def test_a_value_that_the_model_refuses_changes_nothing():
-    desk = Desk()
+    desk = drawing()
     before = triangle(desk)
     for path, value, words in (
         (["nodes", "C", "mass"], "heavy", "heavy"),
@@ -145,7 +146,7 @@ def test_a_value_that_the_model_refuses_changes_nothing():
 
 
 def test_lengths_are_closed_and_what_cannot_close_is_said_and_has_no_forces():
-    desk = Desk()
+    desk = drawing()
     triangle(desk)
     found = done(desk, do="set", path=["bars", "b1", "length"], value="1.3 m")
     a, b, c = map(np.array, found["places"])
@@ -161,7 +162,7 @@ def test_lengths_are_closed_and_what_cannot_close_is_said_and_has_no_forces():
 
 
 def test_a_length_between_supports_that_does_not_fit_is_named():
-    desk = Desk()
+    desk = drawing()
     triangle(desk)
     done(desk, do="delete", nodes=["C"])
     done(desk, do="set", path=["fixed"], value=["A", "B"])
@@ -170,7 +171,7 @@ def test_a_length_between_supports_that_does_not_fit_is_named():
 
 
 def test_entries_are_renamed_and_deleted_with_what_refers_to_them():
-    desk = Desk()
+    desk = drawing()
     triangle(desk)
     done(desk, do="set", path=["drives", "turn"], value={"kind": "angle", "bar": "b3"})
     done(desk, do="set", path=["fixed", "B"], value=None)
@@ -186,7 +187,7 @@ def test_entries_are_renamed_and_deleted_with_what_refers_to_them():
 
 
 def test_a_renamed_node_keeps_the_hinge_about_it():
-    desk = Desk()
+    desk = drawing()
     triangle(desk)
     hinge = {"kind": "hinge", "axis": ["A"], "start": "B", "end": "C"}
     done(desk, do="set", path=["drives", "fold"], value=hinge)
@@ -198,7 +199,7 @@ def test_a_renamed_node_keeps_the_hinge_about_it():
 
 @pytest.mark.slow
 def test_copies_mirror_images_and_stacks():
-    desk = Desk()
+    desk = drawing()
     triangle(desk)
     found = done(desk, do="mirror", nodes=["A", "B", "C"], axis="x", at="2 m")
     assert len(found["nodes"]) == 5  # B lies in the plane
@@ -208,7 +209,7 @@ def test_copies_mirror_images_and_stacks():
     found = done(desk, do="copy", nodes=["A", "B", "C"], by=["2 m", 0], count=3)
     assert len(found["nodes"]) == 3 + 3 * 2
     assert len(found["members"]) == 12
-    space = Desk(dim=3)
+    space = drawing(dim=3)
     found = done(space, do="stack", cell="octahedron", count=2)
     assert len(found["members"]) == 12 + 9
     found = done(space, do="stack", cell="prism", count=1)
@@ -219,7 +220,7 @@ def test_copies_mirror_images_and_stacks():
 
 
 def test_the_coupler_curve_is_the_circle_of_a_crank_and_its_torque_is_that_of_the_weight():
-    desk = Desk()
+    desk = drawing()
     done(desk, do="add", at=[0, 0])
     done(desk, do="add", at=["50 cm", 0], bar_from="A")
     done(desk, do="set", path=["fixed", "A"], value="xy")
@@ -239,7 +240,7 @@ OPENED = ("bricard", "docking", "double_octahedral_slew", "elastic_bay", "isolat
 @pytest.mark.parametrize("name", OPENED)
 def test_an_example_opens_as_its_model_and_a_drag_checks_all_that_follows_from_places(name):
     path = example_files()[name][0]
-    desk = Desk(kt.read(path), path)
+    desk = drawing(kt.read(path), path)
     assert kt.Model(**desk.drawing.state.data) == kt.read(path)
     assert desk.first()["faults"] == []
     moved = next(iter(set(desk.drawing.state.data["nodes"]) - set(desk.drawing.found.model.fixed)))
@@ -254,7 +255,7 @@ def test_a_typed_text_reads_files_of_the_folder_only(tmp_path):
     (tmp_path / "in").mkdir()
     (tmp_path / "push.csv").write_text("t [s],x [N],y [N]\n0,1,2\n1,3,4\n")
     (tmp_path / "in" / "push.csv").write_text((tmp_path / "push.csv").read_text())
-    desk = Desk(None, None, tmp_path / "in")
+    desk = drawing(None, None, tmp_path / "in")
     text = triangle(desk)["text"]
     for file, taken in (
         ("push.csv", True),
@@ -268,7 +269,7 @@ def test_a_typed_text_reads_files_of_the_folder_only(tmp_path):
 
 
 def test_nothing_is_written_unasked_and_versions_lead_back(tmp_path):
-    desk = Desk(None, None, tmp_path)
+    desk = drawing(None, None, tmp_path)
     text = triangle(desk)["text"]
     assert [one.name for one in tmp_path.iterdir()] == [".kinetruss"]  # the side files
     (tmp_path / "mine.yaml").write_text("years of work")
@@ -286,17 +287,17 @@ def test_nothing_is_written_unasked_and_versions_lead_back(tmp_path):
 
 
 def test_edits_outlive_the_studio_and_are_offered(tmp_path):
-    first = Desk(None, None, tmp_path)
-    first.address = ("a-token", 4711)
+    first = drawing(None, None, tmp_path)
+    first.drafts.address = ("a-token", 4711)
     text = triangle(first)["text"]
-    second = Desk(None, None, tmp_path)
-    assert second.keep.address() == ("a-token", 4711)
+    second = drawing(None, None, tmp_path)
+    assert second.drafts.last_address() == ("a-token", 4711)
     assert second.first()["offer"]["ago"] < 60
     assert second.first()["nodes"] == []
     assert done(second, do="draft", keep=True)["text"] == text
-    assert Desk(None, None, tmp_path).first()["offer"]
-    assert done(Desk(None, None, tmp_path), do="draft", keep=False)["nodes"] == []
-    assert Desk(None, None, tmp_path).first()["offer"] is None
+    assert drawing(None, None, tmp_path).first()["offer"]
+    assert done(drawing(None, None, tmp_path), do="draft", keep=False)["nodes"] == []
+    assert drawing(None, None, tmp_path).first()["offer"] is None
 
 
 PLACES = st.integers(-30, 30).map(lambda k: k / 10)
@@ -307,7 +308,7 @@ class Edits(RuleBasedStateMachine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.desk = Desk()
+        self.desk = drawing()
         self.last = triangle(self.desk)
 
     def ask(self, **command) -> None:
@@ -361,7 +362,7 @@ class Edits(RuleBasedStateMachine):
 
     @invariant()
     def the_text_is_the_drawing_and_forces_are_those_of_the_interface(self) -> None:
-        other = Desk()
+        other = drawing()
         done(other, do="text", text=self.last["text"])
         assert other.drawing.state.data == self.desk.drawing.state.data
         model = self.desk.drawing.found.model

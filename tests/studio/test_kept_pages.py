@@ -10,8 +10,8 @@ import pytest
 from websockets.sync.client import connect
 
 import kinetruss as kt
+from drawn import drawing
 from kinetruss.studio import Session
-from kinetruss.studio.desk import Desk
 from samples import tripod
 from served import WAIT, serve, start
 
@@ -29,10 +29,10 @@ def ask(session: Session, **command) -> dict:
     return header(session.answer(json.dumps(command)))
 
 
-def page(path, key: str = "", desk: Desk | None = None) -> Session:
+def page(path, key: str = "", desk: Session | None = None) -> Session:
     """A page of a studio of a file, by default of a studio that has just been started."""
-    desk = desk or Desk(kt.read(path), path, path.parent)
-    return Session(desk.model(), path, path.parent, text=desk.text(), shelf=desk, key=key)
+    desk = desk or drawing(kt.read(path), path, path.parent)
+    return Session(desk.model, path, path.parent, text=desk.opened()[1], drafts=desk.drafts, key=key)
 
 
 def changed(session: Session) -> dict:
@@ -59,7 +59,7 @@ def test_the_next_studio_offers_all_changes_and_goes_on_with_them(path):
     wanted = changed(first)
     again = page(path)
     setup = header(again.first())["setup"]
-    assert setup["offer"] == pytest.approx(first.shelf.keep.path(f"page-{first.key}.json").stat().st_mtime)
+    assert setup["offer"] == pytest.approx(first.drafts.path(f"page-{first.key}.json").stat().st_mtime)
     assert again.model == tripod()  # nothing is taken up before it is asked for
     taken = ask(again, do="draft", keep=True)["setup"]
     assert (taken["offer"], taken["frames"], taken["case"], taken["lost"]) == (None, FRAMES, "standing", first.lost)
@@ -70,16 +70,16 @@ def test_the_next_studio_offers_all_changes_and_goes_on_with_them(path):
         np.testing.assert_allclose(found[name], wanted[name], rtol=0, atol=1e-12 * np.abs(wanted[name]).max())
     assert ask(again, do="reset")["setup"]["members"][1]["role"] == "driven"
     third = page(path)  # of that page key frames are left, the first page has gone
-    assert [key for key, _ in third.shelf.left] == [again.key]
+    assert [key for key, _ in third.drafts.left] == [again.key]
 
 
 @pytest.mark.slow
 def test_a_page_that_lost_its_studio_goes_on_and_other_pages_do_not_get_its_changes(path):
-    desk = Desk(kt.read(path), path, path.parent)
+    desk = drawing(kt.read(path), path, path.parent)
     one, two = page(path, desk=desk), page(path, desk=desk)
     wanted = changed(one)
     ask(two, do="mass", node="T", mass=3.0)
-    desk = Desk(kt.read(path), path, path.parent)
+    desk = drawing(kt.read(path), path, path.parent)
     again, other = page(path, one.key, desk), page(path, two.key, desk)
     assert (again.key, header(again.first())["setup"]["offer"]) == (one.key, None)
     assert ask(again, do="query")["member_force"] == pytest.approx(wanted["member_force"], rel=1e-9, abs=1e-9)
@@ -95,13 +95,13 @@ def test_removed_saved_and_reset_changes_are_not_offered(path):
     assert "no changes" in ask(second, do="draft", keep=True)["message"]
     assert second.model == tripod()
     third = page(path)
-    assert third.shelf.left == []
+    assert third.drafts.left == []
     changed(third)
     ask(third, do="save", name="b.yaml")
-    assert page(path).shelf.left == []
+    assert page(path).drafts.left == []
     ask(third, do="frames", frames=[])
     ask(third, do="reset")
-    assert page(path).shelf.left == []
+    assert page(path).drafts.left == []
 
 
 def test_changes_of_a_file_that_has_changed_keep_their_model_and_never_replace_it_in_silence(path):
@@ -122,7 +122,7 @@ def test_changes_of_a_file_that_has_changed_keep_their_model_and_never_replace_i
 def test_a_spoilt_record_is_refused_in_a_sentence(path, field, value):
     one = page(path)
     ask(one, do="mass", node="T", mass=35.0)
-    file = one.shelf.keep.path(f"page-{one.key}.json")
+    file = one.drafts.path(f"page-{one.key}.json")
     record = json.loads(file.read_text())
     file.write_text(json.dumps(record | {field: value}))
     again = page(path)

@@ -65,7 +65,7 @@ class Edits(RuleBasedStateMachine):
     def __init__(self) -> None:
         super().__init__()
         self.session = Session(self.make())
-        self.members = list(self.session.original.members)
+        self.members = list(self.session.original.model.members)
 
     def ask(self, **command) -> dict:
         found = told(self.session.answer(json.dumps(command)))
@@ -126,7 +126,7 @@ TestTripod.settings = TestBay.settings = TestFourbar.settings = FEW
 @pytest.mark.parametrize("member", list(bay().members))
 def test_a_member_that_is_cut_and_put_back_has_its_length_again(member):
     session = Session(bay())
-    before = session.query()
+    before = told(session.answer(json.dumps({"do": "query"})))
     for to in ("cut", "own"):
         assert told(session.answer(json.dumps({"do": "switch", "member": member, "to": to})))["kind"] == "scene"
     assert largest_miss(session) < 1e-12

@@ -10,8 +10,8 @@ import pytest
 import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from kinetruss.studio import Session
-from kinetruss.studio.commands import MOST
-from kinetruss.studio.edits import seen_now
+from kinetruss.studio.files import Drafts, seen_now
+from kinetruss.studio.messages import SMALL
 from samples import fourbar, tripod
 
 
@@ -159,6 +159,90 @@ def test_a_change_that_cannot_stand_changes_nothing():
     assert ask(session, do="move", values={"motor": 1.0})["kind"] == "state"
 
 
+def test_edits_of_every_page_work_on_a_live_model_and_are_undone():
+    session = Session(tripod())
+    ask(session, do="move", values={"LA": 1.1})
+    forces = ask(session, do="query")["member_force"]
+    assert ask(session, do="mass", node="T", mass=35.0)["setup"]["undo"] == "the change of the mass of T"
+    for command in (
+        {"do": "set", "path": ["nodes", "T", "mass"], "value": "20 kg"},
+        {"do": "add", "at": [0, 0, 2], "bar_from": "T"},
+        {"do": "delete", "nodes": ["D"]},
+    ):
+        found = ask(session, **command)
+        assert found["kind"] in ("scene", "error"), found
+    while ask(session, do="undo")["kind"] == "scene":
+        pass
+    assert session.model == tripod()
+    assert ask(session, do="redo")["setup"]["masses"]["T"] == 35.0
+    assert ask(session, do="reset")["setup"]["undo"]
+    ask(session, do="move", values={"LA": 1.1})
+    assert ask(session, do="query")["member_force"] == pytest.approx(forces, abs=1e-9)
+
+
+def test_a_live_model_has_what_was_removed_again_after_undo_and_its_lost_entries_after_redo():
+    session = Session(tripod())
+    assert ask(session, do="switch", member="LB", to="rigid")["setup"]["lost"] == ["runs.lift"]
+    assert ask(session, do="undo")["setup"]["lost"] == []
+    assert "lift" in session.model.runs
+    assert ask(session, do="redo")["setup"]["lost"] == ["runs.lift"]
+    assert ask(session, do="switch", member="LB", to="own")["setup"]["lost"] == []
+    assert session.model == tripod()
+
+
+def test_a_member_is_switched_by_the_names_of_its_nodes_after_nodes_came_and_went():
+    session = Session(tripod())
+    assert ask(session, do="delete", members=["LB"], nodes=["B"])["kind"] == "scene"
+    found = ask(session, do="switch", member="LB", to="elastic")
+    assert (found["kind"], "'B', which is not in the model any more" in found["message"]) == ("error", True)
+    before = ask(session, do="query")
+    length = np.linalg.norm(np.subtract(*(before["position"][before["nodes"].index(end)] for end in ("C", "T"))))
+    assert ask(session, do="switch", member="LC", to="rigid")["kind"] == "scene"
+    assert session.model.bars["LC"].length == pytest.approx(length, abs=1e-12)
+
+
+def test_no_message_reads_a_file_outside_the_folder(tmp_path):
+    (tmp_path / "in").mkdir()
+    (tmp_path / "push.csv").write_text("t [s],x [N],y [N],z [N]\n0,1,2,3\n1,3,4,5\n")
+    path = kt.write(tripod(), tmp_path / "in" / "a.yaml")
+    session = Session(kt.read(path), path, tmp_path / "in", text=path.read_text())
+    for file in ("../push.csv", str(tmp_path / "push.csv")):
+        wind = {"node": "T", "file": file}
+        assert ask(session, do="set", path=["loads", "wind"], value=wind)["kind"] == "error"
+        text = path.read_text() + f"support_motion: {{A: {{file: '{file}'}}}}\n"
+        assert "not in the folder" in ask(session, do="text", text=text)["faults"][0]["text"]
+    assert session.model == tripod()
+
+
+def test_a_save_of_a_live_model_is_a_version_and_is_done_where_none_can_be_kept(tmp_path):
+    path = kt.write(tripod(), tmp_path / "a.yaml")
+    drafts = Drafts(tmp_path, "a")
+    session = Session(kt.read(path), path, tmp_path, text=path.read_text(), drafts=drafts)
+    ask(session, do="mass", node="T", mass=35.0)
+    assert ask(session, do="save", name="b.yaml")["message"] == "Written: b.yaml."
+    assert [row["words"] for row in ask(session, do="versions")["rows"]] == ["saved as b.yaml"]
+    assert drafts.version(1) == (tmp_path / "b.yaml").read_text()
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / ".kinetruss").write_text("a file in the way")
+    session = Session(kt.read(path), None, other, text=path.read_text(), drafts=Drafts(other, "a"))
+    assert "no version was kept" in ask(session, do="save", name="b.yaml")["message"]
+    assert kt.read(other / "b.yaml") == tripod()
+
+
+def test_the_drawing_refuses_what_only_a_pose_has():
+    session = Session(tripod(), draw=True)
+    for command in (
+        {"do": "move", "values": {"LA": 1.1}},
+        {"do": "query"},
+        {"do": "case", "name": None},
+        {"do": "frames", "frames": []},
+        {"do": "switch", "member": "LA", "to": "cut"},
+    ):
+        found = ask(session, **command)
+        assert (found["kind"], found["message"].endswith("Use the page with sliders.")) == ("error", True)
+
+
 def test_key_frames_become_a_run_with_its_worst_instants():
     session = Session(tripod())
     frames = [{"time": t, "values": {"LA": value}} for t, value in ((0, 1.0), (1, 1.2), (2.5, 1.1), (3, 1.0))]
@@ -172,7 +256,7 @@ def test_key_frames_become_a_run_with_its_worst_instants():
     assert worst["used"] == pytest.approx(wanted.utilisation, rel=1e-9)
     assert worst["time"] == pytest.approx(wanted.time)
     assert "at least two" in ask(session, do="run", frames=frames[:1])["message"]
-    assert ask(session, do="live")["kind"] == "scene"
+    assert ask(session, do="show")["kind"] == "scene"
 
 
 def test_what_is_saved_is_what_is_shown(tmp_path):
@@ -185,7 +269,7 @@ def test_what_is_saved_is_what_is_shown(tmp_path):
     again = Session(model)
     assert again.pose.values == session.pose.values
     np.testing.assert_allclose(again.pose.position, session.pose.position, atol=1e-12)
-    np.testing.assert_allclose(again.query()["member_force"], session.query()["member_force"], atol=1e-9)
+    np.testing.assert_allclose(ask(again, do="query")["member_force"], ask(session, do="query")["member_force"], atol=1e-9)
     assert kt.run(model, "studio").status.ok
 
 
@@ -267,7 +351,7 @@ def test_values_that_are_hardly_meant_are_asked_about(command, words):
      '{"do": "move", "values": {"LA": 1e400}}', '{"do": "move", "values": {"nope": 1}}',
      '{"do": "move", "values": {"LA": "x"}}',
      '{"do": "gravity", "value": [1]}', '{"do": "gravity", "value": [1, 2]}', '{"do": "mass", "node": "T", "mass": -1}',
-     '{"do": "switch", "member": "nope", "to": "cut"}', '{"do": "live", "more": 1}', "[" * 100_000, "x" * (MOST + 1)],
+     '{"do": "switch", "member": "nope", "to": "cut"}', '{"do": "show", "more": 1}', "[" * 100_000, "x" * (SMALL + 1)],
 )  # fmt: skip
 def test_what_is_not_understood_is_refused_in_a_sentence(text):
     session = Session(tripod())

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinetruss.viewer.films.render import usual_speed
+from kinetruss.viewer.pictures import usual_speed
 
 SOURCES = Path(__file__).parents[2] / "viewer-src" / "src"
 

@@ -72,7 +72,7 @@ def test_strength_is_that_of_the_verdict(lift):
 
 def test_supports_loads_drives_and_kinds(lift, turn):
     header = viewer.scene(lift, case="pushed").header
-    assert header["supports"] == [{"node": k, "axes": "xyz"} for k in range(3)]
+    assert header["supports"] == [{"node": k, "axes": "xyz", "clamped": False} for k in range(3)]
     assert header["loads"] == [{"name": "push", "node": 3}]
     assert header["kinds"] == ["active"] * 3
     assert header["two_rods"] == [0, 1, 2]
@@ -125,7 +125,7 @@ def test_motion_and_forces_need_their_model(turn):
     assert np.array_equal(forces.arrays["stress"], viewer.scene(turn).arrays["stress"])
     with pytest.raises(InputError, match="model="):
         viewer.scene(turn.motion)
-    with pytest.raises(InputError, match="A dict cannot be shown"):
+    with pytest.raises(InputError, match="A dict cannot be drawn"):
         viewer.scene({})
     with pytest.raises(InputError, match="No load case called 'al'.*all"):
         viewer.scene(turn, case="al")

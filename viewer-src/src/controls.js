@@ -41,9 +41,13 @@ export class Controls {
     const save = () => this.save({ do: "save", name: this.file.value.trim(), pose: this.pose.checked, frames: this.frames.told() });
     this.saveSection = section("Save", el("div", { class: "row" }, this.file, el("button", { type: "button", onclick: save }, "Save")),
       el("label", {}, this.pose, " in this pose"),
-      el("div", { class: "row" }, el("button", { type: "button", onclick: () => this.live.ask({ do: "reset" }) }, "Back to the file's model"),
+      el("div", { class: "row" }, this.undo = this.button("Undo", "undo"), this.redo = this.button("Redo", "redo"), this.button("Back to the file's model", "reset"),
         this.live.root.dataset.live === "socket" ? el("a", { href: "draw/" }, "Draw: change the structure") : null));
     return this.saveSection;
+  }
+
+  button(words, name) {
+    return el("button", { type: "button", onclick: () => this.live.ask({ do: name }) }, words);
   }
 
   /** Write the model; over another file only when that is confirmed. */
@@ -61,8 +65,16 @@ export class Controls {
     this.changes.rebuild(setup);
     if (!this.file.value) this.file.value = setup.file || "model.yaml";
     this.saveSection.hidden = !setup.writable;
+    this.history(setup);
     this.setOffer(setup.offer);
     this.tell("");
+  }
+
+  history({ undo, redo }) {
+    for (const [button, words] of [[this.undo, undo], [this.redo, redo]]) {
+      button.disabled = !words;
+      button.title = words && `${button.textContent} ${words}`;
+    }
   }
 
   /** Changes that were not saved when their studio ended. when : s since 1970. */

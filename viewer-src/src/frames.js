@@ -12,7 +12,7 @@ export class KeyFrames {
     this.list = el("div", {});
     this.worst = el("table", { class: "numbers" });
     this.play = el("button", { type: "button", onclick: () => this.run() }, "Run");
-    this.back = el("button", { type: "button", hidden: true, onclick: () => this.live.ask({ do: "live" }) }, "Back to the sliders");
+    this.back = el("button", { type: "button", hidden: true, onclick: () => this.live.ask({ do: "show" }) }, "Back to the sliders");
     this.setter = el("div", { class: "row" }, "at", this.at, "s", el("button", { type: "button", onclick: () => this.set() }, "Set key frame here"));
     this.node = section("Motion through key frames", this.setter, this.line, this.list, el("div", { class: "row" }, this.play, this.samples, "samples", this.back), this.worst);
     this.show();

@@ -1,44 +1,33 @@
 // The live page: a model that answers. One message out, one answer back; what is drawn is always a pose that was reached.
 
 import { App } from "./app.js";
-import { Busy } from "./busy.js";
 import { Controls } from "./controls.js";
 import { el } from "./dom.js";
 import { fromBase64, readScene } from "./scene.js";
+import { Talk } from "./talk.js";
 
 const REST = 150; // ms after the last answer at which what takes longer is asked for
 const SILENT = 2500; // ms after which a page that no kernel answers shows its still
 const MANY = 40; // members above which that is needed
-const AGAIN = 2000; // ms between attempts to reach a lost studio
 
 /** Connects the page to whoever serves it. */
 export function startLive(root) {
   const live = new Live(root);
   window.kinetruss.live = live;
   if (root.dataset.live === "frame") throughFrame(live);
-  else throughSocket(live);
-}
-
-function throughSocket(live) {
-  const address = `${location.origin.replace(/^http/, "ws")}${location.pathname}live`;
-  live.store = `kinetruss ${location.pathname}`;
-  const [how] = performance.getEntriesByType("navigation");
-  if (how?.type === "reload") live.page = sessionStorage.getItem(live.store) || ""; // a copied tab begins anew
-  const connect = () => {
-    const socket = new WebSocket(`${address}?busy=1${live.page ? `&page=${live.page}` : ""}`); // busy: told what an answer waits for
-    socket.binaryType = "arraybuffer";
-    socket.addEventListener("open", () => live.open((text) => socket.send(text)));
-    socket.addEventListener("message", ({ data }) => live.hear(data));
-    socket.addEventListener("close", () => live.close(connect));
-  };
-  connect();
+  else {
+    live.store = `kinetruss ${location.pathname}`;
+    const [how] = performance.getEntriesByType("navigation");
+    if (how?.type === "reload") live.page = sessionStorage.getItem(live.store) || ""; // a copied tab begins anew
+    live.connect();
+  }
 }
 
 function throughFrame(live) {
   window.addEventListener("message", ({ source, data }) => {
     if (source === window.parent && source !== window && data?.kinetruss) live.hear(data.kinetruss);
   });
-  window.parent.postMessage({ kinetruss: "{\"do\":\"live\"}" }, "*");
+  window.parent.postMessage({ kinetruss: "{\"do\":\"show\"}" }, "*");
   setTimeout(() => live.still(), window.parent === window ? 0 : SILENT); // alone there is nobody to answer
   live.open((text) => window.parent.postMessage({ kinetruss: text }, "*"));
 }
@@ -50,22 +39,16 @@ export function opened(buffer) {
   return [header, new Uint8Array(buffer, 4 + size)];
 }
 
-export class Live {
+export class Live extends Talk {
   constructor(root) {
-    Object.assign(this, { root, app: null, running: false, waiting: null, queue: [], wanted: null, answers: 0, closed: false, adopt: true, page: "" });
+    super(root);
+    Object.assign(this, { app: null, running: false, answers: 0, adopt: true, page: "" });
     this.controls = new Controls(this);
-    this.doing = el("p", { class: "busy", hidden: true });
-    this.busy = new Busy((words) => this.showBusy(words));
+    root.ownerDocument.addEventListener("keydown", (event) => this.key(event));
   }
 
-  // -- asking ------------------------------------------------------------------------------------------------------
-
-  /** Ask for something; the promise holds the header of the answer. */
-  ask(command) {
-    return new Promise((resolve) => {
-      this.queue.push({ command, resolve, since: performance.now() });
-      this.pump();
-    });
+  get there() {
+    return this.app;
   }
 
   /** Drives to new values; of many wishes while an answer is awaited only the last counts. */
@@ -74,57 +57,36 @@ export class Live {
     this.pump();
   }
 
-  pump() {
-    this.send();
-    const awaited = this.waiting || this.queue[0];
-    if (awaited) this.busy.wait("Computing ...", awaited.since);
-    else this.busy.end();
+  hurried() {
+    if (!this.wanted) return null;
+    this.sent = this.wanted;
+    this.wanted = null;
+    return { command: { do: "move", values: this.sent } };
+  }
+
+  /** Undo and redo; typing into a field stays typing. */
+  key(event) {
+    const command = { z: event.shiftKey ? "redo" : "undo", y: "redo" }[event.key.toLowerCase()];
+    if (!command || !(event.ctrlKey || event.metaKey) || this.closed || !this.setup?.[command] || event.target.matches("input:not([type=range], [type=checkbox]), textarea")) return;
+    event.preventDefault();
+    this.ask({ do: command });
   }
 
   /** What is computed; the numbers of the pose before are dimmed. */
   showBusy(words) {
-    this.doing.hidden = !words;
-    this.doing.textContent = words;
-    this.root.classList.toggle("awaiting", Boolean(words));
+    super.showBusy(words);
     if (!this.app && this.root.dataset.state !== "failed") this.root.replaceChildren(words ? el("p", { class: "failure busy" }, words) : "");
-  }
-
-  send() {
-    if (this.waiting || this.closed) return;
-    if (this.wanted) {
-      this.sent = this.wanted;
-      this.waiting = { resolve: () => {}, since: performance.now() };
-      this.post(JSON.stringify({ do: "move", values: this.wanted }));
-      this.wanted = null;
-    } else if (this.queue.length) {
-      this.waiting = this.queue.shift();
-      this.post(JSON.stringify(this.waiting.command));
-    }
   }
 
   // -- hearing -----------------------------------------------------------------------------------------------------
 
-  async hear(data) {
-    const header = typeof data === "string" ? JSON.parse(data) : await this.take(data);
-    if (header.kind === "busy") {
-      if (this.busy.words || !this.app) this.busy.say(header.text);
-      return;
-    }
-    if (header.kind === "failed") {
-      this.fail(header.message);
-      return;
-    }
-    if (header.kind === "error") this.controls.tell(header.message, true);
-    if (header.kind === "saved") this.controls.tell(header.message, false);
+  heard({ kind, message }) {
+    if (kind === "error" || kind === "saved") this.controls.tell(message, kind === "error");
     this.answers++;
-    const { waiting } = this;
-    this.waiting = null;
-    waiting?.resolve(header);
-    this.pump();
-    if (header.kind === "state" && !this.waiting) this.rest();
+    if (kind === "state" && !this.wanted && !this.queue.length) this.rest();
   }
 
-  async take(buffer) {
+  async unpacked(buffer) {
     const [header, body] = opened(buffer);
     if (header.kind === "state") this.place(header, body);
     else await this.stage(header, body);
@@ -227,6 +189,7 @@ export class Live {
       return;
     }
     this.setEnded(false);
+    this.controls.history(this.setup);
     this.controls.frames.show();
     if (!same) this.controls.frames.keep();
     this.controls.tell(same ? "The studio answers again." : "The studio answers again, but it has kept no changes of this page: the model is that of the file.", !same);
@@ -235,32 +198,16 @@ export class Live {
   // -- the end -----------------------------------------------------------------------------------------------------
 
   fail(message) {
-    window.kinetruss.failed = message;
-    this.closed = true;
-    const back = this.store && el("p", {}, el("a", { href: "draw/" }, "Go to the drawing"));
-    this.root.replaceChildren(el("div", { class: "failure" }, el("p", {}, message), back || ""));
-    this.root.dataset.state = "failed";
+    super.fail(message, this.store ? el("p", {}, el("a", { href: "draw/" }, "Go to the drawing")) : "");
   }
 
-  /** The studio is lost: the picture stays, and nothing can be changed until it answers again. */
-  close(connect) {
-    if (this.root.dataset.state === "failed") return;
-    this.closed = true;
-    for (const { resolve } of [this.waiting, ...this.queue].filter(Boolean)) resolve({ kind: "lost" });
-    Object.assign(this, { waiting: null, queue: [], wanted: null });
+  close() {
     clearTimeout(this.timer);
-    this.busy.end();
-    if (!this.app) {
-      this.fail("The studio does not answer. Start it again, and open the address that it prints.");
-      return;
-    }
-    this.setEnded(true);
-    this.controls.tell("The studio has ended. The picture stays and cannot be changed. The changes are kept beside the file: start the studio of the same file again, and this page goes on with them.", true);
-    setTimeout(connect, AGAIN);
+    super.close();
+    if (this.app) this.controls.tell("The studio has ended. The picture stays and cannot be changed. The changes are kept beside the file: start the studio of the same file again, and this page goes on with them.", true);
   }
 
   setEnded(ended) {
-    this.controls.node.classList.toggle("ended", ended);
-    for (const field of this.controls.node.querySelectorAll("input, select, button")) field.disabled = ended;
+    super.setEnded(ended, this.controls.node);
   }
 }

@@ -1,7 +1,8 @@
 // Starts the page: scenes in <script type="text/plain" class="kinetruss-scene"> elements become pictures.
 
 import { App } from "./app.js";
-import { startDraw } from "./editor/start.js";
+import { startDraw } from "./editor/draw.js";
+import { startFilm } from "./film.js";
 import { startLive } from "./live.js";
 import { fromBase64, readScene } from "./scene.js";
 import style from "./style.css";
@@ -14,6 +15,7 @@ async function start() {
   sheet.textContent = `${themeRules()}\n${style}`;
   document.head.append(sheet);
   if (root.dataset.live === "draw") return startDraw(root);
+  if (root.dataset.live === "film") return startFilm(root);
   if (root.dataset.live) return startLive(root);
   const sources = [...document.querySelectorAll("script.kinetruss-scene")];
   try {

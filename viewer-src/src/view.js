@@ -18,19 +18,30 @@ const MARGIN = 0.8; // of the picture that a structure fills, so that names and 
 const SEVERAL = 20000; // points of a run that a camera looks at
 const LEGEND = 104; // CSS pixels above, where the legend stands
 
-/** What the camera looks at and how far away it is, so that every place of the run is in the picture and as large as possible. */
-function fitted({ scene, camera, canvas, loads, supports }, backward) {
+/** Places of a run that are to be seen: nodes, tips of arrows, feet of supports. */
+export function placesOf({ scene, loads, supports }) {
+  const places = [], step = Math.max(1, Math.ceil((scene.frames * scene.nodes.length) / SEVERAL)), last = scene.frames - 1;
+  for (let k = 0; k <= last; k = k < last ? Math.min(k + step, last) : k + 1) {
+    for (let node = 0; node < scene.nodes.length; node++) if (!scene.directors.has(node)) places.push(scene.position(k, node));
+    places.push(...loads.tips(k), ...supports.feet(k));
+  }
+  return places;
+}
+
+/**
+ * What the camera looks at and how far away it is, so that all places are in the picture and as large as possible.
+ * margin : part of the picture that they fill; legend : CSS pixels above that they leave free.
+ */
+export function fitted({ scene, camera, canvas }, backward, places, margin = MARGIN, legend = LEGEND) {
   const right = new Vector3().crossVectors(camera.up, backward);
   if (right.length() < 1e-3) right.set(1, 0, 0); // seen along the upright axis
   right.normalize();
   const upward = new Vector3().crossVectors(backward, right), slope = Math.tan((camera.fov * Math.PI) / 360), wide = camera.aspect;
-  const above = Math.min(LEGEND / (canvas.clientHeight || 1000), 0.25), across = slope * wide * MARGIN, steep = slope * (MARGIN - above);
-  const places = [], step = Math.max(1, Math.ceil((scene.frames * scene.nodes.length) / SEVERAL)), last = scene.frames - 1;
-  for (let k = 0; k <= last; k = k < last ? Math.min(k + step, last) : k + 1) {
-    for (let node = 0; node < scene.nodes.length; node++) if (!scene.directors.has(node)) places.push(new Vector3(...scene.position(k, node)));
-    places.push(...[...loads.tips(k), ...supports.feet(k)].map((point) => new Vector3(...point)));
-  }
-  const flat = places.map((place) => [place.dot(right), place.dot(upward), place.dot(backward)]);
+  const above = Math.min(legend / (canvas.clientHeight || 1000), 0.25), across = slope * wide * margin, steep = slope * (margin - above);
+  const flat = places.map((point) => {
+    const place = new Vector3(...point);
+    return [place.dot(right), place.dot(upward), place.dot(backward)];
+  });
   const middle = [0, 1, 2].map((axis) => (flat.reduce((low, one) => Math.min(low, one[axis]), Infinity) + flat.reduce((high, one) => Math.max(high, one[axis]), -Infinity)) / 2);
   let far = scene.extent.size;
   for (let turn = 0; turn < 4; turn++) { // near points look larger, so that the middle of the picture is not that of the box
@@ -42,7 +53,7 @@ function fitted({ scene, camera, canvas, loads, supports }, backward) {
   }
   // only as far below the middle as the legend asks for
   const top = flat.reduce((most, one) => Math.max(most, (one[1] - middle[1]) / (far - one[2] + middle[2]) / slope), 0);
-  middle[1] += Math.max(0, top - MARGIN + 2 * above) * slope * far;
+  middle[1] += Math.max(0, top - margin + 2 * above) * slope * far;
   const centre = new Vector3().addScaledVector(right, middle[0]).addScaledVector(upward, middle[1]).addScaledVector(backward, middle[2]);
   return { centre, far };
 }
@@ -53,15 +64,17 @@ export function hasWebGL() {
 }
 
 export class View extends Picture {
-  constructor(canvas, scene, theme) {
+  constructor(canvas, scene, theme, antialias = scene.members.length < 2000) {
     super(canvas, scene);
-    this.renderer = new WebGLRenderer({ canvas, antialias: scene.members.length < 2000, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias, preserveDrawingBuffer: true });
     this.renderer.autoClear = false;
     this.world = new World();
     this.camera = new PerspectiveCamera(32, 1, scene.extent.size / 500, scene.extent.size * 60);
     this.camera.up.set(0, scene.dim === 2 ? 1 : 0, scene.dim === 2 ? 0 : 1);
     this.lamp = new DirectionalLight("#ffffff", 2.1);
-    this.world.add(new AmbientLight("#ffffff", 1.45), this.lamp);
+    this.lampPlace = [-0.35, 0.6, 1]; // it goes with the eye, a little above and to the left of it
+    this.ambient = new AmbientLight("#ffffff", 1.45);
+    this.world.add(this.ambient, this.lamp);
     this.controls = new OrbitControls(this.camera, canvas);
     if (scene.dim === 2) { // stays flat: what would turn it shifts it
       this.controls.enableRotate = false;
@@ -142,7 +155,7 @@ export class View extends Picture {
   aim(name) {
     const { scene, camera, controls } = this;
     const direction = new Vector3(...PRESETS[name]).normalize();
-    const { centre, far } = fitted(this, direction);
+    const { centre, far } = fitted(this, direction, placesOf(this));
     camera.position.copy(centre).addScaledVector(direction, far);
     controls.target.copy(centre);
     controls.update();
@@ -196,8 +209,7 @@ export class View extends Picture {
     this.waiting = 0;
     if (this.ended) return;
     const { renderer, camera } = this;
-    // the lamp goes with the eye, a little above and to the left of it
-    this.lamp.position.set(-0.35, 0.6, 1).applyQuaternion(camera.quaternion);
+    this.lamp.position.set(...this.lampPlace).applyQuaternion(camera.quaternion);
     const far = camera.position.distanceTo(this.controls.target), pixel = (2 * far * Math.tan((camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
     this.bars.setScale(this.bars.ball / 1.55 / pixel);
     renderer.clear();

@@ -16,6 +16,7 @@ from kinetruss.actuators.shafts import Geared, Output, Parts, at_motor, output_o
 from kinetruss.display import instant, quantity
 from kinetruss.model import Active, Model
 from kinetruss.results import Arrays, Axes, Column, Demand, variable
+from kinetruss.results.wide_tables import SLACK
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -48,9 +49,6 @@ def current_rate(
 
 
 # Limits that a demand exceeds: which, when, by how much.
-
-SLACK = 1e-9
-"""A drive at its limit, to round-off, does not exceed it: so are those that an amplifier holds there."""
 
 
 @dataclass(frozen=True, slots=True)

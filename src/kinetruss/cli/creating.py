@@ -77,7 +77,7 @@ def write_new(contents: Mapping[Path, str]) -> None:
     for path, text in contents.items():
         if path.exists() and path.read_bytes() != text.encode():
             raise InputError(f"{path} exists already, with different contents. Move it away, or give another name.")
-    from kinetruss.results.zarr_files import whole_file
+    from kinetruss.results.folder import whole_file
 
     for path, text in contents.items():
         with whole_file(path) as draft:

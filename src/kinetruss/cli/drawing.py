@@ -122,7 +122,7 @@ Examples:
   kinetruss render runs/slew -o slew.gif --size 640x360 --speed 2 --path N8
   kinetruss render bay.yaml -o mode1.gif --mode 1
 
-Needs: pip install 'kinetruss[render]' (PyVista, ffmpeg); no display.
+Needs Chromium (Debian: apt-get install chromium), and for MP4 pip install 'kinetruss[render]' (ffmpeg); no display.
 """
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
+from functools import cached_property
 from typing import Any
 
 from kinetruss.display import Table, instant, quantity
 from kinetruss.model import Mission, Model
 from kinetruss.results import Demand, Verdict
+from kinetruss.strength.findings import Finding, demands, find
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,6 +90,11 @@ class Sizing:
     notes: tuple[str, ...] = ()
     provenance: Mapping[str, Any] = field(default_factory=dict)
 
+    @cached_property
+    def finding(self) -> Finding:
+        """What the sizing says: whether the sized model keeps all limits, what governs, what was not checked and why."""
+        return find(self.verdict, demands(self.demand))
+
     @property
     def mass_saved(self) -> float:
         """kg; negative if the given model was too weak."""
@@ -132,6 +139,7 @@ def table(sizing: Sizing) -> str:
     if sizing.groups:
         passes = f"{sizing.iterations} pass" + ("es" if sizing.iterations != 1 else "")
         lines.append(f"Converged after {passes}: forces of the finished model differ by {sizing.settled:.1e} of the largest.")
+    lines.append(f"verdict: {sizing.finding.sentence}")
     return "\n".join([*lines, *sizing.notes])
 
 
@@ -159,6 +167,7 @@ def record(sizing: Sizing) -> dict[str, Any]:
         "groups": [_finite(asdict(row)) for row in sizing.groups],
         "drives": [_finite(asdict(row)) for row in sizing.drives],
         "notes": list(sizing.notes),
+        "verdict": sizing.finding.record,
     }
 
 

@@ -13,7 +13,7 @@ from kinetruss.errors import InputError
 from kinetruss.exchange.robots import LeftOut
 from kinetruss.limits import hold
 from kinetruss.model import Model
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 from kinetruss.runs.mission_results import check_histories
 
 if TYPE_CHECKING:

@@ -21,10 +21,11 @@ LISTED = 20
 
 def plain_model(model: Model) -> dict[str, Any]:
     """The model without its defaults. Numbers are in SI; those with a known quantity include the unit as text, ``0.5 rad``."""
-    return {"kinetruss": model.kinetruss, **_record(model)}
+    return {"kinetruss": model.kinetruss, **plain_record(model)}
 
 
-def _record(record: Record) -> Any:
+def plain_record(record: Record) -> Any:
+    """A record as `plain_model` has it."""
     rate = "/s" if isinstance(record, ConstantRate) else ""
     given: dict[str, Any] = {"kind": record.kind} if _has_kind(record) else {}  # type: ignore[attr-defined]
     for name, field in type(record).model_fields.items():
@@ -45,7 +46,7 @@ def _has_kind(record: Record) -> bool:
 
 def _value(value: Any, rate: str) -> Any:
     if isinstance(value, Record):
-        return _record(value)
+        return plain_record(value)
     if isinstance(value, Mapping):
         return {key: _value(item, rate) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

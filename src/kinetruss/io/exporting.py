@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from kinetruss.errors import InputError, StoreError
+from kinetruss.results.folder import whole_file
 from kinetruss.results.store import Store, open_store
 from kinetruss.results.wide_tables import flat, labels, units_of
-from kinetruss.results.zarr_files import whole_file
 
 if TYPE_CHECKING:
     import xarray as xr

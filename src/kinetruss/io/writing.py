@@ -13,7 +13,7 @@ from kinetruss.io.patching import patched
 from kinetruss.io.reading import model_of
 from kinetruss.io.yaml_text import MAX_SIZE, locate, parse_yaml, plain, refuse
 from kinetruss.model import Model
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 _TEXT = {".yaml": to_yaml, ".yml": to_yaml, ".json": to_json}
 

@@ -108,7 +108,8 @@ class Maximum:
     run : label. of : member, node, drive. maximum : in `unit`, with its sign, at `time` (s). static_maximum, static_time :
     the same of the poses at rest (None: there are none). pose, static_pose : names of the poses of a run of poses,
     whose times are their numbers. ratio : maximum over static maximum, of the magnitudes.
-    motion_maximum, motion_time : largest magnitude of the difference of the two.
+    motion_maximum, motion_time : largest magnitude of the difference of the two. partial : why the run is not that which was
+    asked for, so that a larger value may be missing.
     """
 
     run: str
@@ -126,6 +127,7 @@ class Maximum:
     motion_time: float | None = None
     pose: str = ""
     static_pose: str = ""
+    partial: str = ""
 
 
 def compare(
@@ -186,7 +188,9 @@ def compare(
 def _text(found: Sequence[Maximum]) -> str:
     """A table, the runs of one quantity below each other."""
     posed = all(one.pose for one in found)
-    return Table(["pose" if posed and name == "time" else name for name in HEAD], map(_cells, found)).text
+    table = Table(["pose" if posed and name == "time" else name for name in HEAD], map(_cells, found)).text
+    short = dict.fromkeys(f"warning: {one.run}: {one.partial}" for one in found if one.partial)
+    return "\n".join([table, *short])
 
 
 def _records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
@@ -237,6 +241,7 @@ def _maximum(run: RunResult, label: str, name: str, curve: Curve) -> Maximum:
         maximum=value,
         time=when,
         pose=poses[round(when)] if poses else "",
+        partial=run.partial,
         **rest,
     )
 

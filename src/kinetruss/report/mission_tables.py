@@ -50,6 +50,7 @@ def mission_record(run: MissionRun) -> dict[str, Any]:
         "status": run.status.name,
         "message": run.message,
         "whole": run.whole,
+        "verdict": run.finding.record,
         "pairs_asked": run.samples,
         "pairs_done": run.good,
         "governing": run.governing,
@@ -102,6 +103,8 @@ def mission_head(run: MissionRun) -> str:
         "incomplete": f"Incomplete: it was interrupted. Continue with: kinetruss run --resume {run.path}",
     }[run.state]
     lines = [one_line(run.model.title, 200) or "(no title)", f"mission {run.name}: {state}"]
+    lines.append(f"verdict: {run.finding.sentence}")
+    lines += [f"warning: {one}" for one in run.finding.doubts]
     if run.message:
         lines.append(run.message)
     lines.append(

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import InputError
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

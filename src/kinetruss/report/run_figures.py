@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
-from kinetruss.model.beam_frames import FRAME, shown_kinds, shown_names
-from kinetruss.report.pictures.picture import arrows, curves_of
-from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
+from kinetruss.report.pictures.specs import Bars, Drawing, Figure, Histories, Panel
+from kinetruss.report.pictures.stands import drawing, shown_at
 from kinetruss.report.run_summary import worst_rows
 from kinetruss.report.run_tables import moment, poses_of
 from kinetruss.runs.mission_results import check_histories
+from kinetruss.viewer.places import Places
+from kinetruss.viewer.scenes import snapshots
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -92,37 +93,23 @@ def _of_case(name: str, case: str, run: RunResult, drawn: Histories | None) -> I
     yield Histories(name=f"{name}_{case}" if several else name, title=title, time=drawn.time, panels=drawn.panels)
 
 
-def _shape(run: RunResult) -> Shape:
-    model, position = run.model, run.motion.data["position"].values
-    time = run.motion.data["time"].values
-    # nodes and bars of the frames of beams are left out
-    seen = np.array([not node.director for node in model.nodes.values()], bool)
-    index = {name: k for k, name in enumerate(name for name, node in model.nodes.items() if not node.director)}
+SHAPE, LEAST_SHAPE = 210.0, 90.0
+"""Width of three poses of a shape beside each other, and of one, mm."""
+
+
+def _shape(run: RunResult) -> Drawing:
+    position = run.motion.data["position"].values
     poses = poses_of(run)
-    chosen = _apart(position[:, seen])
-    members = [name for name, kind in shown_kinds(model).items() if kind != FRAME]
-    driven = tuple(_driven(model, members))
-    loads = arrows(model, time, position, next(iter(run.forces), None), chosen)
-    words = ["shape", *["driven members green"] * any(driven), *["supports as triangles"] * bool(model.fixed)]
-    words += ["loads violet"] * any(loads)
-    return Shape(
-        name="shape",
-        title=f"{model.title or run.name}: {', '.join(words)}",
-        nodes=tuple(index),
-        ends=tuple((index[m.ends[0]], index[m.ends[1]]) for m in map(model.members.__getitem__, members)),
-        driven=driven,
-        held=tuple(index[name] for name in model.fixed if name in index),
-        poses=tuple(
-            Pose(
-                caption=moment(time[k], poses),
-                position=position[k][seen],
-                loads=tuple(pairs),
-                curves=curves_of(model, position[k]),
-            )
-            for k, pairs in zip(chosen, loads, strict=True)
-        ),
-        members=tuple(map(shown_names(model).__getitem__, members)),
-    )
+    shown = [k for k, node in enumerate(run.model.nodes.values()) if not node.director]
+    chosen = _apart(position[:, shown])
+    scene = snapshots(run, case=next(iter(run.forces), None), samples=chosen)
+    stands = shown_at(scene, [moment(time, poses) for time in scene.arrays["time"]], "iso")
+    places = Places(scene)
+    words = ["shape", *["driven members green"] * any(kind in ("driven", "active") for kind in places.kinds)]
+    words += ["supports as triangles"] * bool(run.model.fixed)
+    words += ["loads violet"] * any(one.arrows for one in stands)
+    title = f"{run.model.title or run.name}: {', '.join(words)}"
+    return drawing(scene, stands, width=max(LEAST_SHAPE, SHAPE * len(chosen) / 3), name="shape", title=title)
 
 
 def _apart(position: NDArray[np.float64]) -> list[int]:
@@ -144,12 +131,6 @@ def _apart(position: NDArray[np.float64]) -> list[int]:
         if reach and far(best, chosen) > ALIKE * reach:
             chosen.append(best)
     return sorted(chosen)
-
-
-def _driven(model: Model, members: list[str]) -> Iterator[bool]:
-    named = {getattr(drive, "bar", None) for drive in model.all_drives.values()}
-    for name in members:
-        yield name in named
 
 
 def _lengths(run: RunResult) -> Iterator[Histories]:

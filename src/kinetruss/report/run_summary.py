@@ -31,17 +31,14 @@ from kinetruss.report.run_tables import (
 )
 from kinetruss.results.records import MOTORS_UNCHECKED
 from kinetruss.runs import MissionRun
-from kinetruss.strength.governing import headline
+from kinetruss.runs.doubts import energy_balance, not_unique, remarks, singularity
 
 if TYPE_CHECKING:
-    from kinetruss.results import Demand, Forces, Row
+    from kinetruss.results import Demand, Row
     from kinetruss.runs import RunResult
 
 
 WORST = 8
-
-STILL = 1e-12
-"""Displacement, as a fraction of the structure's size, below which a motion is round-off."""
 
 FORCE_HEAD = ("member", "force", "of it by motion", "time", "load case")
 WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
@@ -81,7 +78,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "bars": sum(name not in inner.bars for name in run.model.bars),
         "beams": len(run.model.beams),
         "active_members": len(run.model.active),
-        "verdict": headline(run.verdict, run.demand, timed=_timed(run)).record,
+        "verdict": run.finding.record,
         "largest_forces": largest_forces(run),
         "worst": [{name: getattr(row, name) for name in row.__slots__} for row in worst_rows(run)],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
@@ -117,7 +114,7 @@ def _text(run: RunResult) -> str:
     if run.verdict is not None and (missing := run.verdict.not_checked()):
         parts.append("Not checked\n" + "\n".join(f"{what} ({', '.join(names)})" for what, names in missing.items()))
     found = motors(run)
-    parts += drives_text(drive_loads(run, found), timed=_timed(run))
+    parts += drives_text(drive_loads(run, found), timed=run.timed)
     parts += springs_text(spring_loads(run))
     if found:
         parts.append(_motors_text(found))
@@ -156,9 +153,10 @@ def _head(run: RunResult) -> str:
     }[run.state]
     lines = [one_line(run.model.title, 200) or "(no title)", f"run {run.name}: {state}"]
     if run.verdict is not None or run.demand:
-        lines.append(_verdict(run))
-    if run.message:
-        lines.append(run.message)
+        lines.append(f"verdict: {run.finding.sentence}")
+    lines += [f"warning: {one}" for one in run.finding.doubts]
+    if said := remarks(run):
+        lines.append(said)
     active = f", {counted(len(run.model.active), 'active member')}" if run.model.active else ""
     active += f", {counted(len(run.model.beams), 'beam')}" if run.model.beams else ""
     inner = inner_parts(run.model)
@@ -171,29 +169,12 @@ def _head(run: RunResult) -> str:
     return "\n".join(lines)
 
 
-def _timed(run: RunResult) -> bool:
-    """False for one pose at rest, whose time, rates and powers say nothing."""
-    return run.good > 1 or not run.statics
-
-
 def _columns(run: RunResult, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     """A table of the run; of one pose at rest without its time, of several with their names."""
     at = rows[0][head.index("time")]
     if poses_of(run):
         return telling([{"time": "pose"}.get(name, name) for name in head], rows)
-    return telling(head, rows, IDLE if _timed(run) else IDLE | {"time": at})
-
-
-def _verdict(run: RunResult) -> str:
-    """The verdict in one line: state, what governs, what is not included."""
-    found = headline(run.verdict, run.demand, timed=_timed(run)).record
-    governing = found["governing"]
-    words = (
-        [governing["text"] if found["state"] != "open" else f"highest of what was checked: {governing['text']}"]
-        if governing
-        else []
-    )
-    return "verdict: " + "; ".join([found["text"], *words, *found["more"]])
+    return telling(head, rows, IDLE if run.timed else IDLE | {"time": at})
 
 
 def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
@@ -303,57 +284,13 @@ def checks(run: RunResult) -> dict[str, Any]:
     """Energy balance, singularity measure, members whose force is not unique, limits of motors that the motion alone left
     open and the forces decided, missing strength checks.
     """
-    gauge = run.motion.data["singularity"].values
-    record: dict[str, Any] = {"singularity": None, "energy_balance": None, "not_unique": []}
-    if len(gauge) and not np.isnan(gauge).all():
-        at = int(np.nanargmin(gauge))
-        record["singularity"] = {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
-    still = _stands_still(run)
-    balances = [_balance(forces, _exchanged(run), still) for forces in run.forces.values() if _moves(forces)]
-    if balances:
-        record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
-    record["not_held"] = [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
-    record["motors"] = list(run.motion.attrs.get(MOTORS_UNCHECKED, ())) if run.demand else []
-    record["not_unique"] = list(
-        dict.fromkeys(m for forces in run.forces.values() for m in forces.data.attrs.get("not_unique", []))
-    )
-    return record
-
-
-def _moves(forces: Forces) -> bool:
-    """False for forces of poses at rest, which have no power."""
-    return bool(forces.data.sizes["time"]) and "energy_balance" in forces.data
-
-
-def _exchanged(run: RunResult) -> float:
-    """Largest power between kinetic and potential energy of a simulation, W; a free mechanism may have no other power."""
-    if run.simulation is None or run.simulation.data.sizes["time"] < 2:
-        return 0.0
-    data = run.simulation.data
-    return float(np.max(np.abs(np.diff(data["kinetic_energy"].values) / np.diff(data["time"].values))))
-
-
-def _stands_still(run: RunResult) -> bool:
-    """True if all motion is round-off, so that fractions of the largest power have no meaning."""
-    data = run.motion.data
-    if not data["time"].size:
-        return True
-    way = float(np.max(np.abs(data["velocity"].values), initial=0.0)) * float(data["time"][-1] - data["time"][0])
-    return way <= STILL * float(np.ptp(data["position"].values[0], axis=0).max())
-
-
-def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
-    """Largest error of the power balance, and its ratio to the largest power: that of a single drive, of drives and loads
-    together, or between kinetic and potential energy.
-    """
-    data = forces.data
-    miss = float(np.max(np.abs(data["energy_balance"].values)))
-    drives = (
-        data["drive_force"].values * forces.motion.data["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
-    )
-    powers = [np.nanmax(np.abs(one), initial=0.0) for one in (drives, data["power"].values, data["energy_rate"].values)]
-    largest = float(max(*powers, exchanged))
-    return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}
+    return {
+        "singularity": singularity(run),
+        "energy_balance": energy_balance(run),
+        "not_unique": not_unique(run),
+        "not_held": list(run.finding.left_out),
+        "motors": list(run.motion.attrs.get(MOTORS_UNCHECKED, ())) if run.demand else [],
+    }
 
 
 def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:

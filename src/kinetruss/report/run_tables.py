@@ -13,6 +13,7 @@ from kinetruss import actuators
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.model import turns
 from kinetruss.report.page import Page
+from kinetruss.runs.doubts import moment as moment, poses_of as poses_of
 
 if TYPE_CHECKING:
     from kinetruss.actuators import Exceeded
@@ -22,21 +23,6 @@ if TYPE_CHECKING:
 
 IDLE = {"load case": "all", "of it by motion": "-"}
 """Column -> the cell that says nothing, if all are equal to it."""
-
-
-def poses_of(run: Any) -> list[str]:
-    """Names of the poses of a run at rest; empty for a motion, whose samples have times."""
-    data = run.motion.data
-    return [str(name) for name in data["pose"].values] if "pose" in data.coords else []
-
-
-def moment(time: float, poses: Sequence[str]) -> str:
-    """When a value is found: the name of a pose, whose time is its number, or the time.
-
-    >>> moment(1.0, ["low", "high"]), moment(0.5, [])
-    ('pose high', 't = 0.5 s')
-    """
-    return f"pose {poses[round(time)]}" if poses and time == time else f"t = {instant(time)}"
 
 
 def telling(head: Sequence[str], rows: Sequence[Sequence[str]], idle: Mapping[str, str] = IDLE) -> str:
@@ -287,7 +273,7 @@ def _lead(lead: float) -> str:
 
 # The outcome of the variants of a run, one line each.
 
-VARIANTS_HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time")
+VARIANTS_HEAD = ("variant", "status", "worst part", "rule", "utilisation", "time", "verdict")
 
 
 def variants(found: VariantRuns) -> Page:
@@ -319,6 +305,7 @@ def _records(found: VariantRuns) -> list[dict[str, Any]]:
                 "status": None if status is None else status.name,
                 "whole": found.whole.get(name, False),
                 "worst": highest,
+                "verdict": found.said.get(name, ""),
                 "refused": found.refused.get(name),
             }
         )
@@ -335,7 +322,7 @@ def _text(found: VariantRuns) -> str:
         if worst is not None:
             value = quantity(math.inf if worst["utilisation"] is None else worst["utilisation"], "%")
             cells = (worst["part"], worst["rule"], value, instant(worst["time"]))
-        rows.append((record["name"], status, *cells))
+        rows.append((record["name"], status, *cells, record["verdict"] or "-"))
     text = Table(VARIANTS_HEAD, rows).text
     folders = {path.parent if len(found.paths) > 1 else path for path in found.paths.values()}
     return f"{text}\n\n{len(found)} runs in {', '.join(map(str, sorted(folders)))}" if folders else text

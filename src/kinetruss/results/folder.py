@@ -1,18 +1,18 @@
-"""The folder of a run: how it is recognised, its ledger and which files may be replaced."""
+"""The folder of a run: how it is recognised, its ledger and which files may be replaced; files that appear whole."""
 
 from __future__ import annotations
 
 import json
 import os
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import InputError
-from kinetruss.results.lock import FULL, LOCK, cause_and_mend, check_unlocked, holding
+from kinetruss.results.lock import FULL, LOCK, cannot_write, cause_and_mend, check_unlocked, holding
 
 if TYPE_CHECKING:
     from kinetruss.results.lock import Lock
@@ -35,28 +35,29 @@ def stamp_of(file: Path) -> Stamp | None:
 
 LEDGER = "kinetruss.json"
 MODEL = "model.json"
-FORMAT = 1
+FORMAT = 2
+ARCHIVE = "results.zarr.zip"
 ARRAYS = "results.zarr"
-PACKED = "results.zarr.zip"
+"""Folder of the arrays before format 2; a short variant had an archive."""
 PICTURES = "pictures"
 """Folder of the pictures in a run folder."""
 REPORT = "report"
 """Folder of the report in a run folder."""
 STATE = "state"
 DRAFT = ".kinetruss.part"
-"""Temporary files of a run in one file, in its folder; a killed process may leave them."""
+"""The archive of a short variant until it is complete; a killed process may leave it."""
 PART = ".part"
 """End of the name of a file until it is complete; a killed process may leave it."""
 LEFT = (LOCK, DRAFT, LEDGER + PART, MODEL + PART)
 """What a process that is killed before its ledger stands may leave in a folder."""
-OWN = (MODEL, ARRAYS, PACKED, PICTURES, REPORT, STATE, MODEL + PART, LEDGER)
+OWN = (MODEL, ARCHIVE, ARRAYS, PICTURES, REPORT, STATE, DRAFT, MODEL + PART, LEDGER)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ledger:
     """The state of a stored run.
 
-    committed, samples : good samples, and requested samples.
+    committed, samples : good samples, and requested samples. length : bytes of the archive that hold them.
     state : ``writing`` until the end; then ``finished``.
     status, message : for a finished run, the name of a `Status` and its details; for an interrupted one, INTERRUPTED.
     """
@@ -65,6 +66,7 @@ class Ledger:
     samples: int
     block: int
     committed: int = 0
+    length: int = 0
     state: str = "writing"
     status: str = ""
     message: str = ""
@@ -135,14 +137,10 @@ def claimed(path: Path, overwrite: bool) -> Iterator[Lock]:
         yield held
 
 
-def write_ledger(path: Path, ledger: Ledger) -> None:
+def write_ledger(path: Path, ledger: Ledger, *, durable: bool = True) -> None:
     """Replace the ledger in one step: a reader sees the old one or the new one."""
-    atomic(path / LEDGER, ledger_text(ledger))
-
-
-def ledger_text(ledger: Ledger) -> str:
-    """The text of the ledger."""
-    return json.dumps({name: getattr(ledger, name) for name in ledger.__slots__}, indent=1, default=str)
+    record = {name: getattr(ledger, name) for name in ledger.__slots__}
+    atomic(path / LEDGER, json.dumps(record, indent=1, default=str), durable=durable)
 
 
 def atomic(target: Path, text: str, *, durable: bool = True) -> None:
@@ -161,18 +159,48 @@ def atomic(target: Path, text: str, *, durable: bool = True) -> None:
         raise
 
 
-def clear(path: Path, *, ledger: bool = True) -> None:
-    """Remove the files of a run; other files stay.
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """A temporary file in the folder of `path`, which is made if needed; at the end it replaces `path`.
+
+    If writing fails, the temporary file is removed and an old file at `path` stays. A pipe or a device is written directly.
+
+    Raises
+    ------
+    StoreError : the file cannot be written.
+    """
+    draft = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            yield path
+        else:
+            yield draft
+            draft.replace(path)
+    except OSError as error:
+        raise cannot_write(path, error) from error
+    finally:
+        with suppress(OSError):
+            draft.unlink(missing_ok=True)
+
+
+def clear(path: Path, keep: Collection[str] = ()) -> None:
+    """Remove the files of a run, except some; other files stay.
 
     The model is removed first, so that nobody continues half a run; the ledger last or not at all, so that the folder is
     still recognised after a kill.
     """
-    for name in OWN if ledger else OWN[:-1]:
-        target = path / name
-        if target.is_dir() and not target.is_symlink():
-            shutil.rmtree(target)
-        else:
-            target.unlink(missing_ok=True)
+    for name in OWN:
+        if name not in keep:
+            remove(path / name)
+
+
+def remove(target: Path) -> None:
+    """Remove a file or a folder, if it is there; of a link the link."""
+    if target.is_dir() and not target.is_symlink():
+        shutil.rmtree(target)
+    else:
+        target.unlink(missing_ok=True)
 
 
 def failure(path: Path, ledger: Ledger, error: OSError) -> str:

@@ -229,7 +229,7 @@ class Verdict(Result):
         """``rule: what is missing`` -> the parts that were not checked for this reason."""
         found: dict[str, list[str]] = {}
         for row in self.table():
-            if not row.checked and row.note.startswith(NOT_CHECKED):
+            if row.status == "not checked":
                 found.setdefault(f"{row.rule}: {row.note.removeprefix(NOT_CHECKED)}", []).append(row.part)
         return found
 

@@ -1,7 +1,14 @@
 """The run store: a folder with a run, written in blocks of samples, and readable after a kill at any instant.
 
-COUNT is the number of samples before the state. The file is written before the ledger counts the block, and the previous
-one is removed afterwards. So after a kill at any instant there is a state for the count in the ledger.
+    OUT/kinetruss.json      ledger: what run this is, how many samples are good (`committed`), how it ended
+    OUT/model.json          the model
+    OUT/results.zarr.zip    Zarr v3 groups motion, forces/CASE/total, ... in an archive, chunked along time by block
+    OUT/state/COUNT.npz     of a running simulation: the state of its integration after COUNT samples
+    OUT/pictures            the pictures
+
+A block is appended to the archive, then the ledger counts it and the bytes that are good, by rename: a kill between the two
+leaves bytes that nobody reads, and that are cut off when the run goes on. The state of a block is written before the ledger
+counts it, and the previous one is removed afterwards. When a run ends, the archive gets its directory.
 """
 
 from __future__ import annotations
@@ -9,10 +16,9 @@ from __future__ import annotations
 import io
 import json
 import os
-import warnings
 import zipfile
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,41 +27,313 @@ from urllib.parse import quote
 import numpy as np
 
 from kinetruss.errors import StoreError
+from kinetruss.results.archive import Archive
+from kinetruss.results.encoding import DESCRIPTION, cut, encoded
 from kinetruss.results.folder import (
+    ARCHIVE,
     ARRAYS,
+    DRAFT,
     FORMAT,
     LEDGER,
     MODEL,
     STATE,
     Ledger,
-    Stamp,
     atomic,
     check_target,
+    claimed,
     clear,
     failure,
     is_store,
     read_ledger,
+    remove,
     stamp_of,
     write_ledger,
 )
 from kinetruss.results.lock import Lock, cannot_write, hold, is_locked
-from kinetruss.results.packed import is_packed, packed_groups, unpacked
-from kinetruss.results.zarr_files import (
-    DESCRIPTION,
-    describe_array,
-    describe_group,
-    is_array,
-    is_text,
-    names_of,
-    plain,
-    resize,
-    text_of,
-    write_chunk,
-)
+from kinetruss.results.reading import Content, content, dataset
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
+
+VERDICT, ENVELOPE = "verdict", "envelope"
+"""Groups that are written once, at the end."""
+ORDER = ("pairs", "envelope", "motion", "simulation", "statics", "forces", "sections", VERDICT, "demand")
+
+
+@dataclass(frozen=True, slots=True)
+class Store:
+    """A run folder opened for reading; `groups` are the paths of the datasets in it, e.g. ``forces/all/total``."""
+
+    path: Path
+    ledger: Ledger
+    model_text: str
+    groups: tuple[str, ...]
+    content: Content
+
+    def read(self, group: str) -> xr.Dataset:
+        """One dataset, cut to the good samples; arrays are loaded when used.
+
+        For a run that has not ended, only variables with a time axis: the others are known only at the end.
+
+        Raises
+        ------
+        StoreError : no such group, or not readable; also later, if an array that is used no longer exists.
+        """
+        self.content.check()
+        return dataset(self.content, group, self.ledger)
+
+    def state(self) -> dict[str, NDArray[Any]] | None:
+        """The state of the integration after the last good sample; None for runs without one.
+
+        Raises
+        ------
+        StoreError : it is damaged.
+        """
+        return read_state(self.path, self.ledger.committed)
+
+
+class Writer:
+    """Writes a run block by block into its archive; `ledger` counts the committed samples."""
+
+    def __init__(self, path: Path, ledger: Ledger, archive: Archive, lock: Lock) -> None:
+        self.path, self.ledger = path, ledger
+        self._archive, self._lock = archive, lock
+
+    def append(
+        self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0, state: Mapping[str, NDArray[Any]] | None = None
+    ) -> None:
+        """Write one block of samples of every group, and the state after it, then commit it.
+
+        Groups without a time axis are written completely; the last one replaces the others.
+
+        Raises
+        ------
+        StoreError : the disk is full or refuses; the committed samples stay readable. Or the folder was replaced.
+        """
+        self._lock.check()
+        count = self.ledger.committed + max(
+            (data.sizes["time"] for data in datasets.values() if "time" in data.dims), default=0
+        )
+        try:
+            self._archive.append(dict(encoded(datasets, self.ledger, self._attributes(datasets))))
+            if state is not None:
+                write_state(self.path, count, state)
+            self._commit(committed=count, wall_time=wall_time)
+            if state is not None:
+                drop_states(self.path, count)
+        except OSError as error:
+            raise self._failed(error) from error
+
+    def pause(self, status: str, message: str, wall_time: float) -> None:
+        """Store why the run was stopped; it can be continued."""
+        self._lock.check()
+        try:
+            self._archive.seal()
+            self._commit(status=status, message=message, wall_time=wall_time)
+        except OSError as error:
+            raise self._failed(error) from error
+
+    def close(self, status: str, message: str = "", wall_time: float | None = None) -> None:
+        """Mark the run as ended, and cut arrays to the good samples if it stopped early."""
+        try:
+            self._lock.check()
+            if self.ledger.committed < self.ledger.samples:
+                names = [name for name in self._archive.members if name.endswith(DESCRIPTION)]
+                self._archive.append({name: cut(self._archive.read(name), self.ledger.committed) for name in names})
+            self._archive.seal()
+            wall = self.ledger.wall_time if wall_time is None else wall_time
+            self._commit(state="finished", status=status, message=message, wall_time=wall)
+            drop_states(self.path)
+        except OSError as error:
+            raise self._failed(error) from error
+        finally:
+            self.release()
+
+    def release(self) -> None:
+        """Let another process write; the run does not change."""
+        self._archive.close()
+        self._lock.release()
+
+    def _attributes(self, groups: Mapping[str, Any]) -> dict[str, Any]:
+        """The attributes of groups that are in the archive."""
+        names = {group: f"{group}/{DESCRIPTION}" for group in groups}
+        there = {group: name for group, name in names.items() if name in self._archive.members}
+        return {group: json.loads(self._archive.read(name))["attributes"] for group, name in there.items()}
+
+    def _failed(self, error: OSError) -> StoreError:
+        try:
+            self._lock.check()  # an error in a folder that was replaced does not concern this run
+        except StoreError as gone:
+            return gone
+        return StoreError(failure(self.path, self.ledger, error))
+
+    def _commit(self, **changes: Any) -> None:
+        ledger = replace(self.ledger, length=self._archive.length, **changes)
+        write_ledger(self.path, ledger)
+        self.ledger = ledger
+
+
+def key(case: str) -> str:
+    """The name of a load case as part of a path, encoded so that it cannot lead out of the folder.
+
+    >>> key("hanging"), key(".."), key("a:b")
+    ('hanging', '%2E.', 'a%3Ab')
+    """
+    quoted = quote(case, safe="")
+    return f"%{ord(quoted[0]):02X}{quoted[1:]}" if quoted.startswith((".", "__")) else quoted
+
+
+def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = False, held: Lock | None = None) -> Writer:
+    """Begin a run in a new or empty folder; with `overwrite`, replace the run in it (and no other file).
+
+    held : the folder's lock, if the caller already has it.
+
+    Raises
+    ------
+    InputError : see `check_target`.
+    StoreError : the folder cannot be made or written, or another process writes it.
+    """
+    check_target(path, overwrite)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise cannot_write(path, error) from error
+
+    def begin() -> Ledger:
+        clear(path, keep=(LEDGER,))
+        write_ledger(path, ledger)
+        (path / ARCHIVE).touch()
+        atomic(path / MODEL, model_text)  # from here on the run can be read and continued
+        return ledger
+
+    return _opened(path, ledger, begin, held)
+
+
+def store_whole(
+    path: Path, ledger: Ledger, model_text: str, datasets: Mapping[str, xr.Dataset], *, overwrite: bool = False
+) -> None:
+    """Write a whole run at once; with `overwrite`, in place of the run in the folder. It is there completely or not at all.
+
+    Nothing waits for the disk: of many short runs that would take most of the time.
+
+    Raises
+    ------
+    InputError : see `check_target`.
+    StoreError : the folder cannot be written, or another process writes it.
+    """
+    first = replace(ledger, committed=0, samples=ledger.committed, block=max(1, ledger.committed))
+    with claimed(path, overwrite):
+        draft = path / DRAFT
+        try:
+            remove(draft)
+            archive = Archive(draft)
+            try:
+                archive.append(dict(encoded(datasets, first, {})), durable=False)
+                archive.seal(durable=False)
+            finally:
+                archive.close()
+            clear(path, keep=(DRAFT, LEDGER))
+            # the ledger first, by which the folder is known as this package's; without its model it is not yet a run
+            write_ledger(path, replace(ledger, length=archive.length), durable=False)
+            draft.rename(path / ARCHIVE)
+            atomic(path / MODEL, model_text, durable=False)
+        except OSError as error:
+            raise StoreError(failure(path, replace(ledger, committed=0), error)) from error
+        finally:
+            with suppress(OSError):
+                remove(draft)
+
+
+def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
+    """Continue to write a run that did not end, after its last good sample.
+
+    Raises
+    ------
+    StoreError : another process is writing it; its archive is damaged, or cannot be written.
+    """
+
+    def begin() -> Ledger:
+        same = replace(ledger, status="", message="")
+        found = _converted(path, same) if ledger.kinetruss_run < FORMAT else same
+        if (path / ARRAYS).exists():
+            # the model is written again, so that those who read the files are told that they are gone
+            atomic(path / MODEL, (path / MODEL).read_text("utf-8"))
+            remove(path / ARRAYS)
+        return found
+
+    return _opened(path, ledger, begin, held)
+
+
+def _opened(path: Path, ledger: Ledger, begin: Callable[[], Ledger], held: Lock | None) -> Writer:
+    """A writer of a folder that `begin` has made ready; the lock is released if that fails."""
+    with ExitStack() as undone:
+        lock = held or hold(path)
+        undone.callback(lock.release)
+        try:
+            ready = begin()
+            archive = Archive(path / ARCHIVE, ready.length)
+        except ValueError as error:
+            raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
+        except OSError as error:
+            raise StoreError(failure(path, ledger, error)) from error
+        undone.pop_all()
+    return Writer(path, ready, archive, lock)
+
+
+def _converted(path: Path, ledger: Ledger) -> Ledger:
+    """The ledger of a run of format 1 after its files are members of an archive, by the same names.
+
+    A kill before the ledger is replaced leaves the files as they were.
+    """
+    root = path / ARRAYS
+    remove(path / ARCHIVE)
+    archive = Archive(path / ARCHIVE)
+    try:
+        for file in sorted(one for one in root.rglob("*") if one.is_file() and one.suffix != ".part"):
+            archive.append({file.relative_to(root).as_posix(): file.read_bytes()}, durable=False)
+        archive.append({}, durable=True)
+    finally:
+        archive.close()
+    ledger = replace(ledger, kinetruss_run=FORMAT, length=archive.length)
+    write_ledger(path, ledger)
+    return ledger
+
+
+def open_store(path: Path) -> Store:
+    """Open a run folder for reading.
+
+    Raises
+    ------
+    StoreError : no run folder, one of a newer format, or one that is being replaced.
+    """
+    if not is_store(path):
+        raise StoreError(f"{path} is not a kinetruss run: it has no {LEDGER}. Make one with: kinetruss run MODEL -o {path}")
+    stamp = stamp_of(path / MODEL)
+    try:
+        record = read_ledger(path)
+        if record["kinetruss_run"] > FORMAT:
+            raise StoreError(f"{path} was written by a newer kinetruss. Update: pip install --upgrade kinetruss")
+        ledger = Ledger(**record)
+        text = (path / MODEL).read_text("utf-8")
+        found = content(path, ledger, stamp)
+    except (OSError, TypeError, ValueError, KeyError) as error:
+        if is_locked(path):
+            raise StoreError(
+                f"{path} has just been started by another process and has no good sample yet. Try again soon."
+            ) from error
+        if stamp_of(path / MODEL) != stamp:
+            raise StoreError(f"{path} was replaced by another run while it was read. Read it again.") from error
+        raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
+    found.check()
+    ended = ledger.state == "finished"
+    seen = found.groups if ledger.committed or ended else ()
+    groups = [name for name in seen if ended or name not in (VERDICT, ENVELOPE)]
+    return Store(path, ledger, text, tuple(sorted(groups, key=lambda name: (ORDER.index(name.split("/")[0]), name))), found)
+
+
+# States: COUNT is the number of samples before the state. The file is written before the ledger counts the block, and the
+# previous one is removed afterwards. So after a kill at any instant there is a state for the count in the ledger.
 
 
 def write_state(path: Path, count: int, arrays: Mapping[str, NDArray[Any]]) -> None:
@@ -103,308 +381,3 @@ def drop_states(path: Path, keep: int | None = None) -> None:
 
 def _file(path: Path, count: int) -> Path:
     return path / STATE / f"{count}.npz"
-
-
-# The run store: a folder with a run, written in blocks of samples, and readable after a kill at any instant.
-#
-#     OUT/kinetruss.json     ledger: what run this is, how many samples are good (`committed`), how it ended
-#     OUT/model.json         the model
-#     OUT/results.zarr       Zarr v3 groups motion, forces/CASE/total, ..., chunked along time by block
-#     OUT/state/COUNT.npz    of a running simulation: the state of its integration after COUNT samples
-#     OUT/pictures           the pictures
-#
-# A block first writes whole chunks of every array, then the ledger, by rename: a kill between the two leaves chunks that
-# nobody reads. Arrays have their full length from the start, so that no description of an array changes during the run.
-# Names along a dimension (nodes, members) are attributes of their group.
-
-VERDICT, ENVELOPE = "verdict", "envelope"
-"""Groups that are written once, at the end."""
-ORDER = ("pairs", "envelope", "motion", "simulation", "statics", "forces", "sections", VERDICT, "demand")
-
-
-@dataclass(frozen=True, slots=True)
-class Store:
-    """A run folder opened for reading; `groups` are the paths of the datasets in it, e.g. ``forces/all/total``."""
-
-    path: Path
-    ledger: Ledger
-    model_text: str
-    groups: tuple[str, ...]
-    stamp: Stamp | None
-
-    def read(self, group: str) -> xr.Dataset:
-        """One dataset, cut to the good samples; arrays are loaded when used.
-
-        For a run that has not ended, only variables with a time axis: the others are known only at the end.
-
-        Raises
-        ------
-        StoreError : no such group, or not readable; also later, if an array that is used no longer exists.
-        """
-        try:
-            found: xr.Dataset | None = _read(self.path, group, self.ledger)
-            failed = None
-        except StoreError as error:
-            found, failed = None, error
-        if stamp_of(self.path / MODEL) != self.stamp:
-            raise StoreError(f"{self.path} was replaced by another run while it was read. Read it again.") from failed
-        if found is None:
-            raise failed  # type: ignore[misc]
-        return found
-
-    def state(self) -> dict[str, NDArray[Any]] | None:
-        """The state of the integration after the last good sample; None for runs without one.
-
-        Raises
-        ------
-        StoreError : it is damaged.
-        """
-        return read_state(self.path, self.ledger.committed)
-
-
-class Writer:
-    """Writes a run block by block; `ledger` counts the committed samples. held : its lock, if the caller already has it."""
-
-    def __init__(self, path: Path, ledger: Ledger, held: Lock | None = None) -> None:
-        self.path = path
-        self.ledger = ledger
-        self._lock = held or hold(path)
-        self._written: dict[str, set[str]] = {}
-
-    def append(
-        self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0, state: Mapping[str, NDArray[Any]] | None = None
-    ) -> None:
-        """Write one block of samples of every group, and the state after it, then commit it.
-
-        Groups without a time axis are written completely; the last one replaces the others.
-
-        Raises
-        ------
-        StoreError : the disk is full or refuses; the committed samples stay readable. Or the folder was replaced.
-        """
-        self._lock.check()
-        count = max((data.sizes["time"] for data in datasets.values() if "time" in data.dims), default=0)
-        try:
-            for group, data in datasets.items():
-                self._write(group, data)
-            if state is not None:
-                write_state(self.path, self.ledger.committed + count, state)
-            self._commit(replace(self.ledger, committed=self.ledger.committed + count, wall_time=wall_time))
-            if state is not None:
-                drop_states(self.path, self.ledger.committed)
-        except OSError as error:
-            raise self._failed(error) from error
-
-    def pause(self, status: str, message: str, wall_time: float) -> None:
-        """Store why the run was stopped; it can be continued."""
-        self._lock.check()
-        try:
-            self._commit(replace(self.ledger, status=status, message=message, wall_time=wall_time))
-        except OSError as error:
-            raise self._failed(error) from error
-
-    def close(self, status: str, message: str = "", wall_time: float | None = None) -> None:
-        """Mark the run as ended, and cut arrays to the good samples if it stopped early."""
-        try:
-            self._lock.check()
-            if self.ledger.committed < self.ledger.samples:
-                _truncate(self.path, self.ledger.committed)
-            wall = self.ledger.wall_time if wall_time is None else wall_time
-            self._commit(replace(self.ledger, state="finished", status=status, message=message, wall_time=wall))
-            drop_states(self.path)
-        except OSError as error:
-            raise self._failed(error) from error
-        finally:
-            self.release()
-
-    def release(self) -> None:
-        """Let another process write; the run does not change."""
-        self._lock.release()
-
-    def _failed(self, error: OSError) -> StoreError:
-        try:
-            self._lock.check()  # an error in a folder that was replaced does not concern this run
-        except StoreError as gone:
-            return gone
-        return StoreError(failure(self.path, self.ledger, error))
-
-    def _commit(self, ledger: Ledger) -> None:
-        write_ledger(self.path, ledger)
-        self.ledger = ledger
-
-    def _write(self, group: str, data: xr.Dataset) -> None:
-        known = self._written.setdefault(group, set())
-        if new := {str(name) for name in data.variables} - known:
-            _prepare(self.path, group, data, self.ledger)
-            known |= new
-        block, rows = self.ledger.committed // self.ledger.block, min(self.ledger.block, self.ledger.samples)
-        for name, variable in data.variables.items():
-            if is_text(variable):
-                continue
-            folder = self.path / ARRAYS / group / str(name)
-            timed = variable.dims[:1] == ("time",)
-            write_chunk(folder, block if timed else 0, variable.values, rows if timed else _rows(variable))
-
-
-def key(case: str) -> str:
-    """The name of a load case as part of a path, encoded so that it cannot lead out of the folder.
-
-    >>> key("hanging"), key(".."), key("a:b")
-    ('hanging', '%2E.', 'a%3Ab')
-    """
-    quoted = quote(case, safe="")
-    return f"%{ord(quoted[0]):02X}{quoted[1:]}" if quoted.startswith((".", "__")) else quoted
-
-
-def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = False, held: Lock | None = None) -> Writer:
-    """Begin a run in a new or empty folder; with `overwrite`, replace the run in it (and no other file).
-
-    held : the folder's lock, if the caller already has it.
-
-    Raises
-    ------
-    InputError : see `check_target`.
-    StoreError : the folder cannot be made or written, or another process writes it.
-    """
-    check_target(path, overwrite)
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise cannot_write(path, error) from error
-    writer = Writer(path, ledger, held)
-    try:
-        if is_store(path):
-            clear(path, ledger=False)
-        write_ledger(path, ledger)
-        describe_group(path / ARRAYS, {"kinetruss_run": FORMAT})
-        atomic(path / MODEL, model_text)  # from here on the run can be read and continued
-    except OSError as error:
-        writer.release()
-        raise StoreError(failure(path, ledger, error)) from error
-    return writer
-
-
-def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
-    """Continue to write a run that did not end, after its last good sample.
-
-    Raises
-    ------
-    StoreError : another process is writing it.
-    """
-    return Writer(path, replace(ledger, status="", message=""), held)
-
-
-def open_store(path: Path) -> Store:
-    """Open a run folder for reading.
-
-    Raises
-    ------
-    StoreError : no run folder, one of a newer format, or one that is being replaced.
-    """
-    if not is_store(path):
-        raise StoreError(f"{path} is not a kinetruss run: it has no {LEDGER}. Make one with: kinetruss run MODEL -o {path}")
-    stamp = stamp_of(path / MODEL)
-    record = read_ledger(path)
-    if record["kinetruss_run"] > FORMAT:
-        raise StoreError(f"{path} was written by a newer kinetruss. Update: pip install --upgrade kinetruss")
-    try:
-        ledger = Ledger(**record)
-        text = (path / MODEL).read_text("utf-8")
-        ended = ledger.state == "finished"
-        groups = (
-            tuple(name for name in _groups(path) if ended or name not in (VERDICT, ENVELOPE))
-            if ledger.committed or ended
-            else ()
-        )
-        again = read_ledger(path)
-    except (OSError, TypeError, ValueError) as error:
-        if is_locked(path):
-            raise StoreError(
-                f"{path} has just been started by another process and has no good sample yet. Try again soon."
-            ) from error
-        raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
-    if any(again[name] != record[name] for name in ("provenance", "options", "block", "samples")):
-        raise StoreError(f"{path} was replaced by another run while it was read. Read it again.")
-    return Store(path, ledger, text, groups, stamp)
-
-
-def _groups(path: Path) -> tuple[str, ...]:
-    """Datasets in the folder: groups with arrays, in a fixed order."""
-    root = path / ARRAYS
-    if is_packed(path):
-        return tuple(sorted(packed_groups(path), key=lambda name: (ORDER.index(name.split("/")[0]), name)))
-    found = {file.parent.parent.relative_to(root).as_posix() for file in root.glob(f"**/{DESCRIPTION}") if is_array(file)}
-    return tuple(sorted(found, key=lambda name: (ORDER.index(name.split("/")[0]), name)))
-
-
-def _prepare(path: Path, group: str, data: xr.Dataset, ledger: Ledger) -> None:
-    """Describe the group and its arrays, for all samples; existing arrays of a resumed run stay."""
-    root = path / ARRAYS
-    for parent in reversed(Path(group).parents[:-1]):
-        if not (root / parent / DESCRIPTION).exists():
-            describe_group(root / parent, {})
-    texts = {str(name): text_of(variable) for name, variable in data.variables.items() if is_text(variable)}
-    _describe(root / group, data, texts)
-    for name, variable in data.variables.items():
-        folder = root / group / str(name)
-        if str(name) in texts or (folder / DESCRIPTION).exists():
-            continue
-        timed = variable.dims[:1] == ("time",)
-        shape = (ledger.samples, *variable.shape[1:]) if timed else variable.shape
-        rows = min(ledger.block, ledger.samples) if timed else _rows(variable)
-        describe_array(folder, shape, rows, variable.dtype, [str(dim) for dim in variable.dims], plain(variable.attrs))
-
-
-def _describe(folder: Path, data: xr.Dataset, texts: dict[str, Any]) -> None:
-    """Names, order and attributes of a dataset, merged with those of its group."""
-    description = folder / DESCRIPTION
-    before = json.loads(description.read_text("utf-8"))["attributes"] if description.exists() else {}
-    new = {
-        "names": before.get("names", {}) | texts,
-        "attrs": before.get("attrs", {}) | data.attrs,
-        "coords": list(dict.fromkeys([*before.get("coords", []), *map(str, data.coords)])),
-        "order": list(dict.fromkeys([*before.get("order", []), *map(str, data.data_vars)])),
-    }
-    if new != before:
-        describe_group(folder, new)
-
-
-def _rows(variable: Any) -> int:
-    """Rows per chunk of an array without a time axis: all."""
-    return max(1, variable.shape[0]) if variable.shape else 1
-
-
-def _read(path: Path, group: str, ledger: Ledger) -> xr.Dataset:
-    import xarray as xr
-
-    data = unpacked(path, group) if is_packed(path) else _opened(path, group, -(-ledger.committed // ledger.block))
-    names, attrs, coords, order = (data.attrs.pop(key, {}) for key in ("names", "attrs", "coords", "order"))
-    if "time" in data.dims:
-        data = data.isel(time=slice(0, ledger.committed))
-    data = data.assign({name: names_of(text) for name, text in names.items()})
-    if ledger.state != "finished":
-        order = [name for name in order if name in data.variables and "time" in data.variables[name].dims]
-    if lost := [name for name in (*coords, *order) if name not in data.variables]:
-        raise StoreError(f"{path} is damaged: {group}/{lost[0]} is missing. Run it again with --overwrite.")
-    return xr.Dataset({n: data.variables[n] for n in order}, {n: data.variables[n] for n in coords}, attrs)
-
-
-def _opened(path: Path, group: str, blocks: int) -> xr.Dataset:
-    import xarray as xr
-
-    from kinetruss.results.array_reading import RunArrays
-
-    try:
-        root = RunArrays(path / ARRAYS, blocks=blocks)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # the description of the array may be just being written
-            data: xr.Dataset = xr.open_zarr(root, group=group, chunks=None, consolidated=False, zarr_format=3, decode_cf=False)
-    except (OSError, KeyError, ValueError) as error:
-        raise StoreError(f"{path} has no readable {group!r}: {error}") from error
-    return data
-
-
-def _truncate(path: Path, committed: int) -> None:
-    """Cut every array with a time axis to the good samples."""
-    for description in (path / ARRAYS).glob(f"**/{DESCRIPTION}"):
-        resize(description, committed)

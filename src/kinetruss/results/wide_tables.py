@@ -7,9 +7,9 @@ import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
-from kinetruss.display import Table, margin, number, quantity
+from kinetruss.display import Table, instant, margin, number, quantity
 from kinetruss.mechanics import cached
 
 if TYPE_CHECKING:
@@ -25,6 +25,17 @@ _UNITS = {"value": "", "limit": "", "utilisation": "%", "position": "m"}
 
 NOT_CHECKED = "not checked: "
 """Start of the note of an entry that lacks data for its rule."""
+
+CABLE = "a cable does not buckle"
+"""Note of a rule that asks nothing of its part. Older releases wrote it as not checked."""
+
+SLACK = 1e-9
+"""Excess over a limit, as a fraction of it, that is round-off."""
+
+
+def exceeds(utilisation: float) -> bool:
+    """True if a utilisation is above 1 by more than round-off: what is held at its limit does not exceed it."""
+    return utilisation > 1 + SLACK
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,6 +71,20 @@ class Row:
         return not math.isnan(self.utilisation)
 
     @property
+    def status(self) -> Literal["kept", "exceeded", "not checked", "not asked"]:
+        """Whether its limit is kept. ``not asked`` : there is no limit, or the rule does not apply; `note` says so."""
+        if self.checked:
+            return "exceeded" if exceeds(self.utilisation) else "kept"
+        return "not checked" if self.note.startswith(NOT_CHECKED) and self.note != NOT_CHECKED + CABLE else "not asked"
+
+    @property
+    def place(self) -> str:
+        """``M7, voltage: 93.1 % at 6.55 s``: how much is used, and when; at rest the load case in place of the time."""
+        case = f", {self.load_case}" if self.load_case not in ("", "all") else ""
+        when = f", pose {self.pose}" if self.pose else f" at {instant(self.time)}" if math.isfinite(self.time) else case
+        return f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}{when}"
+
+    @property
     def text(self) -> str:
         """``crank, yield: 3.6 % (8.451 MPa of 235 MPa)``; of an entry not checked its note."""
         if not self.checked:
@@ -92,7 +117,7 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     parts, rules = data[subject].values.tolist(), [str(name) for name in data[rule].values]
     count = len(parts)
     members = data["member"].values.tolist() if "member" in data else parts
-    units = data["unit"].values.tolist()
+    units = data["unit"].values.tolist() if "unit" in data else [""] * len(rules)
     # read whole arrays: reading single values from a dataset takes a hundred times as long
     numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
     texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}

@@ -19,17 +19,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-import numpy as np
-
 from kinetruss.errors import InputError
 from kinetruss.io import MAX_SIZE
 from kinetruss.model import Model
-from kinetruss.results import Status
+from kinetruss.results import Row, Status
 from kinetruss.results.folder import check_target, clear, is_store, read_ledger
 from kinetruss.results.lock import check_unlocked, holding
-from kinetruss.results.packed import pack
-from kinetruss.results.store import key
-from kinetruss.results.wide_tables import NOT_CHECKED, most_used
+from kinetruss.results.store import key, store_whole
 from kinetruss.runs.blocks import blocks
 from kinetruss.runs.instants import DERIVED
 from kinetruss.runs.joining import notes_of
@@ -37,6 +33,8 @@ from kinetruss.runs.plans import SIMULATED, Block, Plan, plan
 from kinetruss.runs.results import RunResult, load
 from kinetruss.runs.running import ledger_of, run
 from kinetruss.runs.variant_sets import Settings, Variant, spread
+from kinetruss.strength.findings import demands, find
+from kinetruss.strength.verdict import highest
 
 T = TypeVar("T")
 LEAST = 4
@@ -118,6 +116,7 @@ class VariantRuns(Mapping[str, RunResult]):
     settings : name -> the values that were set, by path. refused : name -> why there is no run.
     status : name -> how its run ended; whole : name -> True if every requested sample is good.
     worst : name -> part, rule, utilisation and time of the highest utilisation (None: nothing was checked).
+    said : name -> the verdict of its run in words, of members and drives (`RunResult.finding`).
     paths : name -> folder; empty if the runs were not written.
     """
 
@@ -128,6 +127,7 @@ class VariantRuns(Mapping[str, RunResult]):
     worst: Mapping[str, tuple[str, str, float, float] | None]
     paths: Mapping[str, Path]
     kept: Mapping[str, RunResult] = field(default_factory=dict, repr=False)
+    said: Mapping[str, str] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> RunResult:
         return load(self.paths[name]) if name in self.paths else self.kept[name]
@@ -227,6 +227,7 @@ class _Done:
     status: Status = Status.COMPLETED
     whole: bool = False
     worst: tuple[str, str, float, float] | None = None
+    said: str = ""
     kept: RunResult | None = None
 
 
@@ -252,21 +253,21 @@ class _Work:
     def _one(self, variant: Variant, job: Plan, path: Path | None) -> _Done:
         if path is None:
             result = run(variant.model, job.name, settings=variant.settings)
-            return replace(_done(result.status, result.whole, result.verdict), kept=result)
+            return replace(_done(result), kept=result)
         if job.run.analysis == SIMULATED:
             from kinetruss.runs.simulated import stepper_of
 
             stepper_of(job)  # a refusal comes before anything in the folder is touched
             self._remove_old(path)
             result = run(variant.model, job.name, path, overwrite=self.overwrite, settings=variant.settings)
-            return _done(result.status, result.whole, result.verdict)
+            return _done(result)
         started = time.perf_counter()
         computed = blocks(self._shared(job))
         first = next(computed)  # a refusal comes before anything in the folder is touched
         self._remove_old(path)
         if len(job.times) > job.block:
             result = run(variant.model, job.name, path, overwrite=self.overwrite, settings=variant.settings)
-            return _done(result.status, result.whole, result.verdict)
+            return _done(result)
         status = first.motion.status
         ledger = ledger_of(job, variant.settings)
         ledger = replace(
@@ -278,8 +279,13 @@ class _Work:
             options={**ledger.options, "derived": DERIVED},
             wall_time=time.perf_counter() - started,
         )
-        pack(path, ledger, variant.model.model_dump_json(), _datasets(first), overwrite=self.overwrite)
-        return _done(status, status.ok and ledger.whole, first.verdict)
+        store_whole(path, ledger, variant.model.model_dump_json(), _datasets(first), overwrite=self.overwrite)
+        return _done(
+            RunResult(
+                model=job.model, given=variant.model, name=job.name, motion=first.motion, forces=first.forces, status=status,
+                verdict=first.verdict, demand=first.demand, statics=first.statics, samples=ledger.samples,
+            )
+        )  # fmt: skip
 
     def _shared(self, job: Plan) -> Plan:
         """The same plan on the model of the previous variant, if they differ only in their motion.
@@ -306,8 +312,12 @@ class _Work:
                     old.rmdir()
 
 
-def _done(status: Status, whole: bool, verdict: Any) -> _Done:
-    return _Done(status=status, whole=whole, worst=None if verdict is None else _worst(verdict.data))
+def _done(run: RunResult) -> _Done:
+    done = _Done(status=run.status, whole=run.whole)
+    if run.verdict is None and not run.demand:
+        return done
+    found = find(run.verdict, demands(run.demand), partial=run.partial)
+    return replace(done, worst=_worst(found.members), said=found.text)
 
 
 def _variant_runs(done: Sequence[_Done], found: Sequence[Variant], paths: Sequence[Path | None]) -> VariantRuns:
@@ -318,6 +328,7 @@ def _variant_runs(done: Sequence[_Done], found: Sequence[Variant], paths: Sequen
         status={name: one.status for one, name, _ in good},
         whole={name: one.whole for one, name, _ in good},
         worst={name: one.worst for one, name, _ in good},
+        said={name: one.said for one, name, _ in good},
         paths={name: path for _, name, path in good if path is not None},
         kept={name: one.kept for one, name, _ in good if one.kept is not None},
     )
@@ -330,16 +341,11 @@ def _datasets(block: Block) -> dict[str, Any]:
     return found if block.verdict is None else found | {"verdict": block.verdict.data}
 
 
-def _worst(data: Any) -> tuple[str, str, float, float] | None:
+def _worst(rows: Sequence[Row]) -> tuple[str, str, float, float] | None:
     """Part, rule, utilisation and time of the highest utilisation."""
-    values = data["utilisation"].values
-    if np.isnan(values).all():
-        return None
-    value = max(map(most_used, values.tolist()), key=lambda one: -1.0 if math.isnan(one) else one)
-    i, j = (int(k[0]) for k in np.nonzero(values == value))
-    if value == 0 and any(str(note).startswith(NOT_CHECKED) for note in data["note"].values.flat):
-        return None  # no checked entry has a demand, and some entries were not checked
-    return str(data["part"].values[i]), str(data["rule"].values[j]), float(value), float(data["time_of"].values[i, j])
+    if math.isnan(highest(rows)):
+        return None  # nothing was checked, or no checked entry has a demand and some entries were not checked
+    return rows[0].part, rows[0].rule, rows[0].utilisation, rows[0].time
 
 
 def _paths(target: Path, found: Sequence[Variant]) -> list[Path | None]:

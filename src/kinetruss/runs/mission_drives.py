@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from kinetruss import actuators
 from kinetruss.actuators.demand_summary import QUANTITIES
 from kinetruss.model import Model, turns
-from kinetruss.results import Forces, variable
+from kinetruss.results import Forces, Row, variable
 from kinetruss.runs.joining import DemandAccumulator
 
 DRIVE = ("force", "rate", "power", "rms force", "energy", "holding")
@@ -122,6 +123,24 @@ def drives_of(model: Model, found: DriveEnvelope, labels: Sequence[str]) -> dict
     if not np.isnan(found.trains).all():
         tables["trains"] = _table(found.trains, "active", list(model.actuators), TRAIN, labels)
     return tables
+
+
+def train_rows(trains: xr.Dataset) -> list[Row]:
+    """The checks of screws, gears and motors over all pairs; ``load_case`` is the label of the governing pair."""
+    found = []
+    for i, name in enumerate(trains["active"].values.tolist()):
+        for j, what in enumerate(QUANTITIES):
+            one = {key: trains[key].values[i, j] for key in (*COLUMNS[:4], "label")}
+            used, note = float(one["utilisation"]), "" if one["limit"] == one["limit"] else "no limit given"
+            if one["value"] == one["value"]:
+                found.append(
+                    Row(
+                        part=str(name), member=str(name), rule=what, unit=QUANTITIES[what][0], note=note,
+                        value=float(one["value"]), limit=float(one["limit"]), utilisation=used,
+                        margin=1 / used - 1 if used else math.inf, time=float(one["time_of"]), load_case=str(one["label"]),
+                    )
+                )  # fmt: skip
+    return found
 
 
 def _unit(angle: bool, what: str) -> str:

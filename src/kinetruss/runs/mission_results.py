@@ -4,24 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import xarray as xr
 
+from kinetruss.display import counted
 from kinetruss.errors import InputError, StoreError
 from kinetruss.model import Model, Run
 from kinetruss.model.runs import MISSION
 from kinetruss.results import Motion, Status, variable
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, open_store
-from kinetruss.runs.mission_drives import DriveEnvelope, drives_of
+from kinetruss.runs.mission_drives import DriveEnvelope, drives_of, train_rows
 from kinetruss.runs.results import RunResult, from_store, load as load_run, model_of
 from kinetruss.strength.envelopes import Gathering, extremes_of, verdict_of
+from kinetruss.strength.findings import Finding, find
 
 GOVERNING = "pair"
 """Start of the name that a pair has as a run of its own."""
+
+EARLY = "Ends early: "
+"""Start of the finding of a pair whose motion does not reach its end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +92,7 @@ NOTHING = Motion(data=xr.Dataset(coords={"time": variable(("time",), np.zeros(0)
 """A mission has no motion of its own."""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class MissionRun(RunResult):
     """The envelope of a mission.
 
@@ -102,6 +108,35 @@ class MissionRun(RunResult):
     extremes: xr.Dataset = field(default_factory=xr.Dataset)
     drives: xr.Dataset = field(default_factory=xr.Dataset)
     trains: xr.Dataset | None = None
+
+    counts: ClassVar[str] = "pairs"
+    holds: ClassVar[tuple[str, ...]] = ("verdict",)
+
+    @cached_property
+    def finding(self) -> Finding:
+        """What the mission says of all its pairs."""
+        drives = [] if self.trains is None else train_rows(self.trains)
+        return find(self.verdict, drives, partial=self.partial, doubts=self.doubts)
+
+    @property
+    def partial(self) -> str:
+        """Why the envelope does not hold all that was asked for: pairs that are not done, cannot be, or end early."""
+        lost = int((self.pairs["samples"].values == 0).sum())
+        early = sum(text.startswith(EARLY) for text in self.findings.values())
+        short = [
+            f"{k} of {counted(self.samples, 'pair')} {what}" for k, what in ((lost, "cannot be"), (early, "end early")) if k
+        ]
+        return super().partial or ", ".join(short)
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """What to know of the pairs, each sentence once."""
+        found: dict[str, list[str]] = {}
+        for label, words in self.findings.items():
+            found.setdefault(words, []).append(label)
+        return tuple(
+            f"{'all pairs' if len(labels) == self.good > 1 else '; '.join(labels)}: {words}" for words, labels in found.items()
+        )
 
     @property
     def good(self) -> int:

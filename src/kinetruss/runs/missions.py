@@ -22,7 +22,7 @@ from kinetruss.results.store import Writer, create, open_store, reopen
 from kinetruss.runs.blocks import blocks
 from kinetruss.runs.joining import concatenated, notes_of
 from kinetruss.runs.mission_drives import PairDrives
-from kinetruss.runs.mission_results import Envelope, MissionRun, Pair, mission_of
+from kinetruss.runs.mission_results import EARLY, Envelope, MissionRun, Pair, mission_of
 from kinetruss.runs.plans import Block, Plan, plan
 from kinetruss.runs.results import model_of
 
@@ -153,7 +153,7 @@ def _pairs(found: Envelope) -> Iterator[Pair]:
 
 def _early(block: Block) -> str:
     """A motion that ends early."""
-    return f"Ends early: {' '.join(filter(None, (block.motion.status.value, block.motion.message)))}"
+    return f"{EARLY}{' '.join(filter(None, (block.motion.status.value, block.motion.message)))}"
 
 
 class _Known:

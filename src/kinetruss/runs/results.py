@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -16,9 +17,10 @@ from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulati
 from kinetruss.results.dynamic_records import happened
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, key, open_store
+from kinetruss.runs.doubts import cases_left_out, doubts
 from kinetruss.runs.instants import derived
 from kinetruss.runs.plans import conditioned
-from kinetruss.strength.governing import headline
+from kinetruss.strength.findings import Finding, demands, find
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -56,19 +58,18 @@ class RunResult:
     wall_time: float = 0.0
     settings: Mapping[str, str] = field(default_factory=dict)
 
+    counts: ClassVar[str] = "samples"
+    holds: ClassVar[tuple[str, ...]] = ("motion", "forces", "sections", "verdict", "demand", "statics", "simulation")
+
     def __repr__(self) -> str:
         """The name, how it ended, the verdict, and what it holds."""
         lines = [f"<Run {self.name!r} of {self.model.title or 'a model'!r}: {self.status.value} {self.message}".rstrip()]
         if self.verdict is not None or self.demand:
-            found = headline(self.verdict, self.demand)
-            lines.append(f"  {found.text}; {found.governing.text}" if found.governing else f"  {found.text}")
+            lines.append(f"  {self.finding.sentence}")
+        lines += [f"  warning: {one}" for one in self.finding.doubts]
         cases = f", load cases: {', '.join(map(str, self.forces))}" if self.forces else ""
-        held = [
-            name
-            for name in ("motion", "forces", "sections", "verdict", "demand", "statics", "simulation")
-            if getattr(self, name)
-        ]
-        lines.append(f"  {self.good} of {self.samples} samples{cases}; it has {', '.join(held)}>")
+        held = [name for name in self.holds if getattr(self, name)]
+        lines.append(f"  {self.good} of {self.samples} {self.counts}{cases}; it has {', '.join(held)}>")
         return "\n".join(lines)
 
     @property
@@ -86,6 +87,31 @@ class RunResult:
     def good(self) -> int:
         """Number of good samples."""
         return int(self.motion.data.sizes["time"])
+
+    @cached_property
+    def finding(self) -> Finding:
+        """What the run says: whether limits are kept, what governs, what was not checked and why, what is unsure."""
+        drives, left_out = demands(self.demand), cases_left_out(self)
+        return find(self.verdict, drives, left_out=left_out, partial=self.partial, doubts=self.doubts, timed=self.timed)
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """Sentences on what makes the numbers unsure."""
+        return tuple(doubts(self))
+
+    @property
+    def partial(self) -> str:
+        """Why the run is not that which was asked for; empty if it is."""
+        if self.whole:
+            return ""
+        if self.state == "finished" and self.good == self.samples:
+            return self.status.value.rstrip(".")
+        return f"Not complete ({self.good} of {self.samples} {self.counts})"
+
+    @property
+    def timed(self) -> bool:
+        """False for one pose at rest, whose time, rates and powers say nothing."""
+        return self.good > 1 or not self.statics
 
     @property
     def whole(self) -> bool:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         transition as transition,
     )
     from kinetruss.strength.element_stresses import elements as elements
+    from kinetruss.strength.findings import Finding as Finding, find as find
     from kinetruss.strength.gauge_records import (
         bridge_output as bridge_output,
         bridge_strain as bridge_strain,

@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.display import number, quantity
 from kinetruss.errors import InputError
+from kinetruss.results.wide_tables import CABLE
 from kinetruss.strength.parts import Parts
 
 if TYPE_CHECKING:
@@ -197,7 +198,7 @@ def missing(parts: Parts, r: int) -> str:
 def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_section: str) -> str:
     first = int(parts.first[k])
     if parts.cable[k]:
-        return "not checked: a cable does not buckle"
+        return CABLE
     used = _rods(parts, k)
     if parts.two[k] and active_section != "weaker":
         used = [first + (active_section == "tube")]

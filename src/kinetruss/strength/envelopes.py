@@ -13,11 +13,11 @@ from kinetruss.kernels.sections.envelope import BEAM_COLUMN, BUCKLING, COLUMNS, 
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, variable
-from kinetruss.strength.beam_verdict import BEAM_QUANTITIES, beam_histories, beam_limits, beam_notes, beam_parts
-from kinetruss.strength.critical_loads import beyond_euler, end_condition, notes
+from kinetruss.strength.beam_verdict import BEAM_QUANTITIES, beam_histories, beam_limits, beam_parts
+from kinetruss.strength.critical_loads import end_condition
 from kinetruss.strength.parts import histories, parts_of
-from kinetruss.strength.section_forces import add_to_notes, not_held, screws_not_held, sentences
 from kinetruss.strength.utilisations import RULES, axes_of_verdict, subjects, twisting, utilised
+from kinetruss.strength.verdict import NOTHING, told
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -139,6 +139,17 @@ def _rules(system: System) -> Rules:
 
 # What was gathered, as a verdict and as extremes of section forces, with the pair that governs each.
 
+_COLUMNS = {
+    "value": ("", "demand, in the rule's unit"),
+    "limit": ("", "allowed, in the rule's unit"),
+    "utilisation": ("", "demand over capacity"),
+    "margin": ("", "1/utilisation - 1"),
+    "time_of": ("s", "time of the worst, in the motion of its pair"),
+    "position": ("m", "governing section, distance from end A"),
+    "pair": ("", "number of the governing pair"),
+    "load_case": ("", "governing pair: motion, condition, load case"),
+}
+
 EXTREMES = {"tension": "N", "compression": "N", "bending": "N m"}
 """Extremes along a part: the largest axial force and its opposite, and the largest bending moment."""
 
@@ -148,44 +159,22 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str], cases: Seq
 
     cases : their load cases. An infinite score of a stress without value is that of torsion which its section does not know.
     """
-    parts = parts_of(model)
-    names, members, rod, whole = subjects(parts)
-    table = np.full((len(names), len(RULES), found.rods.shape[2]), np.nan)
-    has_rod, has_whole = rod >= 0, whole >= 0
-    table[has_rod, 0] = found.rods[3, rod[has_rod]]
-    table[has_whole, 1:] = found.members[:, whole[has_whole]].swapaxes(0, 1)
-    bent = np.full((found.beams.shape[1], len(RULES), table.shape[2]), np.nan)
-    bent[:, 0], bent[:, 1] = found.beams[3], found.beams[1]
-    bent[:, 1, 1] = np.where(bent[:, 1, 1] < 0, 0.0, bent[:, 1, 1])
-    table = np.concatenate([table, bent])
-    value, limit, time, position, pair = (table[:, :, k] for k in (1, 2, 3, 4, 5))
-    johnson = np.nan_to_num(table[:, 1, 6]) > 0
-    beyond = {k: (value[k, 2], table[k, 2, 6]) for k in np.flatnonzero(np.isposinf(table[:, 2, 0])).tolist()}
-    value[list(beyond), 2] = np.inf
-    utilisation = value / limit
-    with np.errstate(divide="ignore"):
-        margin = 1 / utilisation - 1
-    bars = len(names)
-    said = notes(parts, rod, whole, value[:bars, 1], johnson[:bars], "weaker", np.isposinf(found.rods[3, :, 0]))
-    for k, (factored, euler) in beyond.items():
-        said[k, 2] = beyond_euler(float(factored), float(euler), model.safety.buckling)
-    left = not_held(model, dict.fromkeys(cases))
-    add_to_notes(left, members[:bars], utilisation[:bars], said)
-    said[[member in model.bars and model.bars[member].brace for member in members]] = ""
-    said = np.concatenate([said, beam_notes(model, value[bars:, 0], value[bars:, 1])])
-    over = ("part", "rule")
-    data = {
-        "value": variable(over, value, "", "demand, in the rule's unit"),
-        "limit": variable(over, limit, "", "allowed, in the rule's unit"),
-        "utilisation": variable(over, utilisation, "", "demand over capacity"),
-        "margin": variable(over, margin, "", "1/utilisation - 1"),
-        "time_of": variable(over, time, "s", "time of the worst, in the motion of its pair"),
-        "position": variable(over, position, "m", "governing section, distance from end A"),
-        "pair": variable(over, pair, "", "number of the governing pair"),
-        "load_case": variable(over, _labelled(pair, labels), "", "governing pair: motion, condition, load case"),
-        "note": variable(over, said.astype(str), "", "formula used, or why it was not checked"),
-    }
-    missing = [*sentences(left), *screws_not_held(model, dict.fromkeys(cases))]
+    _, _, rod, whole = subjects(parts_of(model))
+    bars, has_rod, has_whole = len(rod), rod >= 0, whole >= 0
+    table = np.full((bars + found.beams.shape[1], len(RULES), found.rods.shape[2]), np.nan)
+    table[:bars][has_rod, 0] = found.rods[3, rod[has_rod]]
+    table[:bars][has_whole, 1:] = found.members[:, whole[has_whole]].swapaxes(0, 1)
+    table[bars:, 0], table[bars:, 1] = found.beams[3], found.beams[1]
+    table[bars:, 1, 1] = np.where(table[bars:, 1, 1] < 0, 0.0, table[bars:, 1, 1])
+    worst = np.full(table.shape[:2], NOTHING)
+    for key, column in (("value", 1), ("limit", 2), ("time_of", 3), ("position", 4), ("factored", 1), ("euler", 6)):
+        worst[key] = table[:, :, column]
+    worst["value"][np.isposinf(table[:, 2, 0]), 2] = np.inf
+    worst["utilisation"] = worst["value"] / worst["limit"]
+    worst["johnson"] = np.nan_to_num(table[:, :, 6]) > 0
+    worst["case"] = np.nan_to_num(table[:, :, 5], nan=-1)
+    untold = np.isposinf(found.rods[3, :, 0])
+    data, missing = told(model, worst, _COLUMNS, labels, list(dict.fromkeys(cases)), untold)
     attrs = {"kind": "verdict", "not_held": missing}
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, attrs).later,

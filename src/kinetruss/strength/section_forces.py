@@ -54,7 +54,7 @@ def screws_not_held(model: Model, cases: Iterable[str]) -> list[str]:
     ]
     screws = "screw" if len(names) == 1 else "screws"
     sentence = (
-        f"Not held: the torque of the {screws} of {few(names, MOST)} about the axis, which twists base, tube and arms of "
+        f"Not included: the torque of the {screws} of {few(names, MOST)} about the axis, which twists base, tube and arms of "
         "hubs; actuators.screw_couples gives it as loads."
     )
     return [sentence] if names else []
@@ -68,7 +68,7 @@ def _loads_of(model: Model, case: str) -> Iterable[str]:
 def sentences(found: tuple[NotOnBars, ...]) -> list[str]:
     """One sentence for each: the action, its nodes, and the members that it may bend."""
     return [
-        f"Not held: bending by {one.kind} {one.source!r}, which acts on nodes {few(one.nodes, MOST)} and not on one bar; "
+        f"Not included: bending by {one.kind} {one.source!r}, which acts on nodes {few(one.nodes, MOST)} and not on one bar; "
         f"it may bend {few(one.members, MOST)}."
         for one in found
     ]

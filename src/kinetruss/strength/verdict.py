@@ -11,8 +11,8 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
-from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, row_text, variable
-from kinetruss.results.wide_tables import NOT_CHECKED, most_used
+from kinetruss.results import Arrays, Column, Forces, Status, Verdict, provenance, row_text, variable
+from kinetruss.results.wide_tables import most_used
 from kinetruss.strength.beam_verdict import beam_notes, beam_parts, chord_of
 from kinetruss.strength.critical_loads import beyond_euler, missing, notes
 from kinetruss.strength.parts import parts_of, twisted_parts
@@ -69,7 +69,7 @@ def highest(rows: Iterable[Row]) -> float:
     """Highest utilisation of some entries; NaN if none was checked, or only rules without demand."""
     some = list(rows)
     found = most_used(row.utilisation for row in some)
-    return math.nan if found == 0 and any(row.note.startswith(NOT_CHECKED) for row in some if not row.checked) else found
+    return math.nan if found == 0 and any(row.status == "not checked" for row in some) else found
 
 
 def _by_member(
@@ -103,7 +103,23 @@ def _largest(values: NDArray[np.float64], of: NDArray[np.int64], count: int) -> 
 
 # The strength check: the highest utilisation by every rule over time, stations and load cases.
 
-_NUMBERS = {
+WORST = np.dtype(
+    [
+        *((name, float) for name in ("value", "limit", "utilisation", "time_of", "station", "position")),
+        *((name, float) for name in ("score", "factored", "euler")),
+        ("johnson", bool),
+        ("case", int),
+        ("pose", object),
+    ]
+)
+"""One check of a part by a rule at its worst instant. value to position : as of `check`. score : what was compared. factored,
+euler : compression of that instant times its safety factor, and Euler's load, N. johnson : True where Johnson's load governs
+buckling. case : number of the load case or pair, -1 for none. pose : its name, of poses at rest.
+"""
+
+NOTHING = np.array((*(np.nan,) * 6, -1.0, np.nan, np.nan, False, -1, ""), WORST)
+
+_COLUMNS = {
     "value": ("", "demand, in the rule's unit"),
     "limit": ("", "allowed, in the rule's unit"),
     "utilisation": ("", "demand over capacity"),
@@ -111,6 +127,7 @@ _NUMBERS = {
     "time_of": ("s", "time of the worst"),
     "station": ("", "governing section, fraction of the part's length from its end towards A"),
     "position": ("m", "governing section, distance from end A"),
+    "load_case": ("", "governing load case"),
 }
 
 BEYOND = 1e100
@@ -169,46 +186,22 @@ def check(
     options = Options(stations=stations, moment_factor=moment_factor, active_section=active_section)
     compile(model)  # refuses anything but a model
     cases = _cases(forces)
-    parts = parts_of(model)
-    names, members, rod, whole = subjects(parts)
-    bars = len(names)
-    shape = (bars + len(beam_parts(model)), len(RULES))
-    worst = {key: np.full(shape, np.nan) for key in _NUMBERS}
-    case_of, pose_of, johnson = (
-        np.full(shape, "", dtype=object),
-        np.full(shape, "", dtype=object),
-        np.zeros(shape[0], np.bool_),
-    )
-    lost = np.zeros(shape[0], np.bool_)
-    score, column = np.full(shape, -1.0), np.full((2, shape[0]), np.nan)
-    for name, one in cases:
-        poses, found = one.arrays["pose"].values if "pose" in one.arrays else None, utilised(model, one, options).columns
+    worst = np.full((len(axes_of_verdict(compile(model)).names["part"]), len(RULES)), NOTHING)
+    lost = np.zeros(len(worst), np.bool_)
+    for k, (_, one) in enumerate(cases):
+        found = utilised(model, one, options).columns
         lost |= np.isnan(found["value"].values[:, :, 0]).any(axis=0)
-        _take_worst(found, name, worst, score, column, (case_of, pose_of, johnson), poses)
-    # a stress that is not known in one case has no largest value
-    for values in worst.values():
-        values[lost, 0] = np.nan
-    case_of[lost, 0] = pose_of[lost, 0] = ""
-    with np.errstate(divide="ignore"):
-        worst["margin"] = 1 / worst["utilisation"] - 1
-    pushed = worst["value"][:, list(RULES).index("buckling")]
+        if len(found["time"].values):
+            poses = one.arrays["pose"].values if "pose" in one.arrays else None
+            latest = _worst(found, k, poses, model.safety.buckling)
+            new = latest["score"] > worst["score"]
+            worst[new] = latest[new]
+    worst[lost, 0] = NOTHING  # a stress that is not known in one case has no largest value
+    _, _, rod, _ = subjects(parts_of(model))
     untold = twisted_parts(model)
-    untold[rod[rod >= 0]] &= np.isnan(worst["value"][:bars, 0][rod >= 0])
-    said = notes(parts, rod, whole, pushed[:bars], johnson[:bars], active_section, untold)
-    safety = model.safety.buckling
-    for k in np.flatnonzero(np.isinf(worst["utilisation"][:, -1])).tolist():
-        said[k, -1] = beyond_euler(safety * float(column[0, k]), float(column[1, k]), safety)
+    untold[rod[rod >= 0]] &= np.isnan(worst["value"][: len(rod), 0][rod >= 0])
     under = [one.load_case for _, one in cases]
-    left = not_held(model, under)
-    add_to_notes(left, members, worst["utilisation"], said)
-    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
-    said = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:])])
-    missing = [*sentences(left), *screws_not_held(model, under)]
-    data = {key: variable(("part", "rule"), worst[key], *words) for key, words in _NUMBERS.items()}
-    data["load_case"] = variable(("part", "rule"), case_of.astype(str), "", "governing load case")
-    if pose_of.any():
-        data["pose"] = variable(("part", "rule"), pose_of.astype(str), "", "name of the worst pose")
-    data["note"] = variable(("part", "rule"), said.astype(str), "", "formula used, or why it was not checked")
+    data, missing = told(model, worst, _COLUMNS, [name for name, _ in cases], under, untold, active_section)
     bad = next((one for _, one in cases if not one.status.ok), None)
     return Verdict(
         data=Arrays(axes_of_verdict(compile(model)), None, data, {"kind": "verdict", "not_held": missing}).later,
@@ -218,6 +211,49 @@ def check(
             model, load_cases=[name for name, _ in cases], moment_factor=moment_factor, active_section=active_section
         ),
     )
+
+
+def told(
+    model: Model,
+    worst: NDArray[np.void],
+    columns: Mapping[str, tuple[str, str]],
+    labels: Sequence[str],
+    under: Sequence[str],
+    untold: NDArray[np.bool_],
+    active_section: str = "weaker",
+) -> tuple[dict[str, Column], list[str]]:
+    """The variables of a verdict, and sentences on what it leaves out.
+
+    worst (parts, rules) : of `WORST`. columns : name of a variable -> unit and words. labels : of the cases that the records
+    number. under : load cases. untold (parts,) : parts under torsion whose shear stress is not known.
+    """
+    parts = parts_of(model)
+    _, members, rod, whole = subjects(parts)
+    bars, buckling, safety = len(rod), list(RULES).index("buckling"), model.safety.buckling
+    pushed = worst["value"][:, buckling]
+    said = notes(parts, rod, whole, pushed[:bars], worst["johnson"][:bars, buckling], active_section, untold)
+    for k in np.flatnonzero(np.isinf(worst["utilisation"][:, -1])).tolist():
+        said[k, -1] = beyond_euler(float(worst["factored"][k, -1]), float(worst["euler"][k, -1]), safety)
+    left = not_held(model, under)
+    add_to_notes(left, members, worst["utilisation"], said)
+    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
+    with np.errstate(divide="ignore"):
+        margin = 1 / worst["utilisation"] - 1
+    known = {
+        "margin": margin,
+        "pair": np.where(worst["case"] < 0, np.nan, worst["case"]),
+        "load_case": np.array([*labels, ""], dtype=object)[worst["case"]].astype(str),  # the last of none
+    }
+    over = ("part", "rule")
+    data = {
+        key: variable(over, known[key] if key in known else np.ascontiguousarray(worst[key]), *words)
+        for key, words in columns.items()
+    }
+    if (worst["pose"] != "").any():
+        data["pose"] = variable(over, worst["pose"].astype(str), "", "name of the worst pose")
+    every = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:])])
+    data["note"] = variable(over, every.astype(str), "", "formula used, or why it was not checked")
+    return data, [*sentences(left), *screws_not_held(model, under)]
 
 
 def table(verdict: Verdict, rows: int | None = None) -> str:
@@ -251,42 +287,22 @@ def _cases(forces: Forces | Mapping[str, Forces] | Iterable[Forces]) -> list[tup
     return found
 
 
-def _take_worst(
-    data: Columns,
-    case: str,
-    worst: dict[str, NDArray[np.float64]],
-    best: NDArray[np.float64],
-    column: NDArray[np.float64],
-    words: tuple[NDArray[np.object_], NDArray[np.object_], NDArray[np.bool_]],
-    poses: NDArray[Any] | None,
-) -> None:
-    """Replace entries by those of this load case if they are worse. best : scores of those so far. column : of beam-columns,
-    compression and Euler's load, N. words : load case, name of the pose, Johnson's formula.
-    """
-    case_of, pose_of, johnson = words
-    if not len(data["time"].values):
-        return
+def _worst(data: Columns, case: int, poses: NDArray[Any] | None, safety: float) -> NDArray[np.void]:
+    """The records (parts, rules) of one load case at their worst instants; poses : names of the samples."""
     every = _score(data)
     at = np.argmax(every, axis=0)
-    score = np.take_along_axis(every, at[None], axis=0)[0]
-    keys = ("value", "limit", "utilisation", "position", "station")
-    picked = {key: np.take_along_axis(data[key].values, at[None], axis=0)[0] for key in keys}
-    new = score > best
-    best[:] = np.where(new, score, best)
-    whole = np.arange(len(best))
-    pressed = data["value"].values[:, :, list(RULES).index("buckling")], data["euler"].values
-    column[:] = np.where(new[:, -1], [one[at[:, -1], whole] for one in pressed], column)
-    for key, values in picked.items():
-        worst[key] = np.where(new, values, worst[key])
+    part, rule = np.ogrid[: at.shape[0], : at.shape[1]]
+    found = np.full(at.shape, NOTHING)
+    found["score"], found["case"] = every[at, part, rule], case
+    for key in ("value", "limit", "utilisation", "position", "station"):
+        found[key] = data[key].values[at, part, rule]
+    found["factored"] = safety * data["value"].values[at, part, list(RULES).index("buckling")]
+    found["euler"], found["johnson"] = data["euler"].values[at, part], data["johnson"].values[at, part]
     if poses is None:
-        worst["time_of"] = np.where(new, data["time"].values[at], worst["time_of"])
+        found["time_of"] = data["time"].values[at]
     else:  # numbers of poses are not times
-        worst["time_of"][new] = np.nan
-        pose_of[new] = poses[at][new]
-    rule = list(RULES).index("buckling")
-    formula = np.take_along_axis(data["johnson"].values, at[None, :, rule], axis=0)[0]
-    johnson[new[:, rule]] = formula[new[:, rule]]
-    case_of[new] = case
+        found["pose"] = poses[at]
+    return found
 
 
 def _score(data: Columns) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ import asyncio
 import json
 import logging
 import secrets
-from collections.abc import Awaitable, Callable, Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from fastapi import FastAPI, Response, WebSocket, WebSocketDisconnect
@@ -16,10 +16,8 @@ from starlette.responses import HTMLResponse, PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kinetruss.errors import KinetrussError
-from kinetruss.studio.commands import MOST
-from kinetruss.studio.desk import Desk
-from kinetruss.studio.messages import Busy
-from kinetruss.studio.session import Session
+from kinetruss.studio.requested_runs import Busy
+from kinetruss.studio.session import Answer, Session
 from kinetruss.viewer import live_page
 
 PAGES = 16
@@ -79,64 +77,61 @@ class Guard:
         return len(origins) == 1 and origins[0] in self.origins
 
 
-def application(new: Callable[[str], Session], desk: Desk, token: str, hosts: Iterable[str], title: str) -> FastAPI:
+def application(new: Callable[[str], Session], drawing: Session, token: str, hosts: Iterable[str], title: str) -> FastAPI:
     """The application.
 
     Parameters
     ----------
-    new : makes the session of a live page, from its key if it has lost its studio, or from "".
-    desk : the drawing that all drawing pages share. token : part of every address.
+    new : makes the session of a page with sliders, from its key if it has lost its studio, or from "".
+    drawing : the session that all drawing pages share. token : part of every address.
     hosts : ``127.0.0.1:PORT`` and the like.
     """
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, redirect_slashes=False)
     app.add_middleware(Guard, hosts=tuple(hosts))
-    served = {"live": live_page(title, sorted(hosts)).encode(), "draw": live_page(title, sorted(hosts), draw=True).encode()}
-    open_pages: set[WebSocket] = set()
-    drawing_pages: set[WebSocket] = set()
+    live, draw = (live_page(title, sorted(hosts), draw=kind).encode() for kind in (False, True))
+    pages: dict[WebSocket, Session | None] = {}
 
-    def answered(given: str, kind: str) -> Response:
-        if not _same(given, token):
-            return PlainTextResponse(STALE, status_code=404)
-        return HTMLResponse(served[kind], headers=HEADERS)
+    def answered(given: str, found: str | bytes | None) -> Response:
+        if not _same(given, token) or found is None:
+            words = "This result is not kept any more." if _same(given, token) else STALE
+            return PlainTextResponse(words, status_code=404)
+        return HTMLResponse(found, headers=HEADERS)
 
     @app.get("/{given}/")
-    async def page(given: str) -> Response:
-        return answered(given, "live")
+    async def live_address(given: str) -> Response:
+        return answered(given, live)
 
     @app.get("/{given}/draw/")
-    async def drawing_page(given: str) -> Response:
-        return answered(given, "draw")
+    async def draw_address(given: str) -> Response:
+        return answered(given, draw)
 
     @app.get("/{given}/draw/result/{number}")
-    async def result_page(given: str, number: int) -> Response:
-        if not _same(given, token) or number not in desk.results.pages:
-            return PlainTextResponse(STALE if not _same(given, token) else "This result is not kept any more.", status_code=404)
-        return HTMLResponse(desk.results.pages[number], headers=HEADERS)
+    async def result_address(given: str, number: int) -> Response:
+        return answered(given, drawing.results.pages.get(number))
 
-    async def connected(socket: WebSocket, given: str, talk: Callable[[], Awaitable[None]]) -> None:
+    async def connected(socket: WebSocket, given: str, session_of: Callable[[str], Session]) -> None:
         if not _same(given, token):
             await socket.close(1008, "wrong token")
             return
         await socket.accept()
-        if len(open_pages) >= PAGES:
+        if len(pages) >= PAGES:
             await socket.close(1013, "too many pages are open")
             return
-        open_pages.add(socket)
+        pages[socket] = None
         try:
-            await talk()
+            await _talk(socket, session_of, pages)
         except (WebSocketDisconnect, RuntimeError):
             log.debug("a page was closed")
         finally:
-            open_pages.discard(socket)
-            drawing_pages.discard(socket)
+            del pages[socket]
 
     @app.websocket("/{given}/live")
-    async def live(socket: WebSocket, given: str) -> None:
-        await connected(socket, given, lambda: _talk(socket, new))
+    async def live_socket(socket: WebSocket, given: str) -> None:
+        await connected(socket, given, new)
 
     @app.websocket("/{given}/draw/live")
-    async def draw(socket: WebSocket, given: str) -> None:
-        await connected(socket, given, lambda: _draw(socket, desk, drawing_pages))
+    async def draw_socket(socket: WebSocket, given: str) -> None:
+        await connected(socket, given, lambda _: drawing)
 
     return app
 
@@ -145,16 +140,19 @@ def _same(given: str, token: str) -> bool:
     return secrets.compare_digest(given.encode(), token.encode())
 
 
-async def _talk(socket: WebSocket, new: Callable[[str], Session]) -> None:
-    """Answer every message of a page, one after the other; the work is done in a thread outside the event loop."""
+async def _talk(socket: WebSocket, session_of: Callable[[str], Session], pages: dict[WebSocket, Session | None]) -> None:
+    """Answer every message of a page, one after the other; the work is done in a thread outside the event loop.
+
+    Other pages of the same session get what was changed.
+    """
     try:
-        session = await _meanwhile(socket, new, socket.query_params.get("page", ""))
-        first = await _meanwhile(socket, session.first)
+        session: Session = await _meanwhile(socket, session_of, socket.query_params.get("page", ""))
+        await _send(socket, await _meanwhile(socket, session.first))
     except KinetrussError as error:
-        await _send(socket.send_text, {"kind": "failed", "message": f"This model cannot be shown live. {error}"})
+        await _send(socket, {"kind": "failed", "message": f"This model cannot be shown live. {error}"})
         await socket.close(1011)
         return
-    await socket.send_bytes(first)
+    pages[socket] = session
     while True:
         coming = asyncio.ensure_future(socket.receive())
         if not session.kept and not (await asyncio.wait({coming}, timeout=REST))[0]:
@@ -165,32 +163,15 @@ async def _talk(socket: WebSocket, new: Callable[[str], Session]) -> None:
             return
         text = message.get("text")
         given = text if text is not None else message.get("bytes") or b""
-        if len(given) > MOST:
+        if len(given) > session.most:
             await socket.close(1009, "too long")
             return
+        before = session.drawing.revision
         found = await _meanwhile(socket, _answer, session, given)
-        if isinstance(found, bytes):
-            await socket.send_bytes(found)
-        else:
-            await _send(socket.send_text, found)
-
-
-async def _draw(socket: WebSocket, desk: Desk, pages: set[WebSocket]) -> None:
-    """Answer every message of a drawing page; the other drawing pages get what was changed."""
-    await _send(socket.send_text, await _meanwhile(socket, desk.first))
-    pages.add(socket)
-    while True:
-        message = await socket.receive()
-        if message["type"] == "websocket.disconnect":
-            return
-        text = message.get("text")
-        before = desk.drawing.revision
-        found = await _meanwhile(socket, _answer, desk, text if text is not None else message.get("bytes") or b"")
-        await _send(socket.send_text, found)
-        if desk.drawing.revision == before or found["kind"] not in ("drawing", "moved"):
-            continue
-        for other in pages - {socket}:
-            await _send(other.send_text, {**found, "made": {}, "other": True})
+        await _send(socket, found)
+        if session.drawing.revision != before and isinstance(found, dict) and found["kind"] in ("drawing", "moved"):
+            for other in [one for one, of in pages.items() if of is session and one is not socket]:
+                await _send(other, {**found, "made": {}, "other": True})
 
 
 async def _meanwhile(socket: WebSocket, work: Callable[..., Any], *given: Any) -> Any:
@@ -199,11 +180,11 @@ async def _meanwhile(socket: WebSocket, work: Callable[..., Any], *given: Any) -
         return await run_in_threadpool(work, *given)
     busy, task = Busy(), asyncio.ensure_future(run_in_threadpool(work, *given))
     while not (await asyncio.wait({task}, timeout=SOON))[0]:
-        await _send(socket.send_text, {"kind": "busy", "text": busy.text()})
+        await _send(socket, {"kind": "busy", "text": busy.text()})
     return task.result()
 
 
-def _answer(session: Session | Desk, text: str | bytes) -> Any:
+def _answer(session: Session, text: str | bytes) -> Answer:
     """The answer of the session; an unexpected error is reported too, and the page stays connected."""
     try:
         return session.answer(text)
@@ -212,5 +193,8 @@ def _answer(session: Session | Desk, text: str | bytes) -> Any:
         return {"kind": "error", "message": f"This could not be done: {type(error).__name__}. The model is unchanged."}
 
 
-async def _send(send: Callable[[str], Awaitable[None]], record: dict[str, Any]) -> None:
-    await send(json.dumps(record, ensure_ascii=False, allow_nan=False))
+async def _send(socket: WebSocket, answer: Answer) -> None:
+    if isinstance(answer, bytes):
+        await socket.send_bytes(answer)
+    else:
+        await socket.send_text(json.dumps(answer, ensure_ascii=False, allow_nan=False))

@@ -1,15 +1,16 @@
-"""The drawing: the plain data of a model with its history, and what a text must have to be drawn."""
+"""The plain data of a model with its text and its history, and what a text must have to be drawn."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError, UnitError
 from kinetruss.io.writing import changed_text, data_of, head_of, text_of
-from kinetruss.studio.drawing_edits import MEMBERS, Data, moved, place_of
+from kinetruss.model import Model, of_file
+from kinetruss.studio.edits import MEMBERS, Data, moved, place_of
 from kinetruss.studio.judging import Judged, judged
 from kinetruss.units import parse
 
@@ -54,7 +55,7 @@ def _is_place(at: list[Any]) -> bool:
     return True
 
 
-# The drawing: the plain data of a model with its history. Every edit makes new data; undo takes the earlier ones again.
+# The drawing: every edit makes new data; undo takes the earlier ones again.
 
 STEPS = 500
 """Largest number of steps that can be undone."""
@@ -64,9 +65,11 @@ HEADER = {"kinetruss": 1}
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """One state of a drawing: its data, the text if someone typed it, and what the step that led to it did.
+    """One state of a model: its data, the text if someone typed it, and what the step that led to it did.
 
     last : the state whose text this one's text continues, with its comments. folder : of files that the text names.
+    within : whether only files of the folder may be read for it. model : of the data, where it is known.
+    lost : entries by table that were removed because they depend on members that changed.
     """
 
     data: Data
@@ -75,6 +78,9 @@ class State:
     drag: int | None = None
     last: State | None = None
     folder: Path = Path()
+    within: bool = True
+    model: Model | None = None
+    lost: Data = field(default_factory=dict)
 
     @cached_property
     def text(self) -> str:
@@ -83,10 +89,15 @@ class State:
             return self.typed
         if self.last is None:
             return text_of(self.data)
-        found = changed_text(self.last.text, self.last.data, self.data, self.folder, within=True)
+        found = changed_text(self.last.text, self.last.data, self.data, self.folder, within=self.within)
         found = head_of(self.last.text) + text_of(self.data) if found is None else found
         object.__setattr__(self, "last", None)  # it is not needed any more
         return found
+
+    @property
+    def written(self) -> State:
+        """This state, or the last one before it whose text is known."""
+        return self if self.last is None or "text" in vars(self) else self.last
 
 
 def fresh(dim: int) -> Data:
@@ -94,6 +105,32 @@ def fresh(dim: int) -> Data:
     gravity = [0.0] * dim
     gravity[-1] = -9.81
     return {**HEADER, "nodes": {}, "gravity": gravity}
+
+
+def read_text(text: str, folder: Path, *, within: bool = True) -> tuple[Data, list[Fault]]:
+    """The data of a text, and the faults for which they are not taken. within : only files of the folder may be read."""
+    try:
+        data, faults = data_of(text, folder, within=within)
+    except ModelError as error:
+        return {}, error.faults
+    return data, faults or faulty_shape(data)
+
+
+def model_of(data: Data, folder: Path) -> Model:
+    """The model of plain data; motions of runs are files of the folder. Nothing is read.
+
+    Raises
+    ------
+    ModelError : faults, in the words of a file.
+    """
+    rows = data.get("runs")
+    runs = rows if isinstance(rows, dict) else {}
+    for name, run in runs.items():
+        if isinstance(run, dict) and isinstance(run.get("motion"), str):
+            runs = {**runs, name: {**run, "motion": str(folder / run["motion"])}}
+    data = {**data, "runs": runs} if runs else data
+    with of_file():
+        return Model(**data)
 
 
 class Drawing:
@@ -104,8 +141,15 @@ class Drawing:
         self.future: list[State] = []
         self.state = state
         self.own_dim = dim
-        self.found = judged(state.data)
         self.revision = 0
+        self._found: Judged | None = None
+
+    @property
+    def found(self) -> Judged:
+        """What the present state is worth."""
+        if self._found is None:
+            self._found = judged(self.state.data)
+        return self._found
 
     @property
     def dim(self) -> int:
@@ -113,41 +157,69 @@ class Drawing:
         names = self.state.data.get("nodes") or {}
         return len(place_of(self.state.data, next(iter(names)))) if names else self.own_dim
 
-    def edit(self, data: Data, words: str, drag: int | None = None, *, anew: bool = False) -> None:
-        """Take new data as the next state. anew : another drawing, whose text does not continue the present one.
+    def edit(self, data: Data, words: str, drag: int | None = None, *, anew: bool = False, lost: Data | None = None) -> None:
+        """Take new data as the next state, closed. anew : another drawing, whose text does not continue the present one.
 
         Raises
         ------
         ModelError : the data have faults that the present ones do not have; nothing is changed.
         """
-        merged = drag is not None and self.state.drag == drag
         found = judged(data, fine=drag is None, last=self.found if drag is not None and self._plain() else None)
         known = {(fault.path, fault.message) for fault in self.found.faults}
         if new := [fault for fault in found.faults if (fault.path, fault.message) not in known]:
             raise ModelError(new)
         if shifted := {name: place for name, place in found.moved.items() if name in data["nodes"]}:
             data = moved(data, shifted)
-        last = self.past[-1] if merged else self.state
-        self._next(State(data, None, words, drag, None if anew else last, last.folder), found, merged)
+        self.take(data, words, drag, anew=anew, lost=lost)
+        self._found = found
 
-    def write(self, text: str, folder: Path, within: bool = True, drag: int | None = None) -> list[Fault]:
-        """Take the drawing of a text, even if the model has faults; returns the faults for which it is not taken.
+    def take(
+        self, data: Data, words: str, drag: int | None = None, *, typed: str | None = None, model: Model | None = None,
+        anew: bool = False, lost: Data | None = None,
+    ) -> None:  # fmt: skip
+        """Take new data as the next state. drag : steps with the same number are one."""
+        merged = drag is not None and self.state.drag == drag
+        before = self.past[-1] if merged else self.state
+        last = None if anew or typed is not None else before.written
+        lost = self.state.lost if lost is None else lost
+        self.put(State(data, typed, words, drag, last, before.folder, before.within, model, lost), merged=merged)
 
-        within : only files of the folder may be read for it. drag : texts with the same number are one step.
+    def put(self, state: State, *, merged: bool = False) -> None:
+        """A state as the next one, or in place of the present one."""
+        if not merged:
+            self.past = [*self.past, self.state][-STEPS:]
+        self.future = []
+        self._show(state)
+
+    def retyped(self, text: str) -> None:
+        """The present data in another text."""
+        state = self.state
+        self._show(State(state.data, text, state.words, state.drag, None, state.folder, state.within, state.model, state.lost))
+
+    def step(self, by: int) -> None:
+        """Undo (-1) or redo (1) one step.
+
+        Raises
+        ------
+        InputError : there is none.
         """
-        try:
-            data, faults = data_of(text, folder, within=within)
-        except ModelError as error:
-            return error.faults
-        if wrong := faults or faulty_shape(data):
-            return wrong
-        if data != self.state.data:
-            merged = drag is not None and self.state.drag == drag
-            self._next(State(data, text, "the text", drag, folder=folder), judged(data), merged)
+        if not (self.past if by < 0 else self.future):
+            raise InputError(f"There is nothing to {'undo' if by < 0 else 'redo'}.")
+        if by < 0:
+            self.future = [self.state, *self.future]
+            self._show(self.past.pop())
         else:
-            self.state = replace(self.state, typed=text)
-            self.revision += 1
-        return []
+            self.past = [*self.past, self.state]
+            first, *self.future = self.future
+            self._show(first)
+
+    def rest(self) -> None:
+        """Compute what waited for the end of a drag."""
+        self._found = None
+
+    def _show(self, state: State) -> None:
+        self.state, self._found = state, None
+        self.revision += 1
 
     def _plain(self) -> bool:
         """True if places of nodes alone differ between the model and a model with moved nodes: nothing is derived from them."""
@@ -155,38 +227,3 @@ class Drawing:
         if model is None or model.beams or model.bodies or model.hubs:
             return False
         return all(node.director is None for node in model.nodes.values()) and not any(b.brace for b in model.bars.values())
-
-    def _next(self, state: State, found: Judged, merged: bool) -> None:
-        if not merged:
-            self.past = [*self.past, self.state][-STEPS:]
-        self.future = []
-        self.state, self.found = state, found
-        self.revision += 1
-
-    def rest(self) -> None:
-        """Compute what waited for the end of a drag."""
-        self.found = judged(self.state.data)
-
-    def undo(self) -> None:
-        """The state before the last step."""
-        if not self.past:
-            raise InputError("There is nothing to undo.")
-        self.future = [self.state, *self.future]
-        self.state = self.past.pop()
-        self._again()
-
-    def redo(self) -> None:
-        """The state after the step that was undone."""
-        if not self.future:
-            raise InputError("There is nothing to redo.")
-        self.past = [*self.past, self.state]
-        self.state, *self.future = self.future
-        self._again()
-
-    def _again(self) -> None:
-        self.found = judged(self.state.data)
-        self.revision += 1
-
-    def names(self) -> list[str]:
-        """Names of all members."""
-        return [name for table in MEMBERS for name in self.state.data.get(table) or {}]

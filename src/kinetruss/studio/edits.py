@@ -1,235 +1,464 @@
-"""Changes of a model: the kind of a member, gravity, a load, a payload; and saving it."""
+"""Edits of the plain data of a model: each returns new data; copies, mirror images and stacks of cells."""
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Mapping
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Any
 
-import numpy as np
+from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.io.emitting import plain_model, plain_record
+from kinetruss.io.writing import value_of
+from kinetruss.library import cells
+from kinetruss.model import Model, nearest, of_file
+from kinetruss.units import parse
 
-from kinetruss.errors import InputError, ModelError
-from kinetruss.io import write
-from kinetruss.model import Active, Bar, LoadCase, Model, NodalForce, nearest
-from kinetruss.results.zarr_files import whole_file
+NEAR = 1e-9
+"""Distance below which two nodes are the same, as a fraction of the size of the drawing."""
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+CELLS = ("triangle", "panel", "tetrahedron", "octahedron", "decahedron", "prism", "cube", "double_octahedron",
+         "quadruple_octahedron")  # fmt: skip
+"""Cells that are offered."""
 
-
-LEAN = ("runs", "trajectories", "poses", "gauges", "gauge_zero", "drives", "load_cases")
-"""Tables whose entries may be removed if their member no longer exists or is no longer driven."""
-
-
-def role_of(model: Model, name: str) -> str:
-    """Rigid, driven, elastic, cable, free or cut."""
-    member = model.members.get(name)
-    if member is None:
-        return "cut"
-    return "driven" if isinstance(member, Active) else member.kind
+TABLES = ("sections", "materials", "screws", "gears", "motors", "amplifiers")
+"""Tables that cells may need."""
 
 
-def switched(model: Model, original: Model, position: NDArray[np.float64], name: str, to: str) -> tuple[Model, list[str]]:
-    """The model with a member made rigid, driven, elastic, cut, or as in the file; and the names of removed entries.
-
-    A member made rigid or driven keeps its present length; an elastic one has no force at that length. An active
-    member made rigid or elastic becomes a uniform bar of its tube's section with the mass of both rods.
-
-    Raises
-    ------
-    InputError : no such member. ModelError : data missing in the model, e.g. E and A of an elastic bar.
-    """
-    if name not in original.members:
-        raise InputError(f"No member called {name!r}. {nearest(name, original.members)}")
-    present = {**model.bars, **model.active}
-    record = None if to == "cut" else _record(original, position, name, to)
-    tables: dict[str, dict[str, Any]] = {"bars": {}, "active": {}}
-    for other in original.members:
-        one = record if other == name else present.get(other)
-        if one is not None:
-            tables["active" if isinstance(one, Active) else "bars"][other] = one
-    return _lean(model, original, tables)
+def copied(data: Data, nodes: Sequence[str], by: Sequence[Any], count: int) -> Data:
+    """`count` copies, each shifted by a vector (m or text with units) from the last; nodes that meet are shared."""
+    step = [parse(value, "length") for value in by]
+    for k in range(1, count + 1):
+        data = _imaged(data, nodes, partial(_shifted, [k * value for value in step]))
+    return data
 
 
-def _record(original: Model, position: NDArray[np.float64], name: str, to: str) -> Bar | Active:
-    own = original.members[name]
-    if to == "own" or (isinstance(own, Active) and to == "driven"):
-        return own
-    nodes = list(original.nodes)
-    a, b = (position[nodes.index(end)] for end in own.ends)
-    length = float(np.linalg.norm(b - a))
-    if isinstance(own, Active):
-        own = _uniform(original, own)
-    kept = {field: getattr(own, field) for field in own.model_fields_set}
-    for field in ("kind", "length", "natural_length", "pretension", "strain", "body"):
-        kept.pop(field, None)
-    if to != "elastic":
-        kept.pop("stiffness", None)
-        kept.pop("damping", None)
-    return Bar(**kept | {"kind": to} | {"natural_length" if to == "elastic" else "length": length})
+def _shifted(by: list[float], place: list[float]) -> list[float]:
+    if len(by) != len(place):
+        raise InputError(f"Give {len(place)} components of the shift, not {len(by)}.")
+    return [a + b for a, b in zip(place, by, strict=True)]
 
 
-def _uniform(model: Model, own: Active) -> Bar:
-    masses = [part.mass for part in (own.base, own.tube)]
-    for k, part in enumerate((own.base, own.tube)):
-        section, material = model.section_of(part), model.material_of(part)
-        if masses[k] is None and section is not None and material is not None:
-            masses[k] = section.area * material.density * part.length
-    fields: dict[str, Any] = {"ends": own.ends, "mass": sum(mass or 0.0 for mass in masses), "buckling": own.buckling}
-    for field in ("section", "material"):
-        if (value := getattr(own.tube, field)) is not None:
-            fields[field] = value
-    if own.orientation is not None:
-        fields["orientation"] = own.orientation
-    return Bar(**fields)
+def mirrored(data: Data, nodes: Sequence[str], axis: str, at: Any) -> Data:
+    """The image in the plane axis = at (m or text with units); nodes in the plane are shared."""
+    k, where = "xyz".index(axis), parse(at, "length")
+    if data.get("nodes") and k >= len(place_of(data, next(iter(data["nodes"])))):
+        raise InputError("A planar drawing is mirrored along x or y.")
+    return _imaged(data, nodes, lambda place: [2 * where - value if i == k else value for i, value in enumerate(place)])
 
 
-def _lean(model: Model, original: Model, changes: Mapping[str, Any]) -> tuple[Model, list[str]]:
-    """The model with changes. Entries of other tables that depend on removed members return when they are valid again."""
-    tables = {name: dict(getattr(original, name)) for name in LEAN if isinstance(getattr(original, name), dict)}
-    if "load_cases" in tables:
-        tables["load_cases"] = dict(model.load_cases)
-    lost: list[str] = []
-    for _ in range(20):
-        try:
-            return model.with_(**changes, **tables), lost
-        except ModelError as error:
-            gone = {(str(f.path[0]), str(f.path[1])) for f in error.faults if len(f.path) > 1 and f.path[0] in tables}
-            gone = {(table, entry) for table, entry in gone if entry in tables[table]}
-            if not gone:
-                raise
-            for table, entry in sorted(gone):
-                del tables[table][entry]
-                lost.append(f"{table}.{entry}")
-    raise InputError("This change leaves nothing of the model.")
+def _imaged(data: Data, nodes: Sequence[str], image: Callable[[list[float]], list[float]]) -> Data:
+    """The data with an image of nodes and of the members among them."""
+    missing = [name for name in nodes if name not in (data.get("nodes") or {})]
+    if missing or not nodes:
+        raise InputError(f"No node called {missing[0]!r}." if missing else "Pick the nodes to copy first.")
+    places = {name: [parse(value, "length") for value in place_of(data, name)] for name in data["nodes"]}
+    size = max((max(abs(value) for value in place) for place in places.values()), default=1.0) or 1.0
+    found = {**data, "nodes": dict(data["nodes"])}
+    twin: dict[str, str] = {}
+    for name in nodes:
+        there = image(places[name])
+        met = [other for other, place in places.items() if max(map(abs, _apart(place, there))) <= NEAR * size]
+        if met:
+            twin[name] = met[0]
+            continue
+        twin[name] = _name_like(found, "nodes", name)
+        entry = data["nodes"][name]
+        found["nodes"][twin[name]] = {**entry, "at": there} if isinstance(entry, dict) else there
+    return _with_members(found, twin)
 
 
-def with_gravity(model: Model, value: list[float]) -> Model:
-    """Gravity, m/s^2, of the model; load cases with their own keep it."""
-    return model.with_(gravity=tuple(value))
+def _with_members(data: Data, twin: Mapping[str, str]) -> Data:
+    joined = {frozenset(ends_of(entry)) for table in MEMBERS for entry in (data.get(table) or {}).values()}
+    found = dict(data)
+    for table in MEMBERS:
+        for name, entry in (data.get(table) or {}).items():
+            ends = ends_of(entry)
+            if not all(end in twin for end in ends):
+                continue
+            there = [twin[end] for end in ends]
+            if frozenset(there) in joined or there[0] == there[1]:
+                continue
+            joined.add(frozenset(there))
+            record = {**entry, "ends": there} if isinstance(entry, dict) else there
+            found[table] = {**found[table], _name_like(found, table, name): record}
+    fixed = data.get("fixed")
+    if isinstance(fixed, dict):
+        found["fixed"] = {**fixed, **{twin[name]: axes for name, axes in fixed.items() if name in twin}}
+    elif fixed:
+        found["fixed"] = [*fixed, *(twin[name] for name in fixed if name in twin and twin[name] not in fixed)]
+    return found
 
 
-def with_load(model: Model, name: str, node: str, force: list[float]) -> Model:
+def stacked(data: Data, cell: str, count: int, arguments: Mapping[str, Any]) -> Data:
+    """The drawing with a stack of cells of the library beside it; it keeps its own supports, if it has any."""
+    if cell not in CELLS:
+        raise InputError(f"No cell called {cell!r}. {nearest(cell, CELLS)}")
+    used = [*(data.get("nodes") or {}), *(name for table in MEMBERS for name in data.get(table) or {})]
+    prefix = "B"
+    while any(name.startswith(f"{prefix}1.") for name in used):
+        prefix = chr(ord(prefix) + 1) if prefix < "Y" else f"{prefix}Z"
+    more = plain_model(cells.stack([{"kind": cell, **arguments, "count": count}], names=prefix))
+    places = {name: [parse(value, "length") for value in place_of(more, name)] for name in more["nodes"]}
+    if used:
+        drawn = [[parse(value, "length") for value in place_of(data, name)] for name in data["nodes"]]
+        if len(drawn[0]) != len(next(iter(places.values()))):
+            raise InputError("A planar drawing takes planar cells (triangle, panel), a spatial one the others.")
+        right, left = max(place[0] for place in drawn), min(place[0] for place in places.values())
+        width = max(place[0] for place in places.values()) - left
+        places = {name: [place[0] + right - left + 0.5 * width, *place[1:]] for name, place in places.items()}
+    if count == 1:  # the library gives a single cell no prefix
+        more = _prefixed(more, f"{prefix}1.")
+        places = {f"{prefix}1.{name}": place for name, place in places.items()}
+    found = dict(data)
+    for table in TABLES:
+        if more.get(table):
+            found[table] = {**more[table], **(found.get(table) or {})}
+    for table in ("nodes", *MEMBERS):
+        if more.get(table):
+            found[table] = {**(found.get(table) or {}), **more[table]}
+    for key in ("fixed", "gravity", "section", "material"):
+        if key in more and not found.get(key):
+            found[key] = more[key]
+    return moved(found, places) if used else found
+
+
+def _prefixed(more: Data, prefix: str) -> Data:
+    """The data with a prefix before the names of nodes and members."""
+    found = {**more, "nodes": {prefix + name: entry for name, entry in more["nodes"].items()}}
+    for table in MEMBERS:
+        found[table] = {}
+        for name, entry in (more.get(table) or {}).items():
+            record = dict(entry) if isinstance(entry, dict) else {"ends": entry}
+            record["ends"] = [prefix + end for end in record["ends"]]
+            if isinstance(record.get("orientation"), str):
+                record["orientation"] = prefix + record["orientation"]
+            found[table][prefix + name] = record if len(record) > 1 else record["ends"]
+    if "fixed" in more:
+        fixed = more["fixed"]
+        found["fixed"] = {prefix + name: axes for name, axes in fixed.items()} if isinstance(fixed, dict) else [
+            prefix + name for name in fixed]  # fmt: skip
+    return found
+
+
+def _name_like(data: Data, table: str, name: str) -> str:
+    """A free name that begins as another one does."""
+    stem = name.rstrip("0123456789") or name
+    return new_name(data, table, stem if stem != name or table in MEMBERS else f"{name}_")
+
+
+def _apart(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    return [x - y for x, y in zip(a, b, strict=True)]
+
+
+# Edits of the plain data of a model: each returns new data and leaves the given data unchanged.
+
+Data = dict[str, Any]
+
+MEMBERS = ("bars", "active", "beams")
+"""Tables of members, which are drawn as lines."""
+
+SHORT = {"nodes": "at", "bars": "ends", "beams": "ends"}
+"""Tables whose entries may be the list of one field alone."""
+
+ROUNDS = 20
+"""Largest number of rounds in which dependent entries are removed."""
+
+
+def new_name(data: Data, table: str, prefix: str) -> str:
+    """The first name prefix1, prefix2, ... that is free; nodes of a drawing are A to Z first."""
+    tables = MEMBERS if table in MEMBERS else (table,)
+    used = {name for one in tables for name in data.get(one) or {}}
+    if not prefix:
+        letters = [chr(code) for code in range(ord("A"), ord("Z") + 1)]
+        free = [name for name in letters if name not in used]
+        if free:
+            return free[0]
+        prefix = "N"
+    number = 1
+    while f"{prefix}{number}" in used:
+        number += 1
+    return f"{prefix}{number}"
+
+
+def place_of(data: Data, node: str) -> list[Any]:
+    """The place of a node as written."""
+    entry = data["nodes"][node]
+    return list(entry["at"] if isinstance(entry, dict) else entry)
+
+
+def ends_of(entry: Any) -> list[str]:
+    """The two nodes of a member as written."""
+    return list(entry["ends"] if isinstance(entry, dict) else entry)
+
+
+def entry_of(entry: Any) -> dict[str, Any]:
+    """A member as a table of fields."""
+    return dict(entry) if isinstance(entry, dict) else {"ends": list(entry)}
+
+
+def added_entry(data: Data, table: str, stem: str, entry: Any) -> tuple[Data, str, str]:
+    """The data with one more entry of a table, the table and the name."""
+    name = new_name(data, table, stem)
+    return _put(data, table, name, entry), table, name
+
+
+def without(data: Data, table: str, name: str) -> Data:
+    """The data without an entry; an empty table is left out."""
+    rest = {other: entry for other, entry in (data.get(table) or {}).items() if other != name}
+    return {**data, table: rest} if rest else {key: value for key, value in data.items() if key != table}
+
+
+def clamped_where_beams_are(data: Data) -> Data:
+    """The data without clamps of nodes at which no beam ends."""
+    given = data.get("clamped")
+    ends = {end for entry in (data.get("beams") or {}).values() for end in ends_of(entry)}
+    kept: Any = {node: body for node, body in given.items() if node in ends} if isinstance(given, dict) else [
+        node for node in given or () if node in ends]  # fmt: skip
+    rest = {key: value for key, value in data.items() if key != "clamped"}
+    return data if kept == given else {**rest, "clamped": kept} if kept else rest
+
+
+def added_node(data: Data, name: str | None, at: Sequence[Any]) -> tuple[Data, str]:
+    """The data with one more node, and its name."""
+    name = name or new_name(data, "nodes", "")
+    _refuse_taken(data, "nodes", name)
+    return _put(data, "nodes", name, list(at)), name
+
+
+def added_bar(data: Data, name: str | None, ends: Sequence[str]) -> tuple[Data, str]:
+    """The data with one more bar, and its name."""
+    for end in ends:
+        _known(data, "nodes", end)
+    if ends[0] == ends[1]:
+        raise InputError(f"A bar needs two different nodes; both ends are {ends[0]!r}.")
+    for table in MEMBERS:
+        for other, entry in (data.get(table) or {}).items():
+            if set(ends_of(entry)) == set(ends):
+                raise InputError(f"{other!r} joins {ends[0]!r} and {ends[1]!r} already.")
+    name = name or new_name(data, "bars", "b")
+    _refuse_taken(data, "bars", name)
+    return _put(data, "bars", name, list(ends)), name
+
+
+def moved(data: Data, places: Mapping[str, Sequence[Any]]) -> Data:
+    """The data with nodes at other places, m or text with units."""
+    nodes = dict(data.get("nodes") or {})
+    for name, place in places.items():
+        _known(data, "nodes", name)
+        entry = nodes[name]
+        nodes[name] = {**entry, "at": list(place)} if isinstance(entry, dict) else list(place)
+    return {**data, "nodes": nodes}
+
+
+def with_load(data: Data, name: str, node: str, force: Sequence[float]) -> Data:
     """A constant force (N) on a node; zero removes it. Load cases that list their loads include it with factor 1."""
-    rest = {key: load for key, load in model.loads.items() if key != name}
+    cases = data.get("load_cases") or {}
+    listing = {key: case for key, case in cases.items() if isinstance(case, dict) and case.get("loads") is not None}
     if not any(force):
-        cases = {key: _without(case, name) for key, case in model.load_cases.items()}
-        return model.with_(loads=rest, load_cases=cases)
-    new = name not in model.loads
-    loads = {**model.loads, name: NodalForce(node=node, force=tuple(force))}
-    cases = {key: _with(case, name) if new else case for key, case in model.load_cases.items()}
-    return model.with_(loads=loads, load_cases=cases)
+        found = without(data, "loads", name)
+        changed = {
+            key: {**case, "loads": {k: v for k, v in case["loads"].items() if k != name}} for key, case in listing.items()
+        }
+    else:
+        new = name not in (data.get("loads") or {})
+        found = _put(data, "loads", name, {"node": node, "force": list(force)})
+        changed = {key: {**case, "loads": {**case["loads"], name: 1.0}} for key, case in listing.items() if new}
+    return {**found, "load_cases": {**cases, **changed}} if changed else found
 
 
-def _with(case: LoadCase, name: str) -> LoadCase:
-    return case if case.loads is None else case.model_copy(update={"loads": {**case.loads, name: 1.0}})
-
-
-def _without(case: LoadCase, name: str) -> LoadCase:
-    if case.loads is None:
-        return case
-    return case.model_copy(update={"loads": {key: factor for key, factor in case.loads.items() if key != name}})
-
-
-def with_mass(model: Model, node: str, mass: float) -> Model:
-    """The lumped mass (kg) of a node."""
+def with_mass(data: Data, model: Model, node: str, mass: float) -> Data:
+    """The lumped mass (kg) of a node of the model; also of one that a part has added to it."""
     if node not in model.nodes:
         raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
-    return model.with_(nodes={**model.nodes, node: model.nodes[node].model_copy(update={"mass": mass})})
+    if node not in (data.get("nodes") or {}):
+        data = _put(data, "nodes", node, plain_record(model.nodes[node]))
+    return with_value(data, ("nodes", node, "mass"), mass or None)
 
 
-def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, float]) -> Model:
-    """The model in another pose: with its node positions, and driven members with their lengths there."""
-    nodes = {
-        name: node.model_copy(update={"at": tuple(map(float, position[k]))})
-        for k, (name, node) in enumerate(model.nodes.items())
-    }
-    # a rigid bar without a given length has that of its node positions; keep it to the last bit
-    lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
-    bars = {
-        name: bar.model_copy(update={"length": lengths[name]})
-        if bar.kind == "rigid" and bar.length is None
-        else bar.model_copy(update={"length": values.get(name)})
-        if bar.kind == "driven" and name in values
-        else bar.model_copy(update={"natural_length": lengths[name]})
-        if bar.kind in ("elastic", "cable") and bar.natural_length is None and bar.pretension is None
-        else bar
-        for name, bar in model.bars.items()
-    }
-    active = {
-        name: member.model_copy(update={"length": values[name]}) if name in values else member
-        for name, member in model.active.items()
-    }
-    return model.with_(nodes=nodes, bars=bars, active=active)
+def with_value(data: Data, path: Sequence[str], value: Any) -> Data:
+    """The data with the value at a path; None removes it. Empty tables are removed too."""
+    if path[0] == "fixed":
+        data = {**data, "fixed": supports(data)}
+    found = _with(data, list(path), value, ())
+    if path[0] == "bars" and len(path) > 2 and found.get("bars", {}).get(path[1]) is None:
+        raise InputError(f"No bar called {path[1]!r}. {nearest(path[1], data.get('bars') or {})}")
+    return found if isinstance(found, dict) else {}
 
 
-# Saves a model in the chosen folder only; replaces another file only after confirmation.
-
-PLAIN = re.compile(r"[^\W.][\w .+-]{0,120}\.(yaml|yml|json)", re.IGNORECASE)
-DEVICE = re.compile(r"(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9\u00b9\u00b2\u00b3])[ .].*", re.IGNORECASE)
-"""Names of devices: on Windows a file with such a name cannot be opened, moved or deleted as usual."""
-
-Seen = dict[Path, tuple[int, int]]
-"""Size and modification time (ns) of files that a page has opened or written."""
-
-
-class FileThereError(InputError):
-    """Raised if a file with that name exists and would be lost."""
+def typed(data: Data, value: Any) -> Any:
+    """A value of a form, in which each text is YAML."""
+    if isinstance(value, dict):
+        return {key: typed(data, one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [typed(data, one) for one in value]
+    names = {name for table in data.values() if isinstance(table, dict) for name in table}
+    return value_of(value, names) if isinstance(value, str) else value
 
 
-def seen_now(*paths: Path | None) -> Seen:
-    """The present stamps of files; files that do not exist are omitted."""
-    return {path.resolve(): _stamp(path) for path in paths if path is not None and path.is_file()}
+def _with(here: Any, path: list[str], value: Any, before: tuple[str, ...]) -> Any:
+    if not path:
+        return value
+    key, rest = path[0], path[1:]
+    if len(before) == 2 and before[0] in SHORT and isinstance(here, list):
+        here = {SHORT[before[0]]: here}
+    if here is None:
+        here = {}
+    if isinstance(here, list):
+        if not key.isdecimal() or int(key) >= len(here):
+            raise InputError(f"{'.'.join(before)} is a list of {len(here)}; {key!r} is not in it.")
+        return [_with(item, rest, value, (*before, key)) if k == int(key) else item for k, item in enumerate(here)]
+    if not isinstance(here, dict):
+        raise InputError(f"{'.'.join(before)} is a value; it has no {key!r}.")
+    inner = _with(here.get(key), rest, value, (*before, key))
+    found = {**here, key: inner} if inner is not None else {name: one for name, one in here.items() if name != key}
+    if len(before) == 2 and before[0] in SHORT and list(found) == [SHORT[before[0]]]:
+        return found[SHORT[before[0]]]
+    return found if found or len(before) != 1 else None
 
 
-def save(model: Model, folder: Path | None, name: str, seen: Seen, *, replace: bool = False, text: str | None = None) -> Path:
-    """Write a model to a file in a folder, completely or not at all, and store its stamp in `seen`.
+def supports(data: Data) -> dict[str, str]:
+    """Supports as a table node -> axes."""
+    given = data.get("fixed") or {}
+    if isinstance(given, dict):
+        return dict(given)
+    nodes = data.get("nodes")
+    axes = "xyz"[: len(place_of(data, next(iter(nodes)))) if nodes else 2]
+    return dict.fromkeys(given, axes)
 
-    replace : also replace a file that is not in `seen` or was changed since. text : the model as YAML, written as it is.
+
+def deleted(data: Data, nodes: Iterable[str], members: Iterable[str]) -> tuple[Data, list[str]]:
+    """The data without nodes and members, and without what depends on them; the names of those dependent entries."""
+    gone, cut = set(nodes), set(members)
+    found = dict(data)
+    lost: list[str] = []
+    for table in MEMBERS:
+        entries = found.get(table) or {}
+        cut |= {name for name, entry in entries.items() if gone & set(ends_of(entry))}
+        found[table] = {name: entry for name, entry in entries.items() if name not in cut}
+    if found.get("fixed"):
+        found["fixed"] = {name: axes for name, axes in supports(data).items() if name not in gone}
+    found["nodes"] = {name: entry for name, entry in (data.get("nodes") or {}).items() if name not in gone}
+    found = {key: value for key, value in found.items() if value not in ({}, []) or key == "nodes"}
+    found = clamped_where_beams_are(found)
+    known = {_place(fault) for fault in _faults(data)}
+    for _ in range(ROUNDS):
+        new = [fault for fault in _faults(found) if _place(fault) not in known]
+        entries = {(str(f.path[0]), str(f.path[1])) for f in new if len(f.path) > 1}
+        entries = {(t, e) for t, e in entries if t not in ("nodes", *MEMBERS) and e in _keys(found.get(t))}
+        if not entries:
+            break
+        for table, entry in sorted(entries):
+            found = with_value(found, (table, entry), None)
+            lost.append(f"{table}.{entry}")
+    return found, lost
+
+
+def renamed(data: Data, table: str, old: str, new: str) -> Data:
+    """The data with an entry of a table renamed, and all that refers to it.
 
     Raises
     ------
-    InputError : no folder was chosen, or the name is not a plain .yaml, .yml or .json file name.
-    FileThereError : it would replace another file.
-    StoreError : the file cannot be written.
+    InputError : no such entry, a name that is taken or not allowed.
     """
-    if folder is None:
-        raise InputError("No folder was chosen to write to.")
-    if not PLAIN.fullmatch(name):
-        raise InputError(
-            f"{name!r} is not a plain file name. Write for example bay.yaml; it goes into {folder.name or folder}."
-        )
-    if DEVICE.fullmatch(name):
-        raise InputError(f"{name!r} is the name of a device on Windows. Choose another name, for example my_{name}.")
-    path = folder.resolve() / name
-    if path.is_symlink() or (path.exists() and not path.is_file()):
-        raise InputError(f"{name} is a link or a folder. Choose another name.")
-    if path.exists() and not replace:
-        _check(path, seen)
-    if text is None or path.suffix.lower() == ".json":
-        write(model, path)
-    else:
-        with whole_file(path) as draft:
-            draft.write_text(text, encoding="utf-8", newline="\n")
-    seen[path] = _stamp(path)
-    return path
+    entries = data.get(table) or {}
+    _known(data, table, old)
+    if new == old:
+        return data
+    _refuse_taken(data, table, new)
+    before = {_place(fault) for fault in _faults(data)}
+    found = {**data, table: {new if name == old else name: entry for name, entry in entries.items()}}
+    if table == "nodes":
+        found = _with_node_renamed(found, old, new)
+    for _ in range(ROUNDS):
+        faults = [fault for fault in _faults(found) if _place(fault) not in before]
+        changes = [fault for fault in faults if _refers(found, fault, old)]
+        if faults and not changes:
+            raise InputError(f"{old!r} cannot be called {new!r}: {faults[0]}")
+        if not changes:
+            break
+        for fault in changes:
+            found = _replaced(found, [str(part) for part in fault.path], old, new)
+    return found
 
 
-def _check(path: Path, seen: Seen) -> None:
-    """Raise an error if the file was not opened or written by this page, or was changed since."""
-    if path not in seen:
-        raise FileThereError(
-            f"{path.name} exists already, and is not the file that was opened. Overwrite it, or choose another name."
-        )
-    if seen[path] != _stamp(path):
-        raise FileThereError(
-            f"{path.name} was changed by another program since it was opened or saved here. "
-            "Overwrite it, or choose another name."
-        )
+def _with_node_renamed(data: Data, old: str, new: str) -> Data:
+    """Members and supports of a renamed node."""
+    found = dict(data)
+    for table in MEMBERS:
+        if table not in found:
+            continue
+        found[table] = {
+            name: {**entry, "ends": _swapped(entry["ends"], old, new)} if isinstance(entry, dict) else _swapped(entry, old, new)
+            for name, entry in found[table].items()
+        }
+    fixed = found.get("fixed")
+    if isinstance(fixed, dict):
+        found["fixed"] = {new if name == old else name: axes for name, axes in fixed.items()}
+    elif fixed:
+        found["fixed"] = _swapped(fixed, old, new)
+    return found
 
 
-def _stamp(path: Path) -> tuple[int, int]:
-    found = path.stat()
-    return found.st_size, found.st_mtime_ns
+def _swapped(names: Sequence[str], old: str, new: str) -> list[str]:
+    return [new if name == old else name for name in names]
+
+
+def _refers(data: Data, fault: Fault, old: str) -> bool:
+    here: Any = data
+    for part in fault.path:
+        if isinstance(here, dict) and str(part) in here:
+            here = here[str(part)]
+        elif isinstance(here, list) and isinstance(part, int) and part < len(here):
+            here = here[part]
+        else:
+            return False
+    return here == old or (bool(fault.path) and str(fault.path[-1]) == old)
+
+
+def _replaced(here: Any, path: list[str], old: str, new: str) -> Any:
+    """The data with the name at a path replaced: the value there, or the key itself."""
+    if not path:
+        return new if here == old else here
+    key, rest = path[0], path[1:]
+    if isinstance(here, list):
+        return [_replaced(item, rest, old, new) if k == int(key) else item for k, item in enumerate(here)]
+    if not rest and key == old and here.get(key) != old:
+        return {new if name == old else name: value for name, value in here.items()}
+    return {name: _replaced(value, rest, old, new) if name == key else value for name, value in here.items()}
+
+
+def _faults(data: Data) -> list[Fault]:
+    try:
+        with of_file():
+            Model(**data)
+    except ModelError as error:
+        return error.faults
+    return []
+
+
+def _place(fault: Fault) -> tuple[Any, ...]:
+    return (*fault.path, fault.message)
+
+
+def _keys(table: Any) -> set[str]:
+    return set(table) if isinstance(table, dict) else set()
+
+
+def _put(data: Data, table: str, name: str, entry: Any) -> Data:
+    return {**data, table: {**(data.get(table) or {}), name: entry}}
+
+
+def _known(data: Data, table: str, name: str) -> None:
+    tables = MEMBERS if table in MEMBERS else (table,)
+    if not any(name in (data.get(one) or {}) for one in tables):
+        known = [other for one in tables for other in data.get(one) or {}]
+        raise InputError(f"No entry called {name!r} in {table}. {nearest(name, known)}")
+
+
+def _refuse_taken(data: Data, table: str, name: str) -> None:
+    if not re.fullmatch(r"[^\s/\\\x00-\x1f]{1,200}", name):
+        raise InputError(f"{name!r} is no name. Write letters, digits, . _ -, without spaces.")
+    tables = MEMBERS if table in MEMBERS else (table,)
+    if any(name in (data.get(one) or {}) for one in tables):
+        raise InputError(f"{name!r} is there already. Choose another name.")

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss import dynamics, kinematics, statics
+from kinetruss import statics
 from kinetruss.errors import Fault, KinetrussError, ModelError
 from kinetruss.mechanics import arrange, compile
 from kinetruss.mechanics.mobility import beam_deformations, mobility_at
 from kinetruss.mechanics.positions import drive_values, row_values
 from kinetruss.model import LengthDrive, Model, of_file
 from kinetruss.statics.search import projected, row_errors
-from kinetruss.studio.poses import CLOSED, EXACT, MANY, alarms_of
+from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, alarms_of, at_rest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -71,9 +71,6 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
 
 
 # What a drawing is worth: the model, its closed pose, mobility in words, forces; or what is missing.
-
-LARGEST = 400
-"""Number of members above which mobility and forces wait until a drag ends."""
 
 LISTED = 6
 """Largest number of mechanisms and of states of self-stress in words."""
@@ -188,7 +185,7 @@ def _forces(
     soft = bool(model.springs or model.beams) or any(bar.kind in SOFT for bar in model.bars.values())
     try:
         if not mobility.undriven and arrange(system).plan is not None:
-            return _at_rest(model, position), ""
+            return at_rest(model, position), ""
         if not soft and not (model.fixed or model.clamped):
             return None, "No forces yet: nothing holds the drawing."
         if not soft:
@@ -202,15 +199,9 @@ def _forces(
         sag = float(np.abs(found - position).max())
         if not rest.stable or sag > 0.2 * size:
             return None, f"No forces: the nearest equilibrium is {'unstable' if not rest.stable else f'{sag:.3g} m away'}."
-        return _at_rest(model, found), f"Forces are those of the equilibrium, up to {sag:.3g} m from the drawing."
+        return at_rest(model, found), f"Forces are those of the equilibrium, up to {sag:.3g} m from the drawing."
     except KinetrussError as error:
         return None, f"No forces: {error}"
-
-
-def _at_rest(model: Model, position: NDArray[np.float64]) -> Forces:
-    still = np.zeros((1, *position.shape))
-    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
-    return dynamics.inverse(model, motion, static=False)
 
 
 def _warnings(system: System, mobility: Mobility) -> list[tuple[str, str]]:

@@ -1,63 +1,393 @@
-"""Messages of pages: JSON that must be one of some small records; what a page is told while its answer takes long."""
+"""The messages of pages: each is a function, checked and done here, for the page with sliders and for the drawing."""
 
 from __future__ import annotations
 
+import inspect
 import json
-import time
-from typing import Any
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError, create_model
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.compiled.jit import keeper
+from kinetruss.model import nearest
+from kinetruss.studio import drawing, edits, requested_runs
+from kinetruss.studio.member_kinds import switched
+from kinetruss.studio.new_parts import made, with_analysis
+from kinetruss.studio.shown import numbers
 
-LATELY = 1.0
-"""Seconds after a kernel within which the next one is expected."""
+if TYPE_CHECKING:
+    from kinetruss.studio.session import Answer, Session
+
+SMALL, LARGE = 262_144, 4_000_000
+"""Largest size of a message of a page with sliders and of a drawing page, bytes; a text of 20,000 bars has about a million."""
+
+Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e15, le=1e15)]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
+Values = Annotated[dict[Name, Finite], Field(max_length=10_000)]
+Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
+Coordinate = Annotated[float, Field(allow_inf_nan=False, ge=-1e9, le=1e9)]
+Typed = Coordinate | Annotated[str, Field(max_length=100)]
+Place = Annotated[list[Typed], Field(min_length=2, max_length=3)]
+Places = Annotated[dict[Name, Place], Field(max_length=100_000)]
+Arguments = dict[Name, Any]
+Placed = Annotated[dict[Name, Any], Field(max_length=20)]
+Part = Literal["active", "beam", "bar", "angle_spring", "body", "run"]
+Positive = Annotated[Finite, Field(ge=0)]
+Ends = Annotated[list[Name], Field(min_length=2, max_length=2)]
+Path = Annotated[list[Name], Field(min_length=1, max_length=12)]
+Count = Annotated[int, Field(ge=1, le=200)]
+Samples = Annotated[int, Field(ge=2, le=2001)]
+Number = Annotated[int, Field(ge=1)]
+Words = Annotated[str, Field(max_length=200)]
+Long = Annotated[str, Field(max_length=LARGE)]
 
 
-class Busy:
-    """What is done since it was made, in words."""
-
-    def __init__(self) -> None:
-        self.began, self.before, self.spent = time.monotonic(), keeper.progress.count, keeper.progress.seconds
-
-    def compiling(self) -> str:
-        """How much was compiled; empty where nothing is compiled now."""
-        found = keeper.progress
-        if not found.at_work and (found.changed < self.began or found.clock() - found.changed > LATELY):
-            return ""
-        count, seconds = found.count - self.before, found.seconds - self.spent
-        return f"Compiling (first start only): {count} kernel{'' if count == 1 else 's'}, {seconds:.0f} s"
-
-    def text(self) -> str:
-        """What is done, and for how long."""
-        seconds = int(time.monotonic() - self.began)
-        return self.compiling() or (f"Computing: {seconds} s" if seconds else "Computing ...")
-
-
-# Messages of pages: JSON that must be one of some small records.
-
-
-class Message(BaseModel):
-    """The base of all commands of pages."""
+class KeyFrame(BaseModel):
+    """Drive values at a time, s."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
+    time: Annotated[Finite, Field(ge=0, le=1e6)]
+    values: Values
 
-def read_message(text: str | bytes, commands: TypeAdapter[Any], most: int) -> Any:
-    """The command in a message of at most `most` bytes.
+
+FrameList = Annotated[tuple[KeyFrame, ...], Field(max_length=500)]
+_FRAMES: TypeAdapter[tuple[KeyFrame, ...]] = TypeAdapter(FrameList)
+
+
+def frames_of(rows: Any) -> tuple[KeyFrame, ...]:
+    """Key frames from plain data.
 
     Raises
     ------
-    InputError : too long, not JSON, or not a known command.
+    ValueError : they are none.
+    """
+    return _FRAMES.validate_python(rows)
+
+
+Act = Callable[..., "Answer"]
+MESSAGES: dict[str, tuple[type[BaseModel], Act]] = {}
+"""Name -> the record of its arguments, and what does it."""
+
+BESIDE = ("run", "running", "stop")
+"""Messages that do not wait for those before them: a run is computed beside what else is done."""
+
+
+def message(act: Act) -> Act:
+    """A function of a session as a message of its name; its other arguments are checked as they are annotated."""
+    _, *given = inspect.signature(act).parameters.values()
+    fields: dict[str, Any] = {one.name: (one.annotation, ... if one.default is one.empty else one.default) for one in given}
+    name = act.__name__.rstrip("_")
+    record = create_model(name, __config__=ConfigDict(extra="forbid"), __module__=__name__, **fields)
+    MESSAGES[name] = record, act
+    return act
+
+
+def message_of(text: str | bytes, most: int) -> tuple[str, Callable[[Session], Answer]]:
+    """The message in a text of at most `most` bytes: its name, and what it does with a session.
+
+    Raises
+    ------
+    InputError : too long, not JSON, or not a known message.
     """
     if len(text) > most:
         raise InputError(f"A message of {len(text)} bytes is refused. Send at most {most}.")
     try:
-        return commands.validate_python(json.loads(text))
-    except ValidationError as error:
-        first = error.errors(include_url=False, include_input=False)[0]
-        where = ".".join(str(part) for part in first["loc"])
-        raise InputError(f"This message is not understood. {where or 'message'}: {first['msg']}.") from None
+        given = json.loads(text)
     except (ValueError, RecursionError):
         raise InputError("This message is not JSON.") from None
+    name = given.pop("do", None) if isinstance(given, dict) else None
+    if not isinstance(name, str) or name not in MESSAGES:
+        raise InputError(f"This message is not understood. do: {nearest(str(name)[:100], MESSAGES)}")
+    record, act = MESSAGES[name]
+    try:
+        found = record.model_validate(given)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        where = ".".join([name, *(str(part) for part in first["loc"])])
+        raise InputError(f"This message is not understood. {where}: {first['msg']}.") from None
+    return name, partial(_called, act, {one: getattr(found, one) for one in record.model_fields})
+
+
+def _called(act: Act, given: dict[str, Any], session: Session) -> Answer:
+    return act(session, **given)
+
+
+# Pose and history.
+
+
+@message
+def move(
+    session: Session, values: Values | None = None, places: Places | None = None, fine: bool = False, drag: int | None = None
+) -> Answer:
+    """Drives to new values (m, rad) from the last good pose, or nodes to new places (m or text with units).
+
+    fine : also compute slow results (motors and mobility of large models). drag : those with one number are one step of undo.
+    """
+    if (values is None) == (places is None):
+        raise InputError("This message is not understood. Give values of drives, or places of nodes.")
+    if values is not None:
+        return session.move(values, fine)
+    return session.take(edits.moved(session.data, places or {}), f"moving {_list(places)}", drag=drag)
+
+
+@message
+def show(session: Session) -> Answer:
+    """The model as it is, everything computed; the end of a drag."""
+    if session.draw:
+        session.drawing.rest()
+        session.keep()
+    return session.shown()
+
+
+@message
+def undo(session: Session) -> Answer:
+    """Back by one step."""
+    return session.step(-1)
+
+
+@message
+def redo(session: Session) -> Answer:
+    """Forward again by one step."""
+    return session.step(1)
+
+
+@message
+def reset(session: Session) -> Answer:
+    """Back to the model of the file."""
+    return session.reset()
+
+
+@message
+def query(session: Session) -> Answer:
+    """All numbers of the present pose, in double precision."""
+    return numbers(session)
+
+
+@message
+def case(session: Session, name: Name | None = None) -> Answer:
+    """The load case shown; None: all loads with factor 1."""
+    if name is not None and name not in session.model.load_cases:
+        raise InputError(f"No load case called {name!r}. {nearest(name, session.model.load_cases)}")
+    if session.draw:
+        raise InputError("The drawing shows all loads. Use the page with sliders.")
+    session.case = name
+    session.keep()
+    return session.shown()
+
+
+# Edits of the model.
+
+
+@message
+def switch(session: Session, member: Name, to: Literal["rigid", "driven", "elastic", "cut", "own"]) -> Answer:
+    """Make a member rigid, driven, elastic, cut, or as in the file (own)."""
+    data, lost = switched(session.drawing.state, session.original, session.pose.position, member, to)
+    return session.take(data, f"making {member} {to}", lost=lost)
+
+
+@message
+def gravity(session: Session, value: Vector) -> Answer:
+    """Gravity of the model, m/s^2; load cases with their own keep it."""
+    most = max(map(abs, value))
+    doubt = f"{most:.6g} m/s^2: more than on the Sun. Is it meant so?" if most > 274.0 else ""
+    return session.take(edits.with_value(session.data, ["gravity"], value), "the change of gravity", note=doubt)
+
+
+@message
+def load(session: Session, name: Name, node: Name, force: Vector) -> Answer:
+    """A constant force (N) on a node; zero removes it."""
+    most = max(map(abs, force))
+    doubt = f"{most:.6g} N on {node}: the weight of 100,000 t. Is it meant so?" if most > 1e9 else ""
+    return session.take(edits.with_load(session.data, name, node, force), f"the change of {name}", note=doubt)
+
+
+@message
+def mass(session: Session, node: Name, mass: Positive) -> Answer:
+    """The payload of a node: its lumped mass, kg."""
+    doubt = f"{mass:.6g} kg at {node}: more than a large ship has. Is it meant so?" if mass > 1e7 else ""
+    data = edits.with_mass(session.data, session.model, node, mass)
+    return session.take(data, f"the change of the mass of {node}", note=doubt)
+
+
+@message
+def fresh(session: Session, dim: Literal[2, 3]) -> Answer:
+    """An empty drawing of 2 or 3 dimensions."""
+    session.drawing.own_dim = dim
+    return session.take(drawing.fresh(dim), "the empty drawing", anew=True)
+
+
+@message
+def add(session: Session, at: Place, name: Name | None = None, bar_from: Name | None = None) -> Answer:
+    """A node at a place, m or text with units. bar_from : also a bar from that node."""
+    data, name = edits.added_node(session.data, name, at)
+    picked = {"node": name}
+    if bar_from is not None:
+        data, picked["member"] = edits.added_bar(data, None, (bar_from, name))
+    return session.take(data, f"adding {name}", picked)
+
+
+@message
+def bar(session: Session, ends: Ends, name: Name | None = None) -> Answer:
+    """A bar between two nodes."""
+    data, name = edits.added_bar(session.data, name, ends)
+    return session.take(data, f"adding {name}", {"member": name})
+
+
+@message
+def set_(session: Session, path: Path, value: Any = None, typed: bool = False) -> Answer:
+    """Set the value at a path of the data, e.g. bars, b1, length; null removes it. typed : texts in it are YAML."""
+    new = edits.typed(session.data, value) if typed else value
+    if path[0] == "runs" and len(path) == 3 and path[2] == "analysis" and new:
+        data = with_analysis(session.data, path[1], str(new))
+    else:
+        data = edits.with_value(session.data, path, new)
+    return session.take(data, f"setting {'.'.join(path)}")
+
+
+@message
+def make(
+    session: Session,
+    what: Literal["active", "beam", "bar", "angle_spring", "body", "run"],
+    nodes: Names = (),
+    members: Names = (),
+) -> Answer:
+    """A new entry from what is picked, whole, to be changed."""
+    data, table, name = made(session.data, what, nodes, members, session.drives())
+    picked = {"entry": [table, name]} | ({"member": name} if table in edits.MEMBERS else {})
+    return session.take(data, f"making {name}", picked)
+
+
+@message
+def rename(session: Session, table: Name, old: Name, new: Name) -> Answer:
+    """Another name for an entry of a table; what refers to it follows."""
+    data = edits.renamed(session.data, table, old, new)
+    return session.take(data, f"renaming {old}", {"renamed": [old, new]})
+
+
+@message
+def delete(session: Session, nodes: Names = (), members: Names = ()) -> Answer:
+    """Remove nodes and members, and what depends on them."""
+    data, gone = edits.deleted(session.data, nodes, members)
+    return session.take(data, f"deleting {_list([*nodes, *members])}", {"lost": gone})
+
+
+@message
+def copy(session: Session, nodes: Names, by: Place, count: Count = 1) -> Answer:
+    """Copies of nodes and of the members among them, each shifted by a vector from the last, m."""
+    return session.take(edits.copied(session.data, nodes, by, count), "copying")
+
+
+@message
+def mirror(session: Session, nodes: Names, axis: Literal["x", "y", "z"], at: Typed = 0.0) -> Answer:
+    """Mirrored copies of nodes and of the members among them; nodes in the plane are shared."""
+    return session.take(edits.mirrored(session.data, nodes, axis, at), "mirroring")
+
+
+@message
+def stack(session: Session, cell: Name, count: Count = 1, arguments: Arguments | None = None) -> Answer:
+    """A stack of cells of the library, e.g. three octahedra, added to the drawing."""
+    return session.take(edits.stacked(session.data, cell, count, arguments or {}), f"stacking {cell}")
+
+
+@message
+def text(session: Session, text: Long, drag: int | None = None) -> Answer:
+    """The model of a text. drag : texts with the same number are one step of undo."""
+    return session.write(text, "the text", drag)
+
+
+# Runs.
+
+
+@message
+def run(session: Session, name: Name | None = None, frames: FrameList | None = None, samples: Samples = 201) -> Answer:
+    """Do a run of the model, or follow key frames, and find the worst instants.
+
+    name : of a run, computed beside the messages; the page of its result is at ``result/`` and the number in the answer.
+    """
+    if (name is None) == (frames is None):
+        raise InputError("This message is not understood. Give the name of a run, or key frames.")
+    if frames is not None:
+        return session.follow(frames, samples)
+    with session.lock:
+        model, revision = session.model, session.drawing.revision
+    return session.results.start(model, name or "", revision)
+
+
+@message
+def running(session: Session) -> Answer:
+    """How far the run is, or its result."""
+    return session.results.running() or {"kind": "stopped"}
+
+
+@message
+def stop(session: Session) -> Answer:
+    """Give up the run that is computed."""
+    return session.results.stop()
+
+
+@message
+def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = None, high: Coordinate | None = None) -> Answer:
+    """The path of a node and the force of a drive along the range of that drive, m or rad."""
+    return {"kind": "curve"} | requested_runs.curve(*session.closed(), node, drive, low, high)
+
+
+# What is kept.
+
+
+@message
+def frames(session: Session, frames: FrameList) -> Answer:
+    """The key frames of the page, to be kept."""
+    if session.draw:
+        raise InputError("The drawing has no key frames. Use the page with sliders.")
+    session.frames = frames
+    session.keep()
+    return {"kind": "kept"}
+
+
+@message
+def draft(session: Session, keep: bool) -> Answer:
+    """Go on with what an earlier studio has left, or remove it."""
+    return session.draft(keep)
+
+
+@message
+def versions(session: Session) -> Answer:
+    """The list of saved states."""
+    rows = session.drafts.versions() if session.drafts is not None else []
+    return {"kind": "versions", "rows": [{k: row.get(k) for k in ("number", "when", "words")} for row in rows]}
+
+
+@message
+def keep(session: Session, words: Words = "") -> Answer:
+    """Put the present state into the list of versions."""
+    session.kept_in().add(session.drawing.state.text, words or "kept")
+    return versions(session)
+
+
+@message
+def restore(session: Session, number: Number) -> Answer:
+    """Back to a saved state of the list; it can be undone."""
+    return session.restore(session.kept_in().version(number), f"version {number}")
+
+
+@message
+def picture(session: Session, place: Placed | None, source: Long | None = None) -> Answer:
+    """Keep the picture to trace beside the file. place : as the page has it. source : data URL; None: the one kept."""
+    if session.drafts is not None:
+        session.drafts.keep_picture(place, source, session.file)
+    return {"kind": "picture", "kept": session.drafts is not None}
+
+
+@message
+def save(session: Session, name: Name, pose: bool = False, replace: bool = False, frames: FrameList = ()) -> Answer:
+    """Save the model in the folder. pose : with the present pose as its own. replace : also replace another file."""
+    return session.save(name, pose=pose, replace=replace, frames=frames)
+
+
+def _list(names: Any) -> str:
+    shown = list(names)
+    return ", ".join(shown[:3]) + (f" and {len(shown) - 3} more" if len(shown) > 3 else "")

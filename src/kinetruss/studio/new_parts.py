@@ -14,7 +14,7 @@ import numpy as np
 from kinetruss.errors import InputError, ModelError
 from kinetruss.io import schema
 from kinetruss.model import Model
-from kinetruss.studio.drawing_edits import (
+from kinetruss.studio.edits import (
     MEMBERS,
     Data,
     added_entry,

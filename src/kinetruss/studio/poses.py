@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -18,10 +17,11 @@ from kinetruss.errors import AnalysisError, KinetrussError
 from kinetruss.kinematics.positions import assembled, refuse_unmet
 from kinetruss.mechanics import arrange, compile
 from kinetruss.mechanics.positions import drive_values
-from kinetruss.model import Model, Quintic, turns
+from kinetruss.model import Active, LengthDrive, Model, Quintic, turns
+from kinetruss.results import Row
 from kinetruss.statics.search import row_errors
 from kinetruss.strength import check
-from kinetruss.strength.governing import Governing, headline
+from kinetruss.strength.findings import Finding, find
 from kinetruss.viewer.moving import moving
 
 if TYPE_CHECKING:
@@ -112,6 +112,44 @@ def _full(system: System, position: Pose) -> NDArray[np.float64]:
     full = np.zeros_like(system.x0)
     full[:, : system.dim] = position
     return full
+
+
+def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, float]) -> Model:
+    """The model in another pose: with its node positions, and driven members with their lengths there."""
+    nodes = {
+        name: node.model_copy(update={"at": tuple(map(float, position[k]))})
+        for k, (name, node) in enumerate(model.nodes.items())
+    }
+    # a rigid bar without a given length has that of its node positions; keep it to the last bit
+    lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
+    bars = {
+        name: bar.model_copy(update={"length": lengths[name]})
+        if bar.kind == "rigid" and bar.length is None
+        else bar.model_copy(update={"length": values.get(name)})
+        if bar.kind == "driven" and name in values
+        else bar.model_copy(update={"natural_length": lengths[name]})
+        if bar.kind in ("elastic", "cable") and bar.natural_length is None and bar.pretension is None
+        else bar
+        for name, bar in model.bars.items()
+    }
+    active = {
+        name: member.model_copy(update={"length": values[name]}) if name in values else member
+        for name, member in model.active.items()
+    }
+    return model.with_(nodes=nodes, bars=bars, active=active)
+
+
+def range_of(model: Model, name: str, position: Pose) -> tuple[float, float, bool]:
+    """Smallest and largest value of a slider at a pose (n_nodes, dim), m or rad, and whether they are limits of the model."""
+    drive, system = model.all_drives[name], compile(model)
+    start = float(system.drive_start[list(system.drives).index(name)])
+    if isinstance(drive, LengthDrive):
+        member = model.members[drive.bar]
+        if isinstance(member, Active) and member.limits is not None:
+            return (*member.limits, True)
+        return 0.6 * start, 1.5 * start, False
+    reach = math.pi if turns(drive) else 0.5 * float(np.ptp(position, axis=0).max())
+    return start - reach, start + reach, False
 
 
 # Moves from one good pose to another, and decides which poses may be shown.
@@ -290,55 +328,64 @@ class Instant:
 
 def instant(model: Model, position: NDArray[np.float64], case: str | None, fine: bool = True) -> Instant:
     """All results shown for a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
-    still = np.zeros((1, *position.shape))
-    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
-    forces = dynamics.inverse(model, motion, case, static=False)
-    _, arrays = moving(model, motion, [forces], None, 600)
+    forces = at_rest(model, position, case)
+    _, arrays = moving(model, forces.motion, [forces], None, 600)
     fine = fine or len(model.members) <= MANY
     demand = _demand(model, forces) if fine and model.actuators else None
     mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
-    alarms = [*_strength(model, arrays), *_motors(demand or [])]
-    verdict = headline(check(model, forces), drives=_holding(demand or []), timed=False).record
-    return Instant(forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=alarms, verdict=verdict)
+    finding = _finding(model, forces, demand or [])
+    return Instant(
+        forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=_alarms(finding), verdict=finding.record
+    )
+
+
+def at_rest(model: Model, position: NDArray[np.float64], case: str | None = None) -> Forces:
+    """Forces of a pose (n_nodes, dim), m, at rest under a load case (None: all loads)."""
+    still = np.zeros((1, *position.shape))
+    motion = kinematics.from_arrays(model, [0.0], position[None], still, still)
+    return dynamics.inverse(model, motion, case, static=False)
 
 
 def alarms_of(model: Model, forces: Forces) -> list[str]:
     """Members and motors beyond a limit under the forces of one pose, in sentences."""
-    _, arrays = moving(model, forces.motion, [forces], None, 600)
-    return [*_strength(model, arrays), *_motors(_demand(model, forces) if model.actuators else [])]
+    return _alarms(_finding(model, forces, _demand(model, forces) if model.actuators else []))
 
 
-def _strength(model: Model, arrays: dict[str, NDArray[Any]]) -> list[str]:
-    """Members beyond a limit, worst first, in sentences."""
-    nothing = np.full((1, len(model.members)), np.nan)
-    used, buckling = (np.fmax(arrays.get(name, nothing)[0], 0.0) for name in ("utilisation", "buckling"))
-    worst = np.maximum(used, buckling)
-    order = [int(k) for k in np.argsort(-worst, kind="stable") if worst[k] > 1]
-    names = list(model.members)
-    found = [
-        f"{names[k]} buckles: its compression is {quantity(buckling[k], '%')} of what is allowed."
-        if buckling[k] > 1
-        else f"{names[k]} is at {quantity(worst[k], '%')} of its allowed load."
-        for k in order[:ALARMS]
-    ]
-    return found + [f"{len(order) - ALARMS} more members are beyond a limit."] * (len(order) > ALARMS)
-
-
-def _holding(demand: list[dict[str, Any]]) -> Iterator[Governing]:
-    """The share of the largest current that each motor takes to hold."""
+def _finding(model: Model, forces: Forces, demand: list[dict[str, Any]]) -> Finding:
+    """What a pose says: its members, and the share of the largest current that each motor takes to hold."""
+    holding = []
     for one in demand:
         if one["current"] is not None and one["max_current"]:
-            used = abs(one["current"]) / one["max_current"]
-            yield Governing(kind="drive", name=one["name"], member=one["name"], rule="holding current", used=used)
+            held, most = abs(one["current"]), one["max_current"]
+            used = held / most
+            margin = 1 / used - 1 if used else math.inf
+            row = Row(
+                part=one["name"], member=one["name"], rule="holding current", value=held, limit=most, unit="A",
+                utilisation=used, margin=margin, time=math.nan,
+            )  # fmt: skip
+            holding.append(row)
+    return find(check(model, forces), holding, timed=False)
 
 
-def _motors(demand: list[dict[str, Any]]) -> list[str]:
-    return [
-        f"{one['name']}: holding takes {quantity(abs(one['current']), 'A')}, more than "
-        f"the motor's {quantity(one['max_current'], 'A')}."
-        for one in demand
-        if one["current"] is not None and one["max_current"] and abs(one["current"]) > one["max_current"]
+def _alarms(finding: Finding) -> list[str]:
+    """Members and motors beyond a limit, worst first, in sentences; and why the forces are not to be trusted."""
+    worst: dict[str, Row] = {}
+    for row in finding.members:
+        if row.status == "exceeded":
+            worst[row.member] = row if row.rule == "buckling" else worst.get(row.member, row)
+    found = [
+        f"{name} buckles: its compression is {quantity(row.utilisation, '%')} of what is allowed."
+        if row.rule == "buckling"
+        else f"{name} is at {quantity(row.utilisation, '%')} of its allowed load."
+        for name, row in worst.items()
     ]
+    more = [f"{len(found) - ALARMS} more members are beyond a limit."] * (len(found) > ALARMS)
+    motors = [
+        f"{row.part}: holding takes {quantity(row.value, 'A')}, more than the motor's {quantity(row.limit, 'A')}."
+        for row in finding.drives
+        if row.status == "exceeded"
+    ]
+    return [*filter(None, [finding.partial and f"{finding.partial}."]), *found[:ALARMS], *more, *motors]
 
 
 def _demand(model: Model, forces: Forces) -> list[dict[str, Any]]:
@@ -362,10 +409,3 @@ def _limit(model: Model, name: str) -> float | None:
 def number(value: Any) -> float | None:
     """A float, or None if JSON cannot represent it."""
     return float(value) if math.isfinite(value) else None
-
-
-def framed(header: dict[str, Any], *blocks: bytes) -> bytes:
-    """One binary message: length of the header (uint32), the header in JSON padded to four bytes, then the blocks."""
-    text = json.dumps(header, ensure_ascii=False, allow_nan=False).encode()
-    text += b" " * (-len(text) % 4)
-    return b"".join([len(text).to_bytes(4, "little"), text, *blocks])

@@ -1,34 +1,37 @@
-"""Runs that a page has asked for, the pages of their results, and curves along the range of a drive."""
+"""Runs that a page has asked for, by name or by key frames, the pages of their results, and curves along a drive."""
 
 from __future__ import annotations
 
 import logging
 import math
 import threading
+import time
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss import dynamics, kinematics, runs
 from kinetruss.errors import InputError, KinetrussError
+from kinetruss.kernels.compiled.jit import keeper
 from kinetruss.mechanics import compile
-from kinetruss.model import Active, LengthDrive, Model, Quintic, nearest, turns
+from kinetruss.model import Model, Quintic, Run, Spline, nearest, turns
 from kinetruss.model.runs import MISSION
 from kinetruss.runs import MissionRun, RunResult
-from kinetruss.strength.governing import headline
-from kinetruss.studio.messages import Busy
+from kinetruss.runs.doubts import remarks
+from kinetruss.studio.poses import LEAST, number, range_of
 from kinetruss.viewer import page, scene
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.studio.messages import KeyFrame
+
 
 SAMPLES = 181
 """Number of samples of a curve to either side of the pose shown."""
-
-LEAST = 1e-3
-"""Singularity measure at which a curve ends."""
 
 
 def curve(
@@ -51,10 +54,11 @@ def curve(
         raise InputError(f"No drive called {drive!r}. {nearest(drive, model.all_drives)}")
     system = compile(model)
     start = dict(zip(system.drives, map(float, system.drive_start), strict=True))
-    ends = _range(model, drive, start[drive], position)
+    turning = turns(model.all_drives[drive])
+    ends = (start[drive], start[drive] + 2 * math.pi) if turning else range_of(model, drive, position)[:2]
     low, high = (given if given is not None else own for given, own in zip((low, high), ends, strict=True))
     up = _followed(model, position, start, drive, high)
-    whole = turns(model.all_drives[drive]) and high - low >= 2 * math.pi - 1e-9 and not up[2]
+    whole = turning and high - low >= 2 * math.pi - 1e-9 and not up[2]
     down = None if whole or low >= start[drive] else _followed(model, position, start, drive, low)
     values, x = (up[0], up[1]) if down is None else (np.r_[down[0][:0:-1], up[0]], np.r_[down[1][:0:-1], up[1]])
     still = np.zeros_like(x)
@@ -65,25 +69,12 @@ def curve(
     return {
         "node": node,
         "drive": drive,
-        "unit": "rad" if turns(model.all_drives[drive]) else "m",
+        "unit": "rad" if turning else "m",
         "values": values.tolist(),
         "path": x[:, k].tolist(),
-        "force": [float(one) if math.isfinite(one) else None for one in held],
+        "force": [number(one) for one in held],
         "stopped": " ".join(part[2] for part in (down, up) if part is not None and part[2]),
     }
-
-
-def _range(model: Model, drive: str, start: float, position: NDArray[np.float64]) -> tuple[float, float]:
-    record = model.all_drives[drive]
-    if turns(record):
-        return start, start + 2 * math.pi
-    if isinstance(record, LengthDrive):
-        member = model.members[record.bar]
-        if isinstance(member, Active) and member.limits is not None:
-            return member.limits
-        return 0.6 * start, 1.5 * start
-    reach = 0.5 * float(np.ptp(position, axis=0).max())
-    return start - reach, start + reach
 
 
 def _followed(
@@ -109,6 +100,121 @@ def _even(share: NDArray[np.float64]) -> NDArray[np.float64]:
     """Times at which a quintic from rest to rest has moved by these shares of its way."""
     time = np.linspace(0, 1, 4001)
     return np.asarray(np.interp(share, time**3 * (10 - 15 * time + 6 * time**2), time))
+
+
+# Runs of key frames.
+
+NAME = "studio"
+"""Name of the trajectory and of the run made from key frames."""
+
+
+def way_of(frames: Sequence[KeyFrame], start: Mapping[str, float]) -> Quintic | Spline:
+    """The trajectory through key frames; drives that a frame does not name keep the value of the previous frame.
+
+    Two frames: a quintic move from rest to rest. More: a spline through all of them (with three, and the points half-way
+    between them).
+    """
+    ordered = sorted(frames, key=lambda frame: frame.time)
+    if len(ordered) < 2:
+        raise InputError("Set at least two key frames, at different times.")
+    times = [frame.time - ordered[0].time for frame in ordered]
+    if any(b - a < 1e-6 for a, b in pairwise(times)):
+        raise InputError("Two key frames have the same time. Give them different times.")
+    rows, last = [], dict(start)
+    for frame in ordered:
+        last = last | {name: value for name, value in frame.values.items() if name in start}
+        rows.append(last)
+    if len(rows) == 2:
+        return Quintic(moves={name: (rows[0][name], rows[1][name]) for name in start}, duration=times[1])
+    t = np.array(times)
+    if len(t) == 3:
+        t = np.insert(t, [1, 2], (t[:-1] + t[1:]) / 2)
+    values = {name: tuple(np.interp(t, times, [row[name] for row in rows]).tolist()) for name in start}
+    return Spline(times=tuple(t.tolist()), values=values, largest_gap=1e9)
+
+
+def with_way(model: Model, way: Quintic | Spline, samples: int = 201) -> Model:
+    """The model with the key frames as a trajectory and a run, both called ``studio``."""
+    run = Run(trajectory=NAME, samples=samples)
+    return model.with_(trajectories={**model.trajectories, NAME: way}, runs={**model.runs, NAME: run})
+
+
+def travelled(model: Model, frames: Sequence[KeyFrame], start: Mapping[str, float], samples: int) -> RunResult:
+    """The run of key frames: motion, forces of all load cases, margins, motor demand."""
+    if not start:
+        raise InputError("This model has no drive that could follow key frames.")
+    model = with_way(model, way_of(frames, start), samples)
+    check(model, NAME)
+    return runs.run(model, NAME)
+
+
+def worst_rows(result: RunResult, most: int = 12) -> list[dict[str, Any]]:
+    """The worst instants of a run: rule, member, utilisation and time; highest utilisation first.
+
+    Then the largest tension and compression, and the pose nearest to a singularity.
+    """
+    table = () if result.verdict is None else result.verdict.table()
+    rows = [
+        _row(row.rule, row.member, row.value, row.unit, row.time, row.load_case, row.utilisation)
+        for row in table
+        if row.checked
+    ]
+    for case, demand in result.demand.items():
+        data = demand.data
+        for k, name in enumerate(data["active"].values):
+            for q, what in enumerate(data["quantity"].values):
+                used, value, time = (float(data[column].values[k, q]) for column in ("utilisation", "value", "time_of"))
+                if np.isfinite(used):
+                    rows.append(_row(what, name, value, data["unit"].values[q], time, case, used))
+    rows.sort(key=lambda row: -float(row["used"]))
+    return rows[:most] + _largest(result)
+
+
+def _row(what: Any, member: Any, value: float, unit: Any, time: float, case: str, used: float | None) -> dict[str, Any]:
+    """One row for JSON; a utilisation above Euler's load is infinite."""
+    share = "Infinity" if used is not None and not np.isfinite(used) else used
+    row = {"what": str(what), "member": str(member), "used": share, "value": number(value), "unit": str(unit)}
+    return row | {"time": number(time), "case": case}
+
+
+def _largest(result: RunResult) -> list[dict[str, Any]]:
+    found = []
+    for case, forces in result.forces.items():
+        N, time, names = (forces.arrays[name].values for name in ("member_force", "time", "member"))
+        for what, at in (("largest tension", N.argmax()), ("largest compression", N.argmin())):
+            t, k = np.unravel_index(at, N.shape)
+            found.append(_row(what, names[k], N[t, k], "N", time[t], case, None))
+    gauge, time = (result.motion.arrays[name].values for name in ("singularity", "time"))
+    if np.isfinite(gauge).any():
+        weak = int(np.nanargmin(gauge))
+        found.append(_row("nearest to singular", "", gauge[weak], "", time[weak], "", None))
+    return found
+
+
+# What a page is told while its answer takes long.
+
+LATELY = 1.0
+"""Seconds after a kernel within which the next one is expected."""
+
+
+class Busy:
+    """What is done since it was made, in words."""
+
+    def __init__(self) -> None:
+        self.began, self.before, self.spent = time.monotonic(), keeper.progress.count, keeper.progress.seconds
+
+    def compiling(self) -> str:
+        """How much was compiled; empty where nothing is compiled now."""
+        found = keeper.progress
+        if not found.at_work and (found.changed < self.began or found.clock() - found.changed > LATELY):
+            return ""
+        count, seconds = found.count - self.before, found.seconds - self.spent
+        return f"Compiling (first start only): {count} kernel{'' if count == 1 else 's'}, {seconds:.0f} s"
+
+    def text(self) -> str:
+        """What is done, and for how long."""
+        seconds = int(time.monotonic() - self.began)
+        return self.compiling() or (f"Computing: {seconds} s" if seconds else "Computing ...")
 
 
 # Runs that a page has asked for, and the pages of their results.
@@ -247,10 +353,8 @@ class Results:
         run = model.runs[work.name]
         least = 1 if run.analysis == "dynamics.simulate" else SMALLEST
         result = runs.run(model, work.name, progress=work.progress, block=max(least, -(-run.samples // PARTS)))
-        found = headline(result.verdict, result.demand).record
-        words = [_done(result), found["text"], *found["more"], result.message]
-        if found["governing"] is not None:
-            words.insert(2, found["governing"]["text"])
+        found = result.finding
+        words = [_done(result), found.text, found.governs, *found.more, *found.doubts, remarks(result)]
         shown, title = _shown(result)
         number = None if shown is None else self._kept(page(scene(shown), title=f"{model.title or 'Drawing'}: {title}"), work)
         return {"kind": "ran", "words": "\n".join(filter(None, words)), "number": number}

@@ -51,30 +51,36 @@ def serve(
     target = Path(folder).resolve() if folder is not None else Path.cwd() if file is None else file.parent
     if not target.is_dir():
         raise InputError(f"There is no folder {target}. Make it, or name another one.")
-    from kinetruss.studio.edits import seen_now
+    from kinetruss.studio.files import Drafts, seen_now
 
     seen = seen_now(file)  # before the file is read: a later change is by another program
     model = None if file is None else read(file, max_size=max_size)
-    uvicorn, application, session, desk_of = _packages()
-    desk = desk_of(model, file, target, dim=dim, seen=seen)
-    last = desk.keep.address()
+    text = "" if file is None or file.suffix.lower() == ".json" else file.read_text(encoding="utf-8-sig")
+    uvicorn, application = _packages()
+    from kinetruss.studio.messages import LARGE
+    from kinetruss.studio.session import Session
+
+    drafts = Drafts(target, "untitled" if file is None else file.stem)
+    drawing = Session(model, file, target, seen, text, dim=dim, draw=True, drafts=drafts)
+    last = drafts.last_address()
     with _listening(port, last[1] if last is not None and token is None else 0) as listener:
         here = listener.getsockname()[1]
         token = token or (last[0] if last is not None and last[1] == here else secrets.token_urlsafe(24))
-        desk.address = token, here
+        drafts.address = token, here
         hosts = [f"{HOST}:{here}", f"localhost:{here}"]
         title = "kinetruss" if model is None or file is None else model.title or file.stem
 
-        def new(key: str) -> Any:
-            return session(desk.model(), file, target, seen, desk.text(), shelf=desk, key=key)
+        def new(key: str) -> Session:
+            now, words = drawing.opened()
+            return Session(now, file, target, seen, words, drafts=drafts, results=drawing.results, key=key)
 
-        app = application(new, desk, token, hosts, title)
+        app = application(new, drawing, token, hosts, title)
         config = uvicorn.Config(
             app,
             log_level="error",
             access_log=False,
             ws="websockets-sansio",
-            ws_max_size=_longest(),
+            ws_max_size=LARGE,
             ws_per_message_deflate=False,
             server_header=False,
             date_header=False,
@@ -89,7 +95,7 @@ def serve(
         uvicorn.Server(config).run(sockets=[listener])
 
 
-def _packages() -> tuple[Any, Any, Any, Any]:
+def _packages() -> tuple[Any, Any]:
     try:
         import uvicorn
         import websockets as _  # noqa: F401 - uvicorn looks for it only when a page connects
@@ -99,16 +105,7 @@ def _packages() -> tuple[Any, Any, Any, Any]:
         raise InputError(
             f"The studio needs the package {error.name}. Install what it needs: pip install 'kinetruss[studio]'"
         ) from None
-    from kinetruss.studio.desk import Desk
-    from kinetruss.studio.session import Session
-
-    return uvicorn, application, Session, Desk
-
-
-def _longest() -> int:
-    from kinetruss.studio.drawing_commands import MOST
-
-    return MOST
+    return uvicorn, application
 
 
 def _listening(port: int, wished: int) -> socket.socket:

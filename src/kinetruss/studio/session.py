@@ -1,132 +1,238 @@
-"""The session of one page: a model, its last good pose, and the commands on them. It does not use the network."""
+"""The session of a model that pages work on: text and history, pose, drafts and runs. It does not use the network."""
 
 from __future__ import annotations
 
 import secrets
+import threading
+from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError, KinetrussError, StoreError
+from kinetruss.errors import InputError, KinetrussError, ModelError, StoreError
 from kinetruss.io.emitting import plain_model
 from kinetruss.io.writing import changed_text
-from kinetruss.mechanics import compile
-from kinetruss.model import Active, LengthDrive, Model, NodalForce, nearest, turns
-from kinetruss.studio import commands as say
-from kinetruss.studio.edits import (
-    FileThereError,
-    Seen,
-    posed,
-    role_of,
-    save,
-    seen_now,
-    switched,
-    with_gravity,
-    with_load,
-    with_mass,
-)
-from kinetruss.studio.poses import Instant, Reached, framed, instant, number, present_values, reach, stand, start_of
-from kinetruss.studio.travel import NAME, travelled, way_of, with_way, worst_rows
-from kinetruss.viewer import pack, scene
+from kinetruss.model import Model, nearest, turns
+from kinetruss.studio import shown
+from kinetruss.studio.drawing import Drawing, State, fresh, model_of, read_text
+from kinetruss.studio.files import Drafts, FileThereError, Seen, save, seen_now
+from kinetruss.studio.messages import BESIDE, LARGE, SMALL, KeyFrame, frames_of, message_of
+from kinetruss.studio.poses import Instant, Reached, instant, posed, present_values, range_of, reach, stand, start_of
+from kinetruss.studio.requested_runs import NAME, Results, travelled, way_of, with_way
 
-Answer = bytes | dict[str, Any]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
+    from kinetruss.studio.edits import Data
 
-class Shelf(Protocol):
-    """Keeps the changes of pages beside the file: the desk of a studio."""
-
-    def page_left(self) -> tuple[str, float] | None:
-        """Key and time of the changes that a page of an earlier studio has left."""
-
-    def take_page(self, key: str) -> dict[str, Any] | None:
-        """The changes of a page."""
-
-    def keep_page(self, key: str, record: dict[str, Any] | None) -> None:
-        """Keep or remove the changes of a page."""
+Record = dict[str, Any]
+Answer = bytes | Record
 
 
 class Session:
-    """A live model: messages in, messages out.
+    """A model on the server: messages in, answers out.
 
-    model : the model shown. file : its file, or None. folder : the only folder in which it can be saved.
-    seen : stamp of the file when the model was read (default: its present stamp). text : YAML text of the model, whose
-    comments and order a saved file keeps. shelf : keeps the changes until they are saved, or None. key : of the page whose
-    changes are taken up, if they were kept.
+    model : the model, or None for an empty drawing of `dim` dimensions. file : its file, or None. folder : the only folder in
+    which it can be saved. seen : stamp of the file when the model was read (default: its present stamp). text : YAML text of
+    the model, whose comments and order a saved file keeps. drafts : keeps changes until they are saved, or None.
+    results : of runs, also those of other pages.
 
-    Every answer is based on a converged pose. If a pose cannot be reached, the last good pose stays, with a reason.
+    draw : what pages get to see. A drawing may have faults, and is shared by its pages. Otherwise it is a live model: every
+    answer is a scene of a converged pose; if a pose cannot be reached, the last good pose stays, with a reason.
+    key : of the page whose changes are taken up, if they were kept.
     """
 
     def __init__(
-        self, model: Model, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None, text: str = "",
-        *, shelf: Shelf | None = None, key: str = "",
+        self, model: Model | None = None, file: Path | None = None, folder: Path | None = None, seen: Seen | None = None,
+        text: str = "", *, dim: int = 2, draw: bool = False, drafts: Drafts | None = None, results: Results | None = None,
+        key: str = "",
     ) -> None:  # fmt: skip
-        self.original = model
-        self.text = text
-        self.file = file
-        self.folder = folder
+        self.file, self.folder, self.draw, self.drafts = file, folder, draw, drafts
         self.seen = seen_now(file) if seen is None else dict(seen)
-        self.shelf = shelf
-        self.frames: list[say.KeyFrame] = []
+        self.lock = threading.Lock()
+        self.results = results or Results()
+        self.most = LARGE if draw else SMALL
+        self.original = self.saved = _opened(model, text, folder, dim, draw)
+        self.drawing = Drawing(self.original, dim if model is None else model.dim)
+        self.case: str | None = None
+        self.frames: Sequence[KeyFrame] = ()
         self.kept = True  # False: the pose has changed since the changes were kept
-        self.unkept = self.remark = ""
-        self.restart()
-        record = shelf.take_page(key) if shelf is not None and key else None
+        self.unkept = self.remark = self.key = ""
+        self.offered = drafts.drawing() if drafts is not None and draw else None
+        if self.offered is not None and self.offered[0] == self.original.text:
+            self.offered = None
+        if not draw:
+            self._begin(key)
+
+    def _begin(self, key: str) -> None:
+        """The pose of a live model, or what was kept of a page."""
+        self._pose = self._start = start_of(self.model)
+        record = self.drafts.take_page(key) if self.drafts is not None and key else None
         self.key = key if record is not None else secrets.token_hex(8)
         if record is not None:
             try:
-                self.take(record)
+                self._take_up(record)
             except InputError as error:
                 self.remark = str(error)
 
-    def restart(self) -> None:
-        """Start again with the model as it was given."""
-        self.model = self.original
-        self.case: str | None = None
-        self.lost: list[str] = []
-        self.pose: Reached = start_of(self.model)
-        self.start = self.pose
-
     # -- messages --------------------------------------------------------------------------------------------------
 
+    def first(self) -> Answer:
+        """The answer to a page that has just connected."""
+        with self.lock:
+            return shown.first(self) if self.draw else shown.scene_of(self, self.remark)
+
     def answer(self, text: str | bytes) -> Answer:
-        """The answer to one message: bytes (a scene, a state) or a record for JSON. Errors become records too."""
+        """The answer to one message: bytes (a scene, a state) or a record for JSON; errors are records, and change nothing."""
         try:
-            return self.do(say.command_of(text))
+            name, act = message_of(text, self.most)
+            with nullcontext() if name in BESIDE else self.lock:
+                return act(self)
+        except ModelError as error:
+            return {"kind": "error", "message": " ".join(str(fault) for fault in error.faults[:3])}
         except KinetrussError as error:
             return {"kind": "error", "message": str(error)}
 
-    def do(self, command: Any) -> Answer:
-        """Do one command."""
-        match command:
-            case say.Move():
-                return self.move(command.values, command.fine)
-            case say.Query():
-                return self.query()
-            case say.Run():
-                return self.run(command)
-            case say.Save():
-                return self.save(command)
-            case say.Case():
-                if command.name is not None and command.name not in self.model.load_cases:
-                    raise InputError(f"No load case called {command.name!r}. {nearest(command.name, self.model.load_cases)}")
-                self.case = command.name
-            case say.Reset():
-                self.restart()
-            case say.Frames():
-                self.frames = command.frames
-                self.keep()
-                return {"kind": "kept"}
-            case say.Draft():
-                return self.draft(command.keep)
-            case say.Live():
-                return self.scene()
-            case _:
-                self.edit(command)
-        self.keep()
-        return self.scene(say.doubt(command))
+    def shown(self, note: str = "") -> Answer:
+        """What pages see of the present state."""
+        return shown.drawing_of(self) if self.draw else shown.scene_of(self, note)
 
-    def move(self, values: dict[str, float], fine: bool = False) -> bytes:
+    # -- the model -------------------------------------------------------------------------------------------------
+
+    @property
+    def data(self) -> Data:
+        """The plain data of the present state."""
+        return self.drawing.state.data
+
+    @property
+    def model(self) -> Model:
+        """The present model.
+
+        Raises
+        ------
+        InputError : nothing is drawn, or it has faults.
+        """
+        if self.drawing.state.model is not None:
+            return self.drawing.state.model
+        found = self.drawing.found.model
+        if found is None or not found.members:
+            raise InputError("The drawing is no model yet: it needs nodes and bars, without faults.")
+        return found
+
+    def opened(self) -> tuple[Model, str]:
+        """The present model and its text, with its comments, for a page with sliders."""
+        with self.lock:
+            return self.model, self.drawing.state.text
+
+    def take(
+        self, data: Data, words: str, made: Record | None = None, *, drag: int | None = None, anew: bool = False,
+        lost: Data | None = None, note: str = "",
+    ) -> Answer:  # fmt: skip
+        """Take changed data as the next step; the answer of an edit. made : what it made. lost : as in `State`.
+
+        Raises
+        ------
+        ModelError : the data have new faults. AnalysisError, InputError : a live model has no pose with them.
+        """
+        if not self.draw:
+            self._pose = self._posed(data, words, drag, anew=anew, lost=lost)
+        else:
+            self.drawing.edit(data, words, drag, anew=anew, lost=lost)
+            if drag is not None:
+                return shown.drawing_of(self, light=True)
+        self.keep()
+        answer = self.shown(note)
+        return answer | {"made": made or {}} if isinstance(answer, dict) else answer
+
+    def _posed(
+        self, data: Data, words: str, drag: int | None = None, *, typed: str | None = None, anew: bool = False,
+        lost: Data | None = None,
+    ) -> Reached:  # fmt: skip
+        """The pose of changed data of a live model, which become the next step."""
+        model = model_of(data, self.drawing.state.folder)
+        pose = self._stood(model, self.model)
+        self.drawing.take(data, words, drag, typed=typed, model=model, anew=anew, lost=lost)
+        return pose
+
+    def _stood(self, model: Model, before: Model) -> Reached:
+        """A model closed at the drive values shown, or in equilibrium; checked for forces. before : the model of the pose."""
+        if list(model.nodes) != list(before.nodes):
+            pose = start_of(model)
+        else:
+            values = {}
+            for name, value in present_values(model, self.pose.position).items():
+                low, high, limited = range_of(model, name, self.pose.position)
+                values[name] = self.pose.values.get(name, min(max(value, low), high) if limited else value)
+            pose = stand(model, self.pose.position, values)
+        instant(model, pose.position, self.case)
+        return pose
+
+    def write(self, text: str, words: str, drag: int | None = None) -> Answer:
+        """Take the model of a text, a drawing even with faults; those for which it is not taken are the answer."""
+        data, faults = read_text(text, self.folder or Path())
+        if faults:
+            return {"kind": "faults", "faults": shown.fault_rows(faults)}
+        if data == self.data:
+            self.drawing.retyped(text)
+        elif self.draw:
+            self.drawing.take(data, words, drag, typed=text)
+        else:
+            self._pose = self._posed(data, words, drag, typed=text)
+        self.keep()
+        return self.shown()
+
+    def restore(self, text: str, words: str) -> Answer:
+        """Take the model of a text that was kept.
+
+        Raises
+        ------
+        ModelError : it cannot be drawn any more.
+        """
+        _, faults = read_text(text, self.folder or Path())
+        if faults:
+            raise ModelError(faults)
+        return self.write(text, words)
+
+    def step(self, by: int) -> Answer:
+        """Undo (-1) or redo (1) one step."""
+        before = None if self.draw else self.model
+        self.drawing.step(by)
+        if before is not None:
+            try:
+                self._pose = self._stood(self.model, before)
+            except KinetrussError:
+                self.drawing.step(-by)
+                raise
+        self.keep()
+        return self.shown()
+
+    def reset(self) -> Answer:
+        """Back to the model as it was given."""
+        if self.drawing.state is not self.original:
+            self.drawing.put(self.original)
+        self.case = None
+        if not self.draw:
+            self._pose = self._start = start_of(self.model)
+        self.keep()
+        return self.shown()
+
+    # -- the pose --------------------------------------------------------------------------------------------------
+
+    @property
+    def pose(self) -> Reached:
+        """The last good pose of a live model.
+
+        Raises
+        ------
+        InputError : this is a drawing.
+        """
+        if self.draw:
+            raise InputError("The drawing has no pose of its own. Use the page with sliders.")
+        return self._pose
+
+    def move(self, values: Mapping[str, float], fine: bool = False) -> bytes:
         """Move drives to new values, m or rad, from the last good pose; returns the state there."""
         wanted, notes = {}, []
         for name, value in values.items():
@@ -137,61 +243,109 @@ class Session:
             if wanted[name] != value:
                 notes.append(f"{name} is at its limit, {wanted[name]:.6g} m.")
         if wanted:  # else only slow results are requested; the pose keeps its reason to stop
-            self.pose = reach(self.model, self.pose.position, self.pose.values, wanted)
+            self._pose = reach(self.model, self.pose.position, self.pose.values, wanted)
             self.kept = False  # `rest` keeps it: a slider moves many times a second
-        return self.state(" ".join(notes), fine)
+        return shown.state_of(self, " ".join(notes), fine)
 
-    def edit(self, command: Any) -> None:
-        """Change the model; if the new one has no valid pose, nothing is changed."""
-        model, lost = self.model, self.lost
-        match command:
-            case say.Gravity():
-                model = with_gravity(model, command.value)
-            case say.Load():
-                model = with_load(model, command.name, command.node, command.force)
-            case say.Mass():
-                model = with_mass(model, command.node, command.mass)
-            case say.Switch():
-                model, lost = switched(model, self.original, self.pose.position, command.member, command.to)
-        pose = self._stand(model)
-        instant(model, pose.position, self.case)
-        self.model, self.lost, self.pose = model, lost, pose
+    def limits(self, name: str) -> tuple[float, float, bool]:
+        """Smallest and largest value of a slider, and whether they are limits of the model."""
+        return range_of(self.model, name, self.pose.position)
 
-    def _stand(self, model: Model) -> Reached:
-        """The new model closed at the drive values shown, or in equilibrium."""
-        values = {}
-        for name, value in present_values(model, self.pose.position).items():
-            low, high, limited = self.limits(name, model)
-            values[name] = self.pose.values.get(name, min(max(value, low), high) if limited else value)
-        return stand(model, self.pose.position, values)
+    def instant(self, fine: bool = True) -> Instant:
+        """Forces and the other results of the present pose."""
+        return instant(self.model, self.pose.position, self.case, fine)
 
-    def run(self, command: say.Run) -> bytes:
-        """Follow the key frames; returns a scene of the run and its worst instants."""
-        shown = posed(self.model, self.pose.position, self.pose.values)  # otherwise the run could start on another branch
-        result = travelled(shown, command.frames, self.pose.values, command.samples)
+    def drives(self) -> dict[str, tuple[float, str]]:
+        """Value and unit of each drive in the pose shown; none of a drawing with faults."""
+        if not self.draw:
+            model, values = self.model, self.pose.values
+        else:
+            found = self.drawing.found
+            if found.model is None:
+                return {}
+            model, values = found.model, found.drives
+        return {name: (value, "rad" if turns(model.all_drives[name]) else "m") for name, value in values.items()}
+
+    def closed(self) -> tuple[Model, NDArray[np.float64]]:
+        """The model and the pose shown.
+
+        Raises
+        ------
+        InputError : a drawing that is not closed.
+        """
+        if not self.draw:
+            return self.model, self.pose.position
+        found = self.drawing.found
+        if found.model is None or found.position is None or found.apart:
+            raise InputError("No curve: the drawing is no closed model yet.")
+        return found.model, found.position
+
+    def follow(self, frames: Sequence[KeyFrame], samples: int) -> bytes:
+        """Follow key frames; returns a scene of the run and its worst instants."""
+        model = posed(self.model, self.pose.position, self.pose.values)  # otherwise the run could start on another branch
+        result = travelled(model, frames, self.pose.values, samples)
         if not result.good:
             raise InputError(f"The motion cannot start: {result.message}")
-        note = "" if result.status.ok else f"{result.status.value} {result.message}"
-        return framed({"kind": "run", "worst": worst_rows(result), "note": note}, pack(scene(result)))
+        return shown.run_of(result)
 
-    def save(self, command: say.Save) -> dict[str, Any]:
+    # -- files -----------------------------------------------------------------------------------------------------
+
+    def save(self, name: str, *, pose: bool = False, replace: bool = False, frames: Sequence[KeyFrame] = ()) -> Record:
         """Save the model in the folder; if that would replace another file, return a question instead."""
-        model = self.model
-        if len(command.frames) > 1 and self.pose.values:
-            model = with_way(model, way_of(command.frames, self.pose.values), 201)
-        if command.pose:
+        before = model = self._to_save()
+        if len(frames) > 1 and self.pose.values:
+            model = with_way(model, way_of(frames, self.pose.values))
+        if pose:
             model = posed(model, self.pose.position, self.pose.values)
+        text: str | None = None
+        if self.draw or self.original.typed is not None:
+            text = self.drawing.state.text
+            if model is not before and self.folder is not None:
+                text = changed_text(text, before, model, self.folder)
         try:
-            text = changed_text(self.text, self.original, model, self.folder) if self.text and self.folder else None
-            path = save(model, self.folder, command.name, self.seen, replace=command.replace, text=text)
+            path = save(model, self.folder, name, self.seen, replace=replace, text=text)
         except FileThereError as there:
             return {"kind": "exists", "message": str(there)}
-        words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs else "")
+        words = f"Written: {path.name}" + (f", key frames as run {NAME!r}" if NAME in model.runs and not self.draw else "")
+        if self.drafts is not None and text is not None:
+            try:
+                self.drafts.add(text, f"saved as {path.name}")
+            except StoreError as error:  # the file is written
+                words = f"{words}, but no version was kept: {str(error).rstrip('.')}"
+        if not self.draw:
+            self._put(None)
+            gone = ", ".join(self.lost)
+            left = f" Removed, because they depend on members that changed: {gone}." if gone else ""
+            return {"kind": "saved", "message": f"{words}.{left}"}
+        self.file, self.saved = path, self.drawing.state
         self._put(None)
-        left = f" Removed, because they depend on members that changed: {', '.join(self.lost)}." if self.lost else ""
-        return {"kind": "saved", "message": f"{words}.{left}"}
+        if self.drafts is not None:
+            self.drafts.copy_picture(path)
+        return shown.drawing_of(self) | {"saved": f"{words}."}
 
-    # -- what is kept ----------------------------------------------------------------------------------------------
+    def _to_save(self) -> Model:
+        model = self.drawing.state.model or self.drawing.found.model
+        if model is None:
+            raise InputError("A model with faults is not saved; it is kept beside the file. Mend the faults first.")
+        return model
+
+    @property
+    def lost(self) -> list[str]:
+        """Entries that depend on members that changed, and are not in the model now."""
+        return [f"{table}.{name}" for table, rows in self.drawing.state.lost.items() for name in rows]
+
+    def kept_in(self) -> Drafts:
+        """The side files.
+
+        Raises
+        ------
+        InputError : there are none.
+        """
+        if self.drafts is None:
+            raise InputError("No folder was chosen to write to.")
+        return self.drafts
+
+    # -- what is kept until it is saved ----------------------------------------------------------------------------
 
     def rest(self) -> None:
         """Keep the pose, if it has changed since the changes were kept."""
@@ -199,167 +353,106 @@ class Session:
             self.keep()
 
     def keep(self) -> None:
-        """Keep the changes beside the file, if there are any."""
-        same = self.model is self.original and self.case is None and not self.frames and self.pose is self.start
-        self._put(None if same else self.record())
+        """Keep the changes beside the file, if there are any; a draft that nobody has taken up becomes a version.
 
-    def _put(self, record: dict[str, Any] | None) -> None:
+        Raises
+        ------
+        StoreError : those of a drawing cannot be written.
+        """
+        state = self.drawing.state
+        if not self.draw:
+            same = state is self.original and self.case is None and not self.frames and self._pose is self._start
+            self._put(None if same else self._record())
+        elif self.drafts is not None and not (state is self.saved and self.offered is not None):
+            if self.offered is not None:
+                self.drafts.add(self.offered[0], "left by an earlier studio")
+                self.offered = None
+            self._put(None if state is self.saved else state.text)
+
+    def _put(self, draft: Any) -> None:
         self.kept, self.unkept = True, ""
+        if self.drafts is None:
+            return
+        if self.draw:
+            self.drafts.keep_drawing(draft)
+            return
         try:
-            if self.shelf is not None:
-                self.shelf.keep_page(self.key, record)
+            self.drafts.keep_page(self.key, draft)
         except StoreError as error:
             self.unkept = f"The changes cannot be kept beside the file: {error}"
 
-    def record(self) -> dict[str, Any]:
-        """Everything that a later page needs to go on with this one, for JSON."""
+    def _record(self) -> Record:
+        """Everything that a later page needs to go on with this live model, for JSON."""
         return {
-            "original": plain_model(self.original),
-            "text": self.text,
-            "model": plain_model(self.model),
+            "original": self.original.data,
+            "text": self.original.typed or "",
+            "model": self.data,
             "case": self.case,
-            "lost": self.lost,
+            "lost": self.drawing.state.lost,
             "values": self.pose.values,
             "position": self.pose.position.tolist(),
             "frames": [frame.model_dump() for frame in self.frames],
         }
 
-    def take(self, record: dict[str, Any]) -> None:
+    def _take_up(self, record: Record) -> None:
         """Go on with a record; where the file has changed since, the record's own model stays the one to return to.
 
         Raises
         ------
         InputError : it is no such record, or its pose cannot be closed; nothing is changed.
         """
+        folder = self.original.folder
         try:
-            original, model = Model(**record["original"]), Model(**record["model"])
+            first, data = record["original"], record["model"]
+            original, model = (model_of(one, folder) for one in (first, data))
             position = np.array(record["position"], dtype=float)
             if position.shape != (len(model.nodes), model.dim):
                 raise ValueError
-            values = {str(name): float(value) for name, value in record["values"].items()}
-            pose = stand(model, position, values)
+            pose = stand(model, position, {str(name): float(value) for name, value in record["values"].items()})
             case = None if record["case"] is None else str(record["case"])
             instant(model, pose.position, case)
-            frames, lost, text = say.frames_of(record["frames"]), [str(one) for one in record["lost"]], str(record["text"])
+            frames, lost, text = frames_of(record["frames"]), dict(record["lost"] or {}), str(record["text"])
         except (KinetrussError, KeyError, TypeError, ValueError, AttributeError) as error:
             why = f" {error}" if isinstance(error, KinetrussError) else ""
             raise InputError(f"The changes that were kept cannot be shown.{why}") from None
-        if original != self.original:
-            self.original, self.text = original, text
+        if original != model_of(self.original.data, folder):
+            self.original = State(first, text or None, folder=folder, within=False, model=original)
+            self.drawing = Drawing(self.original, original.dim)
             self.seen = {}  # saving over the changed file takes a confirmation
             self.remark = "The file has changed since these changes were made: they are those of the earlier file."
-        self.model = self.original if model == self.original else model
-        self.case, self.lost, self.frames, self.pose = case, lost, frames, pose
+        if data != self.original.data:
+            self.drawing.take(data, "the changes that were kept", model=model, lost=lost)
+        self.case, self.frames, self._pose = case, frames, pose
 
-    def draft(self, keep: bool) -> bytes:
-        """Take up or remove the changes that a page of an earlier studio has left."""
-        left = self.shelf.page_left() if self.shelf is not None else None
-        if self.shelf is None or left is None:
+    def draft(self, keep: bool) -> Answer:
+        """Take up or remove what a page of an earlier studio has left."""
+        if self.draw:
+            offered, self.offered = self.offered, None
+            if offered is None:
+                raise InputError("There is no autosaved drawing.")
+            if keep:
+                return self.restore(offered[0], "the autosaved drawing")
+            self._put(None)
+            return self.shown()
+        if self.drafts is None or not self.drafts.left:
             raise InputError("There are no changes of an earlier page.")
+        key = self.drafts.left[0][0]
         if keep:
-            record = self.shelf.take_page(left[0])
+            record = self.drafts.take_page(key)
             if record is None:
                 raise InputError("The changes of the earlier page cannot be read any more.")
-            self.take(record)
+            self._take_up(record)
             self.keep()
-        self.shelf.keep_page(left[0], None)
-        return self.first()
+        self.drafts.keep_page(key, None)
+        return self.shown(self.remark)
 
-    # -- what is shown ---------------------------------------------------------------------------------------------
 
-    def instant(self, fine: bool = True) -> Instant:
-        """Forces and the other results of the present pose."""
-        return instant(self.model, self.pose.position, self.case, fine)
-
-    def first(self) -> bytes:
-        """The scene of a page that has just connected."""
-        return self.scene(self.remark)
-
-    def scene(self, note: str = "") -> bytes:
-        """The whole scene, and everything that can be changed."""
-        now = self.instant()
-        picture = scene(now.forces, model=self.model)
-        return framed({"kind": "scene", "setup": self.setup(), "state": self._state(now, note)}, pack(picture))
-
-    def state(self, note: str = "", fine: bool = False) -> bytes:
-        """The present pose: drive values in the header, positions and forces as float32 after it."""
-        now = self.instant(fine)
-        blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in now.arrays.items() if name != "time"}
-        table = [[name, values.size] for name, values in blocks.items()]
-        header = {"kind": "state", "state": self._state(now, note), "arrays": table}
-        return framed(header, *(values.tobytes() for values in blocks.values()))
-
-    def _state(self, now: Instant, note: str) -> dict[str, Any]:
-        return {
-            "values": self.pose.values,
-            "gauge": number(self.pose.gauge),
-            "stopped": self.pose.stopped,
-            "note": " ".join(filter(None, [note, self.unkept, self.pose.note, now.forces.message])),
-            "demand": now.demand,
-            "mobility": now.mobility,
-            "alarms": now.alarms,
-            "verdict": now.verdict,
-        }
-
-    def query(self) -> dict[str, Any]:
-        """All numbers of the present pose in double precision."""
-        data = self.instant().forces.data
-        names = [name for name in ("member_force", "reaction", "drive_force", "end_force", "joint_force") if name in data]
-        return {
-            "kind": "numbers",
-            "values": self.pose.values,
-            "position": self.pose.position.tolist(),
-            "stopped": self.pose.stopped,
-            "gauge": number(self.pose.gauge),
-            "members": list(self.model.members),
-            "nodes": list(self.model.nodes),
-            **{name: data[name].values[0].tolist() for name in names},
-        }
-
-    def limits(self, name: str, model: Model | None = None) -> tuple[float, float, bool]:
-        """Smallest and largest value of a slider, and whether they are limits of the model."""
-        model = model or self.model
-        drive = model.all_drives[name]
-        system = compile(model)
-        start = float(system.drive_start[list(system.drives).index(name)])
-        if isinstance(drive, LengthDrive):
-            member = model.members[drive.bar]
-            if isinstance(member, Active) and member.limits is not None:
-                return (*member.limits, True)
-            return 0.6 * start, 1.5 * start, False
-        reach = np.pi if turns(drive) else 0.5 * float(np.ptp(self.pose.position, axis=0).max())
-        return start - reach, start + reach, False
-
-    def setup(self) -> dict[str, Any]:
-        """The data for the controls of the page."""
-        model = self.model
-        left = self.shelf.page_left() if self.shelf is not None else None
-        drives = []
-        for name, drive in model.all_drives.items():
-            low, high, limited = self.limits(name)
-            drives.append({"name": name, "unit": "rad" if turns(drive) else "m", "low": low, "high": high, "limited": limited})
-        loads = [
-            {"name": name, "node": load.node, "force": None if load.force is None else list(load.force)}
-            for name, load in model.loads.items()
-            if isinstance(load, NodalForce)
-        ]
-        return {
-            "drives": drives,
-            "loads": loads,
-            "dim": model.dim,
-            "gravity": list(model.gravity or (0.0,) * model.dim),
-            "masses": {name: node.mass for name, node in model.nodes.items()},
-            "nodes": list(model.nodes),
-            "members": [
-                {"name": name, "role": role_of(model, name), "own": role_of(self.original, name)}
-                for name in self.original.members
-            ],
-            "cases": list(model.load_cases),
-            "case": self.case,
-            "file": "" if self.file is None else self.file.name,
-            "writable": self.folder is not None,
-            "lost": self.lost,
-            "page": self.key if self.shelf is not None else "",
-            "offer": None if left is None else left[1],
-            "frames": [frame.model_dump() for frame in self.frames],
-        }
+def _opened(model: Model | None, text: str, folder: Path | None, dim: int, draw: bool) -> State:
+    """The state of a model that was read, with its text if that is given and can be followed."""
+    if model is None:
+        return State(fresh(dim), folder=folder or Path())
+    if text:
+        data, faults = read_text(text, folder or Path(), within=False)
+        if not faults:
+            return State(data, text, folder=folder or Path(), within=draw, model=model)
+    return State(plain_model(model), model=model)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.viewer.films.render import render as render
     from kinetruss.viewer.moving import FORMAT as FORMAT, VERSION as VERSION, Mode as Mode, Scene as Scene
     from kinetruss.viewer.packing import pack as pack, unpack as unpack
+    from kinetruss.viewer.pictures import render as render
     from kinetruss.viewer.scenes import scene as scene
     from kinetruss.viewer.self_contained import live_page as live_page, page as page, write as write
 

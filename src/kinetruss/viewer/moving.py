@@ -14,7 +14,6 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics.continua import skin_of
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Pressure
-from kinetruss.model.beam_frames import shown_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -112,10 +111,7 @@ def moving(
     if forces:  # the page computes section forces from them
         rates = rates_in_space(forces[0].attrs, time, found["position"], found["velocity"], found["acceleration"])
         found["velocity"], found["acceleration"] = rates
-    if scalars := [i for i, node in enumerate(model.nodes.values()) if node.scalar]:
-        # a scalar coordinate has no position: it is drawn at the first node
-        found["position"] = found["position"].copy()
-        found["position"][:, scalars] = found["position"][:, :1]
+    found["position"] = scalars_placed(model, found["position"])
     moved, each = 3 * found["position"].size, len(time) * len(model.members) * (4 + 2 * model.dim)
     rounded = moved + min(1, len(forces)) * each > EXACT
     fitting = 1 if rounded else (EXACT - moved) // max(each, 1)
@@ -132,7 +128,6 @@ def moving(
         "samples": {"all": count, "shown": len(time)},
         "status": motion.status.value,
         "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
-        "not_checked": _unchecked(model) if described else {},
         "channels": channels,
         "over_run": over_run,
         "cases": described,
@@ -141,16 +136,25 @@ def moving(
     return more, found
 
 
+def scalars_placed(model: Model, position: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Positions (times, n, dim) with scalar coordinates, which have none, at the first node."""
+    scalars = [k for k, node in enumerate(model.nodes.values()) if node.scalar]
+    if not scalars:
+        return position
+    position = position.copy()
+    position[:, scalars] = position[:, :1]
+    return position
+
+
+def load_times(result: Forces | Result, time: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The instants (times,), s, of which the loads act: of poses at rest and of equilibria one for all, not their numbers."""
+    held = result.data.attrs.get("load_time")
+    return time if held is None else np.full(len(time), float(held))
+
+
 def _not_held(run: RunResult | None) -> list[str]:
     """Sentences on the checks that the verdict of a run could not make."""
     return [] if run is None or run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
-
-
-def _unchecked(model: Model) -> dict[str, str]:
-    from kinetruss.strength.verdict import unchecked
-
-    shown = shown_names(model)
-    return {shown[name]: what for name, what in unchecked(model).items()}
 
 
 def channels_of(found: Collection[str], members: bool) -> list[dict[str, Any]]:
@@ -196,7 +200,8 @@ def _forces(
 
     data = forces.data
     case = forces.load_case if forces.load_case in model.load_cases else None
-    loads, load_force = loads_of(model, data["time"].values, case, forces.motion.data["position"].values)
+    when = load_times(forces, data["time"].values)
+    loads, load_force = loads_of(model, when, case, forces.motion.data["position"].values)
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
     found = {"member_force": middle_forces(model, forces)}
     found |= {name: data[name].values for name in names if name in data} | {"load_force": load_force}
@@ -234,8 +239,7 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     x = np.zeros((1, *system.x0.shape))
     x[:, :, : model.dim] = data["position"].values
     case = rest.provenance.get("load_case")
-    time = np.array([float(data.attrs.get("load_time", 0.0))])
-    loads = case_loads(system, time, case if case in model.load_cases else None).at(x)
+    loads = case_loads(system, load_times(rest, np.zeros(1)), case if case in model.load_cases else None).at(x)
     coupling = np.full((1, len(model.couplings)), np.nan)
     drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
     still = np.zeros((1, system.x0.size))

@@ -9,15 +9,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import __version__
+from kinetruss.display import limits_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.continua import skin_of
 from kinetruss.model import Model, nearest
+from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
+from kinetruss.results.records import check_samples
+from kinetruss.results.wide_tables import NOT_CHECKED
 from kinetruss.runs import RunResult
 from kinetruss.runs.mission_results import check_histories
 from kinetruss.strength import check
+from kinetruss.strength.element_stresses import skin_stress
 from kinetruss.viewer.moving import (
+    CHANNELS,
     FORMAT,
     UNITS,
     VERSION,
@@ -25,9 +32,11 @@ from kinetruss.viewer.moving import (
     Scene,
     actions_at_rest,
     channels_of,
+    load_times,
     loads_of,
     mechanisms,
     moving,
+    scalars_placed,
     sections_of_beams,
     stress_of_faces,
     vibrations,
@@ -37,7 +46,7 @@ from kinetruss.viewer.topology import topology
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.strength.governing import Headline
+    from kinetruss.strength.findings import Finding
 
 
 AT_REST = "Not checked: an equilibrium has no verdict. A run has one, or the forces of statics.at_poses"
@@ -103,8 +112,10 @@ def scene(
         "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
     }  # fmt: skip
     shown = list(modes)
-    verdict = _verdict(subject)
-    header["verdict"] = verdict.record | ({"text": AT_REST} if subject.rest is not None else {})
+    finding = _finding(subject)
+    header["verdict"] = finding.record | ({"text": AT_REST} if subject.rest is not None else {})
+    header["verdict"]["more"] += finding.doubts
+    header["not_checked"] = _not_checked(finding)
     if subject.motion is None:
         more, histories = _standing(subject)
         if subject.linear is not None:
@@ -112,8 +123,8 @@ def scene(
         elif subject.rest is None:
             shown = mechanisms(subject.model) + shown
     else:
-        if verdict.governing is not None and np.isfinite(verdict.governing.time):
-            instants = (*instants, verdict.governing.time)
+        if finding.governing is not None and np.isfinite(finding.governing.time):
+            instants = (*instants, finding.governing.time)
         more, histories = moving(subject.model, subject.motion, subject.forces, subject.run, frames, instants)
     header |= more
     fixed = ("time", *header.get("over_run", ()))
@@ -122,6 +133,105 @@ def scene(
     header["modes"] = [{"name": one.name, "frequency": one.frequency, "array": f"mode_{k}"} for k, one in enumerate(shown)]
     shapes = {f"mode_{k}": np.asarray(one.shape, float) for k, one in enumerate(shown)}
     return Scene(header=header, arrays=arrays | histories | shapes)
+
+
+def snapshots(
+    what: Model | Result | RunResult,
+    *,
+    model: Model | None = None,
+    case: str | None = None,
+    samples: Sequence[int] = (0,),
+    colour: str | None = None,
+) -> Scene:
+    """The scene of a few samples, for drawings on paper; of a run only what they need is computed.
+
+    Parameters
+    ----------
+    samples : of the motion, in any order; they are the samples of the scene. case : load case, by default the first.
+    colour : the channel that members have, ``force``, ``stress`` or ``utilisation``.
+
+    Returns
+    -------
+    A scene whose header has, of the whole motion, ``times``, ``largest_load`` (N), the diagonal of the room that the
+    structure needs, ``extent`` (m), and in its channel ``limits`` of the colour scale, ``largest`` and ``gaps``, true if
+    values are not known.
+
+    Raises
+    ------
+    InputError : as of `scene`; a colour where there are no such values.
+    """
+    subject = _subject(what, model, case)
+    model = subject.model
+    header, arrays = topology(model)
+    if subject.motion is None:
+        more, found = _standing(subject)
+    else:
+        check_samples(subject.motion)
+        data = subject.motion.data
+        found = {name: data[name].values for name in ("time", "position")}
+        found["position"] = scalars_placed(model, found["position"])
+        when, loading = found["time"], None
+        if subject.forces:
+            when, loading = load_times(subject.forces[0], when), subject.forces[0].load_case
+        loading = loading if loading in model.load_cases else None
+        loads, found["load_force"] = loads_of(model, when, loading, data["position"].values)
+        more = {"loads": loads}
+        if subject.forces:  # a load case may have its own
+            more["gravity"] = [float(g) for g in subject.forces[0].data.attrs["gravity"]]
+    if (colour is not None or case is not None) and not subject.forces and subject.rest is None:
+        raise InputError("There are no forces to colour by. Give a run, forces or an equilibrium.")
+    if case is not None and all(one.load_case != case for one in subject.forces):
+        raise InputError(f"No load case called {case!r}. {nearest(case, [one.load_case for one in subject.forces])}")
+    force = np.linalg.norm(found["load_force"], axis=2)
+    header |= {"dim": model.dim, "title": model.title, "gravity": list(model.gravity or (0.0,) * model.dim)}
+    header |= more | {
+        "times": found["time"].tolist(),
+        "largest_load": float(force.max(initial=0.0)),
+        "extent": float(np.linalg.norm(np.ptp(found["position"].reshape(-1, model.dim), axis=0))),
+        "not_unique": sorted({str(name) for one in subject.forces for name in one.data.attrs.get("not_unique", [])}),
+        "channels": [],
+    }
+    kept = {name: found[name][list(samples)] for name in ("time", "position", "load_force")}
+    if colour is not None:
+        channel, coloured = _coloured(subject, found, colour)
+        header["channels"] = [channel]
+        kept |= {name: values[list(samples)] for name, values in coloured.items()}
+    return Scene(header=header, arrays=arrays | kept)
+
+
+def _coloured(subject: _Subject, found: dict[str, Any], colour: str) -> tuple[dict[str, Any], dict[str, NDArray[np.float64]]]:
+    """The header fields of a channel and its arrays over all samples."""
+    from kinetruss.strength.beam_verdict import middle_forces
+    from kinetruss.strength.verdict import strength_histories
+
+    model, known = subject.model, ("force", "stress", "utilisation")
+    if colour not in known:
+        raise InputError(f"No colour called {colour!r}. {nearest(colour, known)}")
+    channel = CHANNELS[colour]
+    if subject.rest is not None:
+        if colour != "force":
+            raise InputError(f"There is no {colour} of a state at rest. Colour it by force.")
+        values = {"member_force": found["member_force"]}
+    elif colour == "force":
+        values = {"member_force": middle_forces(model, subject.forces[0])}
+    else:
+        # of the stress of faces all that there is
+        faces = {"skin_stress": skin_stress(model, skin_of(model), found["position"])} if colour == "stress" else {}
+        values = {name: one for name, one in faces.items() if one is not None}
+        members = strength_histories(model, subject.forces[0]).get(colour)
+        if members is None and not values:
+            raise InputError(f"There is no {colour}: it needs a section and a material. Add them to the model.")
+        unknown = np.full((len(found["time"]), len(model.members)), np.nan)
+        values[channel["array"]] = unknown if members is None else members
+    drawn = [kind != FRAME for kind in shown_kinds(model).values()]
+    own = values[channel["array"]][:, drawn]
+    all_values = np.concatenate([own.ravel(), values.get("skin_stress", np.zeros(0)).ravel()])
+    more = {
+        "limits": list(limits_of(channel["scale"], all_values)),
+        "largest": float(np.nanmax(own, initial=0.0)),
+        "gaps": bool(np.isnan(own).any()),
+    }
+    return {"id": colour, **channel, **more}, values
 
 
 def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
@@ -138,7 +248,7 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
     linear = isinstance(what, Result) and {"mode_shape", "frequency"} <= set(what.data)
     rest = isinstance(what, Result) and {"position", "member_force"} <= set(what.data) and what.data["position"].ndim == 2
     if not linear and not rest and not isinstance(what, (Motion, Forces)):
-        raise InputError(f"A {type(what).__name__} cannot be shown. Give a model, a motion, forces or a run.")
+        raise InputError(f"A {type(what).__name__} cannot be drawn. Give a model, a motion, forces, an equilibrium or a run.")
     if model is None:
         raise InputError(f"A {type(what).__name__} alone has no bars. Give its model too: model=...")
     if linear:
@@ -151,19 +261,31 @@ def _subject(what: Any, model: Model | None, case: str | None) -> _Subject:
     return _Subject(model=model, kind="motion", motion=what)
 
 
-def _verdict(subject: _Subject) -> Headline:
+def _finding(subject: _Subject) -> Finding:
     """What governs, of the load cases shown: from the run, or checked here."""
-    from kinetruss.strength.governing import headline
+    from kinetruss.strength.findings import demands, find
 
     run = subject.run
-    if run is not None and (len(subject.forces) == len(run.forces) or not subject.forces):
-        return headline(run.verdict, run.demand, timed=run.motion.data.sizes["time"] > 1)
+    if run is not None and (run.verdict is not None or not run.forces) and len(subject.forces) in (0, len(run.forces)):
+        return run.finding
     if not subject.forces:
-        return headline(None)
+        return find(None)
+    verdict = check(subject.model, subject.forces)
+    if run is None:
+        return find(verdict, timed=subject.motion is not None and subject.motion.data.sizes["time"] > 1)
     names = {one.load_case for one in subject.forces}
-    timed = subject.motion is not None and subject.motion.data.sizes["time"] > 1
-    demand = {k: v for k, v in (run.demand if run else {}).items() if k in names}
-    return headline(check(subject.model, subject.forces), demand, timed=timed)
+    demand = demands({name: one for name, one in run.demand.items() if name in names})
+    return find(verdict, demand, partial=run.partial, doubts=run.doubts, timed=run.timed)
+
+
+def _not_checked(finding: Finding) -> dict[str, str]:
+    """Member -> its rules that were not checked and why, in words."""
+    found: dict[str, list[str]] = {}
+    for row in finding.members:
+        if row.status == "not checked":
+            of = "" if row.part == row.member else f" of {row.part}"
+            found.setdefault(row.member, []).append(f"{row.rule}{of}: {row.note.removeprefix(NOT_CHECKED)}")
+    return {member: "; ".join(words) for member, words in found.items()}
 
 
 def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
@@ -179,10 +301,13 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     except (AnalysisError, InputError) as error:
         position = np.array([node.at for node in model.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}
-    position = np.array(position)
-    position[[node.scalar for node in model.nodes.values()]] = position[0]
-    loads, force = loads_of(model, np.zeros(1), None, position[None])
-    found = {"time": np.zeros(1), "position": position[None], "load_force": force}
+    when, case = np.zeros(1), None
+    if subject.rest is not None:
+        when, case = load_times(subject.rest, when), subject.rest.provenance.get("load_case")
+        own = model.load_cases[case].gravity if case in model.load_cases else None
+        more |= {} if own is None else {"gravity": [float(g) for g in own]}
+    loads, force = loads_of(model, when, case if case in model.load_cases else None, position[None])
+    found = {"time": np.zeros(1), "position": scalars_placed(model, position[None]), "load_force": force}
     if subject.rest is not None:
         still = np.zeros_like(found["position"])
         found |= {"member_force": middle_forces(model, subject.rest)[None], "velocity": still, "acceleration": still}

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import POLICY, html_page, number, quantity, scale
 from kinetruss.errors import InputError
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 from kinetruss.viewer.packing import pack
 from kinetruss.viewer.scenes import scene
 
@@ -114,6 +114,11 @@ def live_page(title: str, hosts: Sequence[str] = (), still: Scene | None = None,
     data = "" if still is None else _data(still, "")
     live = "draw" if draw else "socket" if hosts else "frame"
     return _document(title or "kinetruss", data, policy, f' data-live="{live}"')
+
+
+def film_page(still: Scene) -> str:
+    """The page that draws pictures and films of a scene, as `kinetruss.viewer.pictures` asks it to."""
+    return _document("kinetruss", _data(still, ""), POLICY, ' data-live="film"')
 
 
 def _data(one: Scene, name: str) -> str:

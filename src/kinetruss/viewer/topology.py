@@ -14,6 +14,7 @@ from kinetruss.mechanics.local_axes import orientation
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
 from kinetruss.model.beam_frames import chords, shown_kinds, shown_names
 from kinetruss.model.bodies import placed
+from kinetruss.model.joints import GROUND
 from kinetruss.strength.parts import parts_of
 
 if TYPE_CHECKING:
@@ -41,7 +42,9 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "beams": [k for k, name in enumerate(members) if name in chords(model)],
         "directors": [k for k, node in enumerate(model.nodes.values()) if node.director],
         "supports": [
-            {"node": index[node], "axes": axes} for node, axes in model.fixed.items() if not model.nodes[node].director
+            {"node": index[node], "axes": axes, "clamped": model.clamped.get(node) == GROUND}
+            for node, axes in model.fixed.items()
+            if not model.nodes[node].director
         ],
         "drives": [
             _drive(name, drive, index, list(members), [one.ends for one in members.values()])

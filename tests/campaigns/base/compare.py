@@ -42,7 +42,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "53505043a11de544699cdc28a30dc4253aed137c"
+BASE = "92f66ebf7cbfbd0d97a041ae38384735afe45b7f"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60

@@ -21,23 +21,21 @@ from answers import SOLVED, Answer, Part, asked
 from asking import main
 from models import Case
 
-from kinetruss.dynamics.assembly.equations import equations
-from kinetruss.dynamics.linear.state import moving_forces
-from kinetruss.dynamics.prescribed.free import applied as left_over
-from kinetruss.kernels.solve import kkt as kkt
+from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.linear_state import moving_forces
+from kinetruss.dynamics.prescribed import apply_loads as left_over
+from kinetruss.kernels.solve import kkt
 from kinetruss.kernels.structure.applied import applied, no_force
-from kinetruss.kernels.structure.plan import ANGLE, GREEN, LENGTH
-from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
-from kinetruss.mechanics import System, compile, jacobian, measured
-from kinetruss.mechanics.assembly.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.assembly.cases import case_loads
-from kinetruss.mechanics.assembly.continua import continua_stiffness, strain_balance
-from kinetruss.mechanics.assembly.laws import bar_laws
-from kinetruss.mechanics.assembly.matrices import mass_matrix, tangents
-from kinetruss.mechanics.assembly.tables import nodal_loads, structure_of
-from kinetruss.mechanics.constraints.derivatives import held_rows
-from kinetruss.statics.small.stiffness import flexibility, stiff_rows
+from kinetruss.mechanics import GREEN, System, compile, jacobian, measured
+from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
+from kinetruss.mechanics.elements import continua_stiffness, strain_balance
+from kinetruss.mechanics.loads import case_loads
+from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
+from kinetruss.mechanics.rows import row_derivatives
+from kinetruss.mechanics.tables import nodal_loads, structure_of
+from kinetruss.statics.small_displacements import flexibility, stiff_rows
 
 SOLVERS = ("dense", "sparse", "sweep")
 SHIFT = 1e-9
@@ -101,7 +99,7 @@ class Question:
     def steep(self) -> float:
         """The largest gradient of a drive's coordinate."""
         L, _ = self.ends()
-        sums = np.abs(held_rows(self.system, self.x).g[0]).max() if len(self.system.row_member) else 1.0
+        sums = np.abs(row_derivatives(self.system, self.x).g[0]).max() if len(self.system.row_member) else 1.0
         return max(1.0, 1.0 / float(L.min(initial=1.0)), sums)
 
     def energy_size(self, mass: np.ndarray) -> float:
@@ -315,7 +313,7 @@ class Still:
 
     def turning(self) -> list[Part]:
         """Gradients of rows, how they turn, and what rates are multiplied with."""
-        found = held_rows(self.balance.system, self.q.x, self.q.v)
+        found = row_derivatives(self.balance.system, self.q.x, self.q.v)
         g, turned = found.g[0].toarray(), found.g[1].toarray()
         unit = np.maximum(np.linalg.norm(g, axis=1, keepdims=True), 1e-300)
         places, fast = (self.rows, self.q.at), 10 * self.q.turn
@@ -347,7 +345,7 @@ class Still:
         """Row forces that carry what is applied, redundant ones shared."""
         b, x = self.balance, self.q.x
         N = balanced_rows(b, x, b.applied(x))
-        J = held_rows(b.system, x).g[0][:, b.system.free].toarray()
+        J = row_derivatives(b.system, x).g[0][:, b.system.free].toarray()
         values = np.linalg.svd(J, compute_uv=False)
         least = float(values[values > 1e-10].min(initial=1.0))
         return Part(N, (self.rows,), (np.abs(N).max(initial=0.0) + self.q.size().max()) / least**2, SOLVED)

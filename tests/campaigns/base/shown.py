@@ -29,6 +29,21 @@ DATA = re.compile(r"<script type=.application/json.*?</script>", re.DOTALL)
 """The record of a report in its page: it is compared by itself."""
 
 
+DRAWING = re.compile(r"<svg\b.*?</svg>", re.DOTALL)
+LETTERS = re.compile(r"<text\b[^>]*>([^<]*)</text>")
+"""A drawing in a page, of which the letters are compared: where a line goes is for tests of drawings, and for eyes."""
+
+
+def readable(html: str) -> str:
+    """A page in lines, of its drawings the letters."""
+
+    def letters(drawing: re.Match[str]) -> str:
+        return "\n".join(f"drawn: {words}" for words in ["", *sorted(LETTERS.findall(drawing[0]))])
+
+    bare = DRAWING.sub(letters, DATA.sub("", html))
+    return TAKEN.sub("-", re.sub(r">\s*<", ">\n<", bare))
+
+
 def steady(value: Any) -> Any:
     """A record without what depends on the machine or the hour."""
     if isinstance(value, dict):
@@ -57,7 +72,7 @@ def of_example(name: str) -> Iterator[tuple[str, str]]:
         yield f"{run} summary", TAKEN.sub("-", summary.text) + "\n" + as_text(summary.record)
         page = kt.report.document_page(result, date="1 January 2000")
         yield f"{run} report", as_text(page.record)
-        yield f"{run} page", TAKEN.sub("-", re.sub(r">\s*<", ">\n<", DATA.sub("", page.html)))
+        yield f"{run} page", readable(page.html)
         scene = kt.viewer.scene(result, frames=20)
         sums = {key: [list(one.shape), float(np.abs(one).sum())] for key, one in sorted(scene.arrays.items())}
         yield f"{run} scene", as_text(scene.header) + "\n" + as_text(sums)
@@ -68,7 +83,7 @@ def of_sizing(model: Path, mission: Path) -> Iterator[tuple[str, str]]:
     record = kt.design.record(kt.design.size(kt.read(model), mission))
     yield "sizing", as_text(record)
     page = kt.report.sizing_page(record, date="1 January 2000")
-    yield "sizing page", TAKEN.sub("-", re.sub(r">\s*<", ">\n<", DATA.sub("", page.html)))
+    yield "sizing page", readable(page.html)
 
 
 def of_wrong(path: Path) -> str:

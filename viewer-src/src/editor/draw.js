@@ -1,10 +1,11 @@
-// The drawing page: what the server says of the drawing, what is picked, and the one message that is on its way.
+// The drawing page: what the studio says of the drawing, and what is picked.
 
-import { Busy } from "../busy.js";
 import { el } from "../dom.js";
+import { Talk } from "../talk.js";
 import { Camera } from "./camera.js";
 import { Canvas } from "./canvas.js";
 import { Curves } from "./curves.js";
+import style from "./editor.css";
 import { Entries } from "./entries.js";
 import { Files } from "./files.js";
 import { Groups } from "./groups.js";
@@ -17,15 +18,24 @@ import { Tools } from "./tools.js";
 import { ToolRail } from "./rail.js";
 import { Whole } from "./whole.js";
 
-const AGAIN = 2000; // ms between attempts to reach a lost server
 const OFTEN = 6; // moves of a drag after which the curve may follow
 const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
 // what does not change the drawing; while anything else is computed, nothing is shown of the state before
 const ASIDE = { curve: "Computing the path ...", run: "Starting the run ...", stop: "Stopping the run ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
 
-export class Draw {
+export function startDraw(root) {
+  const sheet = document.createElement("style");
+  sheet.textContent = style;
+  document.head.append(sheet);
+  const draw = new Draw(root);
+  window.kinetruss.draw = draw;
+  draw.connect();
+}
+
+export class Draw extends Talk {
   constructor(root) {
-    Object.assign(this, { root, state: null, tool: "bar", snap: true, waiting: null, queue: [], want: null, closed: true, cursor: null, rubber: null, pointed: null, several: false, moves: 0, stale: false });
+    super(root);
+    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, several: false, moves: 0, stale: false });
     this.picked = { nodes: new Set(), members: new Set() };
     this.shown = { names: true, force: true };
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -33,8 +43,6 @@ export class Draw {
     this.camera = new Camera();
     this.banner = el("p", { class: "banner", role: "status", hidden: true });
     this.spoken = el("p", { class: "spoken", role: "status", "aria-live": "polite" });
-    this.doing = el("p", { class: "busy", hidden: true });
-    this.busy = new Busy((words) => this.showBusy(words));
     this.picture = new Picture(this);
     this.curves = new Curves(this);
     this.readout = new Readout(this);
@@ -56,12 +64,8 @@ export class Draw {
 
   // -- asking ------------------------------------------------------------------------------------------------------
 
-  /** Ask for something; the promise holds the answer. since : when it was wished for, ms. */
-  ask(command, since = performance.now()) {
-    return new Promise((resolve) => {
-      this.queue.push({ command, resolve, since });
-      this.pump();
-    });
+  get there() {
+    return this.state;
   }
 
   /** An edit: what it made is picked. */
@@ -82,7 +86,7 @@ export class Draw {
 
   /** Nodes to new places while they are dragged; of many wishes only the last counts. */
   drag(places, number) {
-    this.want = { do: "move", places, drag: number };
+    this.wanted = { do: "move", places, drag: number };
     this.pump();
   }
 
@@ -91,31 +95,19 @@ export class Draw {
     this.ask({ do: "show" });
   }
 
-  pump() {
-    this.send();
-    this.watch();
+  /** A drag goes first; a path that is shown follows it now and then. */
+  hurried() {
+    const command = this.wanted;
+    if (!command || (this.curves.stale && this.moves >= OFTEN)) return null;
+    this.moves++;
+    this.wanted = null;
+    return { command };
   }
 
-  send() {
-    if (this.waiting || this.closed) return;
-    const stale = this.curves.stale && (!this.want || this.moves >= OFTEN);
-    if (this.want && !stale) {
-      this.moves++;
-      this.dispatch(this.want);
-      this.want = null;
-    } else if (this.queue.length) {
-      this.waiting = this.queue.shift();
-      this.post(JSON.stringify(this.waiting.command));
-    } else if (stale) {
-      this.moves = 0;
-      this.dispatch(this.curves.command());
-    }
-  }
-
-  /** Send what nobody waits for. */
-  dispatch(command) {
-    this.waiting = { command, resolve: () => {}, since: performance.now() };
-    this.post(JSON.stringify(command));
+  leisurely() {
+    if (!this.curves.stale) return null;
+    this.moves = 0;
+    return { command: this.curves.command() };
   }
 
   /** Say what is awaited, once that takes long. */
@@ -132,9 +124,7 @@ export class Draw {
   showBusy(words) {
     const stale = Boolean(words && this.changing && this.state);
     if (words && this.doing.hidden) this.say(words);
-    this.doing.hidden = !words;
-    this.doing.textContent = words;
-    this.root.classList.toggle("awaiting", Boolean(words));
+    super.showBusy(words);
     this.status.wait(stale ? words : "");
     if (stale === this.stale) return;
     this.stale = stale;
@@ -144,22 +134,12 @@ export class Draw {
 
   // -- hearing -----------------------------------------------------------------------------------------------------
 
-  hear(data) {
-    const answer = JSON.parse(data);
-    if (answer.kind === "failed") return this.fail(answer.message);
-    if (answer.kind === "busy") {
-      if (this.busy.words || !this.state) this.busy.say(answer.text);
-      return;
-    }
+  heard(answer) {
     if (answer.kind === "drawing") this.take(answer);
     else if (answer.kind === "moved") this.place(answer);
     else if (answer.kind === "curve") this.curves.take(answer);
     else if (answer.kind === "error") this.refuse(answer.message);
-    if (answer.other || answer.choices) return this.pump(); // nobody here asked
-    const { waiting } = this;
-    this.waiting = null;
-    waiting?.resolve(answer);
-    this.pump();
+    return answer.other || answer.choices;
   }
 
   /** A value that is not taken: every field shows again what holds. */
@@ -324,27 +304,8 @@ export class Draw {
     else this.busy.wait("Opening ...", performance.now());
   }
 
-  fail(message) {
-    this.closed = true;
-    this.root.replaceChildren(el("div", { class: "failure" }, el("p", {}, message)));
-    this.root.dataset.state = "failed";
-  }
-
-  /** The server is lost: the drawing stays as it was last confirmed, and nothing can be changed. */
-  close(connect) {
-    this.closed = true;
-    for (const { resolve } of [this.waiting, ...this.queue]
-      .filter(Boolean)) resolve({ kind: "lost" });
-    Object.assign(this, { waiting: null, queue: [], want: null });
-    this.busy.end();
-    if (!this.state) return this.fail("The studio does not answer. Start it again, and open the address that it prints.");
-    this.setEnded(true);
-    this.tell("The studio has ended. The drawing stays as it was last confirmed and cannot be changed. It is kept beside its file: start the studio again in the same folder, and this page goes on with it.", true);
-    setTimeout(connect, AGAIN);
-  }
-
-  setEnded(ended) {
-    this.root.classList.toggle("ended", ended);
-    for (const field of this.root.querySelectorAll("input, select, button, textarea")) field.disabled = ended;
+  close() {
+    super.close();
+    if (this.state) this.tell("The studio has ended. The drawing stays as it was last confirmed and cannot be changed. It is kept beside its file: start the studio again in the same folder, and this page goes on with it.", true);
   }
 }

@@ -14,6 +14,7 @@ from kinetruss.report.document.result import result_lines, warnings
 from kinetruss.report.run_summary import checks, largest_forces, motors, summary_record, worst_rows
 from kinetruss.report.run_tables import drive_loads, exceeded, trains
 from kinetruss.strength import elements
+from kinetruss.strength.findings import demands
 
 if TYPE_CHECKING:
     from kinetruss.results import Row
@@ -63,7 +64,7 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
         "checks": checks(run),
     }
     whole: dict[str, Any] = plain(found)
-    whole["result"] = list(result_lines(whole))
+    whole["result"] = list(result_lines(run, whole))
     return whole
 
 
@@ -111,13 +112,8 @@ def _deformed(run: RunResult) -> dict[str, Any]:
 
 def limits(run: RunResult) -> list[dict[str, Any]]:
     """Largest demands on the drives compared with their limits, over all load cases, worst first."""
-    rows = [
-        _row(row) | {"load_case": case}
-        for case, demand in run.demand.items()
-        if "utilisation" in demand.data
-        for row in demand.table()
-    ]
-    return sorted(rows, key=lambda row: -row["utilisation"] if row["utilisation"] == row["utilisation"] else math.inf)
+    rows = demands(run.demand)
+    return [_row(row) for row in sorted(rows, key=lambda row: -row.utilisation if row.checked else math.inf)]
 
 
 def _row(row: Row) -> dict[str, Any]:

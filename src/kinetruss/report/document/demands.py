@@ -12,6 +12,7 @@ from kinetruss.display import Markup, Table, instant, margin, quantity
 from kinetruss.model import turns
 from kinetruss.model.beam_frames import FRAME, shown_kinds, shown_names
 from kinetruss.report.document.columns import Columns, bar
+from kinetruss.results.wide_tables import exceeds
 from kinetruss.strength.beam_verdict import middle_forces
 
 if TYPE_CHECKING:
@@ -86,11 +87,6 @@ def margin_of(row: dict[str, Any]) -> str:
 def is_over(row: dict[str, Any]) -> bool:
     """True if a limit is exceeded by more than round-off."""
     return exceeds(value_of(row["utilisation"]))
-
-
-def exceeds(utilisation: float) -> bool:
-    """True if a utilisation is above 1 by more than round-off: a drive held at its limit does not exceed it."""
-    return utilisation > 1 + ROUND_OFF
 
 
 def bars_of(rows: Iterable[dict[str, Any]]) -> list[Markup]:

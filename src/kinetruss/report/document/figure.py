@@ -1,112 +1,194 @@
-"""The figure of a report as part of its page: the structure at one instant, or its deflected shape, magnified, at rest."""
+"""The figures of a report: the structure at the governing instant with loads and their values, and its deflected shape."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import quantity
-from kinetruss.report.document.demands import cased
-from kinetruss.report.document.figure_contents import Loaded, loaded, supports_of
-from kinetruss.report.document.figure_drawing import WIDTH, Labels, draw_supports, drawn, lines_of_members, round_length, seen
+from kinetruss.display import DRIVEN, instant, number, quantity
+from kinetruss.model import Pressure
+from kinetruss.report.document.demands import cased, share_of, value_of
 from kinetruss.report.document.run_pictures import embedded, lines_of
-from kinetruss.report.pictures.drawing import projected
-from kinetruss.report.pictures.specs import INK, PRINT, QUIET, RC
+from kinetruss.report.pictures.drawing import drawn, round_length
+from kinetruss.report.pictures.labels import CROWDED, Label
+from kinetruss.report.pictures.specs import ALARM, INK, QUIET, WIDTHS, Drawing
+from kinetruss.report.pictures.stands import arrows, drawing, middle, projected, stand, values_of
 from kinetruss.report.run_lines import shift_of
+from kinetruss.viewer.places import Places
+from kinetruss.viewer.scenes import snapshots
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.display import Markup
+    from kinetruss.results import Row
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
 
 
-TALLEST, LEAST = 3.6, 1.2
-"""Largest and smallest height, inches."""
-
+LEAST_FORCE = 1e-9
+"""Forces below this share of the largest are not drawn."""
+NAMED, FEW = 40, 12
+"""Number of nodes up to which their names are shown, above it those of supports and loads only; number of supports up to which
+all of them are named.
+"""
+TALLEST, SMALL, LOW = 4.6, 2.2, 3.4
+"""Largest height of the structure, inches: at most half of a sheet; in a summary; of the deflected shape."""
 SHARE = 0.1
 """Size of the largest drawn displacement at most, of the structure."""
-GHOST = "#a8b0b9"
+
+
+def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Markup]:
+    """The structure at the governing instant, as part of a page; nothing without a good sample. small : for a summary."""
+    if not run.good:
+        return []
+    figure, caption = loaded(run, record, SMALL if small else TALLEST)
+    return [embedded([lines_of(drawn(figure), "loaded", caption)], caption)]
+
+
+def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) -> tuple[Drawing, str]:
+    """The instant of the governing entry, or of the largest member force, with the loads that act then; and its caption."""
+    worst = run.finding.governing
+    case, k = next(iter(run.forces), None), 0
+    entry: Mapping[str, Any] | None = next(iter(record["largest_forces"]), None)
+    if worst is not None:
+        entry = {"load_case": worst.load_case, "pose": worst.pose, "time": worst.time}
+    if entry is not None:
+        case = entry["load_case"] if entry["load_case"] in run.forces else case
+        k = _sample(run, entry)
+    places = Places(snapshots(run, case=case, samples=[k]))
+    header, model = places.scene.header, run.model
+    pairs = arrows(places, 0, least=LEAST_FORCE)
+    over, labels, chief = False, [], None
+    if worst is not None:
+        over = worst.status == "exceeded"
+        chief = _member(places, run, worst.part)
+    if worst is not None and chief is not None:
+        words = f"{worst.part}: {worst.rule} {share_of(worst.utilisation)}"
+        labels.append(Label(words=words, at=middle(places, chief), colour=ALARM if over else INK, bold=True))
+    lengths = [float(np.linalg.norm(end - start)) for start, end, _ in pairs]
+    least = sorted(lengths, reverse=True)[:NAMED][-1] if lengths else 0.0
+    labels += values_of(pair for pair, length in zip(pairs, lengths, strict=True) if length >= least)
+    labels += [*_drives(places, chief), *_names(places)]
+    gravity = np.asarray(header["gravity"], float)
+    down = projected(gravity[None] / np.linalg.norm(gravity))[0] if gravity.any() else None
+    seen = stand(
+        places,
+        arrows=[pair for *pair, _ in pairs],
+        labels=labels,
+        band=None if chief is None else (chief, over),
+    )
+    figure = drawing(places.scene, [seen], width=WIDTHS["page"], axes=(projected(np.eye(model.dim)), down), tallest=tallest)
+    return figure, _caption(run, case, k, worst, over, places)
+
+
+def _member(places: Places, run: RunResult, part: str) -> int | None:
+    """The place among the members shown of the member that an entry is about."""
+    model = run.model
+    name = part if part in {*model.members, *model.beams, *model.drives} else part.rpartition(".")[0]
+    name = getattr(model.all_drives.get(name), "bar", name)
+    names = [places.scene.header["members"][k] for k in places.members]
+    return names.index(name) if name in names else None
+
+
+def _sample(run: RunResult, entry: Mapping[str, Any]) -> int:
+    if entry.get("pose") and "pose" in run.motion.data.coords:
+        return int(np.flatnonzero(run.motion.data["pose"].values == entry["pose"])[0])
+    when = value_of(entry["time"])
+    return 0 if np.isnan(when) else int(np.abs(run.motion.data["time"].values - when).argmin())
+
+
+def _drives(places: Places, chief: int | None) -> list[Label]:
+    """Names of drives at the middle of the members that they move."""
+    shown = {member: k for k, member in enumerate(places.members)}
+    moved = [(one["name"], shown[one["member"]]) for one in places.scene.header["drives"]
+             if one.get("member") in shown and "axis" not in one]  # fmt: skip
+    return [
+        Label(words=name, at=middle(places, k), colour=DRIVEN, most=CROWDED) for name, k in moved[: NAMED // 2] if k != chief
+    ]
+
+
+def _names(places: Places) -> list[Label]:
+    """Names of nodes: of all where they are few, else of supports and loads; where those are few they stand in any case."""
+    header = places.scene.header
+    held = {one["node"] for one in header["supports"]}
+    loads = {one["node"] for one in header["loads"] if not one.get("pressure")}
+    used = set(places.joined)
+    found = []
+    for k in places.nodes:
+        important = (k in held and len(held) <= NAMED) or (k in loads and len(loads) <= NAMED)
+        always = (k in held and len(held) < FEW) or (k in loads and len(loads) < FEW)
+        if (k in used or k in loads) and (len(used) <= NAMED or important):
+            most = np.inf if always else CROWDED
+            found.append(Label(words=header["nodes"][k], at=projected(places.x[k]), colour=QUIET, most=most))
+    return found
+
+
+def _marks(places: Places) -> list[str]:
+    """The marks of supports that a figure has."""
+    words = {"clamped": "squares clamped", "held": "triangles held", "guided": "circles guided"}
+    return [words[kind] for kind, nodes in places.supports.items() if nodes]
+
+
+def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: bool, places: Places) -> str:
+    model, header, time = run.model, places.scene.header, run.motion.data["time"].values
+    when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
+    if "pose" in run.motion.data.coords:
+        when = f"in pose {run.motion.data['pose'].values[k]}"
+    words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
+    if worst is not None:
+        mark = "red, over its capacity" if over else "on a broad pale band"
+        words.append(f"the governing part {mark} ({worst.part}: {worst.rule} {share_of(worst.utilisation)})")
+    if header["drives"]:
+        words.append("driven members green")
+    if held := _marks(places):
+        words.append(f"supports: {', '.join(held)}")
+    force = np.linalg.norm(places.scene.arrays["load_force"][0], axis=1)
+    if (force > LEAST_FORCE * header["largest_load"]).any():
+        pressing = ", of pressure some of them and without values" * any(one.get("pressure") for one in header["loads"])
+        words.append(f"arrows: forces on nodes{pressing}")
+    there = {one["name"] for one in header["loads"]}
+    others = [name for name, load in model.loads.items() if name not in there and not isinstance(load, Pressure)]
+    if others:
+        words.append(f"not drawn: {', '.join(others)}")
+    if any(header["gravity"]):
+        words.append(f"gravity {number(float(np.linalg.norm(header['gravity'])))} m/s², grey arrow")
+    return "; ".join(words) + "."
 
 
 def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
     """The figure of the load case of the governing entry; nothing for runs over time, and without displacements."""
     if run.good != 1 or not run.statics:
         return []
-    case = _case(run, record)
+    named = [row["load_case"] for row in record["strength"] if row["utilisation"] is not None]
+    case = next((case for case in named[:1] if case in run.statics), next(iter(run.statics)))
     shift = shift_of(run, run.statics[case])
-    figure = loaded(run, record)
-    visible = seen(figure.model)
+    scene = snapshots(run)
+    visible = Places(scene).nodes
     size = np.linalg.norm(shift[0][visible], axis=1) if shift is not None and shift.size and visible else np.zeros(1)
-    if not size.max() > 0 or not lines_of_members(figure, projected(figure.position)):
+    if not size.max() > 0 or not Places(scene).lines:
         return []
     start = np.array([node.at for node in run.origin.nodes.values()], float)
     extent = float(np.linalg.norm(np.ptp(start[visible], axis=0))) or 1.0
     factor = max(1.0, round_length(SHARE * extent / float(size.max())))
-    rest, moved = replace(figure, position=start), replace(figure, position=start + factor * shift[0])
+    rest, moved = Places(scene, x=start), Places(scene, x=start + factor * shift[0])
     farthest = visible[int(size.argmax())]
-    words = f"{list(run.model.nodes)[farthest]}: {quantity(float(size.max()), 'm')}"
-    scale = "to scale" if factor == 1 else f"displacements {factor:g} times as large as they are"
-    held = supports_of(run.model)
-    caption = f"The deflected shape, {cased(case)}, {scale}; grey: without loads; the largest displacement is named" + (
+    words = f"{scene.header['nodes'][farthest]}: {quantity(float(size.max()), 'm')}"
+    drawn_scale = "to scale" if factor == 1 else f"displacements {factor:g} times as large as they are"
+    held = _marks(rest)
+    caption = f"The deflected shape, {cased(case)}, {drawn_scale}; grey: without loads; the largest displacement is named" + (
         f"; supports: {', '.join(held)}." if held else "."
     )
-    canvas = _drawn(rest, moved, (farthest, words))
-    return [embedded([lines_of(canvas, "deflected", caption)], caption)]
-
-
-def _case(run: RunResult, record: Mapping[str, Any]) -> str:
-    """The load case of the governing entry that has displacements, or the first."""
-    named = [row["load_case"] for row in record["strength"] if row["utilisation"] is not None]
-    return next((case for case in named[:1] if case in run.statics), next(iter(run.statics)))
-
-
-def _drawn(rest: Loaded, moved: Loaded, label: tuple[int, str]) -> Canvas:
-    points = [projected(one.position) for one in (rest, moved)]
-    before, after = (list(lines_of_members(one, own).values()) for one, own in zip((rest, moved), points, strict=True))
-    shown = np.concatenate([*before, *after])
-    low, high = shown.min(axis=0), shown.max(axis=0)
-    reach = float(np.max(high - low)) or 1.0
-    low, high = low - 0.08 * reach, high + 0.08 * reach
-    height = float(np.clip(WIDTH * (high - low)[1] / (high - low)[0], LEAST, TALLEST))
-    scale = max((high - low)[0] / WIDTH, (high - low)[1] / height)
-    with mpl.rc_context(RC | PRINT):
-        canvas = Canvas(figsize=(WIDTH, height))
-        FigureCanvasAgg(canvas)
-        ax = canvas.add_axes((0, 0, 1, 1))
-        middle = (low + high) / 2
-        ax.set_xlim(middle[0] - scale * WIDTH / 2, middle[0] + scale * WIDTH / 2)
-        ax.set_ylim(middle[1] - scale * height / 2, middle[1] + scale * height / 2)
-        ax.set_axis_off()
-        ax.add_collection(LineCollection(before, colors=GHOST, linewidths=0.8))
-        ax.add_collection(LineCollection(after, colors=INK, linewidths=1.4, capstyle="round"))
-        draw_supports(ax, rest.model, points[0])
-        node, words = label
-        ax.plot(*np.array([points[0][node], points[1][node]]).T, color=QUIET, linewidth=0.8, linestyle=(0, (2, 1.5)))
-        ax.plot(*points[1][node], "o", color=INK, markersize=3.5)
-        Labels(ax, scale, [*before, *after], points[0][:0]).put(words, points[1][node], INK, bold=True)
-    return canvas
-
-
-# The figure as part of a page.
-
-SMALL = 2.45
-"""Height of the figure of a summary, inches."""
-
-
-def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Markup]:
-    """The figure as part of a page; nothing for a run without a good sample. small : for a summary."""
-    if not run.good:
-        return []
-    found = loaded(run, record)
-    canvas = drawn(found, SMALL) if small else drawn(found)
-    return [embedded([lines_of(canvas, "loaded", found.caption)], found.caption)]
+    label = Label(words=words, at=projected(moved.x[farthest]), colour=INK, bold=True)
+    figure = drawing(
+        scene,
+        [stand(moved, labels=[label])],
+        width=WIDTHS["page"],
+        ghost=[projected(line) for line in rest.lines],
+        ways=[projected(np.array([rest.x[farthest], moved.x[farthest]]))],
+        tallest=LOW,
+    )
+    return [embedded([lines_of(drawn(figure), "deflected", caption)], caption)]

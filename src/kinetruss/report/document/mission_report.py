@@ -13,7 +13,7 @@ from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import Part, framed, summary_parts
 from kinetruss.report.document.inputs import inputs, lists, section_constants, worded
 from kinetruss.report.document.mission_parts import envelopes
-from kinetruss.report.document.result import assumptions, checked_words, governing_entry, result_lines
+from kinetruss.report.document.result import assumptions, checked_words, result_lines
 from kinetruss.report.document.run_pictures import diagrams_of
 from kinetruss.report.document.worked import Pairs, shown, worked_pairs, worked_record
 from kinetruss.report.mission_tables import TRAIN_UNITS, mission_record
@@ -33,20 +33,20 @@ def mission_html(run: MissionRun, front: Front) -> str:
     title = run.model.title or f"Mission {run.name}"
     pairs = Pairs(run)
     # The pair of the governing entry as a run; None if it cannot be done again.
-    worst = governing_entry(entries)
-    pair = pairs.of(worst["load_case"] if worst is not None and worst["load_case"] in pairs.labels else None)
+    worst = run.finding.governing
+    pair = pairs.of(worst.load_case if worst is not None and worst.load_case in pairs.labels else None)
     sheets = worked_pairs(pairs, entries)
     record |= {
         "out": None if run.path is None else run.path.resolve().name,
         "worked": worked_record(sheets),
-        "result": list(result_lines(entries)),
+        "result": list(result_lines(run, entries)),
     }
     mark = "" if run.whole else " (not complete)"
     version = f"kinetruss {run.provenance.get('kinetruss', '')}".strip()
     return framed(
         title,
         front,
-        result_lines(entries),
+        record["result"],
         _short(run, pair, sheets, entries) if front.summary else list(_parts(run, pair, sheets, entries, front.view)),
         kicker="Report of a mission",
         quiet=" · ".join(
@@ -60,7 +60,7 @@ def mission_html(run: MissionRun, front: Front) -> str:
 
 def mission_lines(run: MissionRun) -> tuple[str, str, str]:
     """The result of a mission in three lines."""
-    return result_lines(lined(run, mission_record(run)))
+    return result_lines(run, lined(run, mission_record(run)))
 
 
 def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
@@ -85,7 +85,6 @@ def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
         "strength": record["envelope"],
         "limits": trains,
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
-        "checks": {"not_held": [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))},
         "units": _units(run.extremes, "quantity"),
         "largest_forces": [],
         "drive_loads": [],
@@ -100,19 +99,19 @@ def _units(data: xr.Dataset, axis: str) -> dict[str, str]:
 def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Part]:
     """The sections of a summary: the figure is that of the governing pair."""
     figure = [] if pair is None else loaded_figure(pair, document_record(pair, []), small=True)
-    assumed = [] if pair is None else assumptions(pair, entries, condition=False)
-    words = f"The governing pair of a motion, a condition and a load case: {_label(run, entries)}"
+    assumed = [] if pair is None else assumptions(pair, entries, run.finding, condition=False)
+    words = f"The governing pair of a motion, a condition and a load case: {_label(run)}"
     return summary_parts(list(_state(run)), figure, sheets, assumed, words)
 
 
 def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any], view: str) -> Iterator[Part]:
     yield Part("result", "Result", "", list(_state(run)))
     if pair is not None:
-        found = assumptions(pair, entries, condition=False)
+        found = assumptions(pair, entries, run.finding, condition=False)
         yield Part("assumed", "Assumptions, and what was not checked", "What the results rest on", found)
         frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
         seen = [element("div", frame, class_="screen")] if view else []
-        words = f"Motion, condition and load case: {_label(run, entries)}"
+        words = f"Motion, condition and load case: {_label(run)}"
         own = document_record(pair, [])
         yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, own), *diagrams_of(pair, own)])
     calculations = "The governing entry of each check over all pairs, with the numbers of its pair at its instant"
@@ -122,7 +121,7 @@ def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries
     pairs = [one | {"finding": noted.get(one["label"], "")} for one in record["pairs"]]
     yield from envelopes(entries, record | {"pairs": pairs})
     if pair is not None:
-        name = f"mission {run.name}, pair {_label(run, entries)}"
+        name = f"mission {run.name}, pair {_label(run)}"
         basis = [*inputs(pair, name), *_conditions(run), *lists(pair.model), *section_constants(pair.model)]
         yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
         yield Part("method", "Method and sources", "", _methods(pair))
@@ -138,22 +137,16 @@ def _conditions(run: MissionRun) -> list[Markup]:
     return [Table(("condition", "what changes"), rows, "Conditions of the mission").html] if rows else []
 
 
-def _label(run: MissionRun, entries: dict[str, Any]) -> str:
-    worst = governing_entry(entries)
-    return str(run.pairs["label"].values[0]) if worst is None else str(worst["load_case"])
+def _label(run: MissionRun) -> str:
+    worst = run.finding.governing
+    return str(run.pairs["label"].values[0]) if worst is None else worst.load_case
 
 
 def _state(run: MissionRun) -> Iterator[Markup]:
     count = f"{run.good} of {run.samples} pairs of a motion, a condition and a load case are done."
     yield element("p", " ".join(word for word in (count, run.message) if word))
-    found: dict[str, list[str]] = {}
-    for label, words in findings(run).items():
-        found.setdefault(words, []).append(label)
-    if found:
-        entries = [
-            f"{'all pairs' if len(labels) == run.good > 1 else '; '.join(labels)}: {words}" for words, labels in found.items()
-        ]
-        items = [element("li", one) for one in entries]
+    said = [checked_words(one, run.trains is not None) for one in run.doubts]
+    if items := [element("li", one) for one in said if not one.endswith(":")]:
         yield element("div", element("h3", "Findings"), element("ul", items), class_="warnings")
 
 

@@ -4,25 +4,24 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, counted, element, instant, number, quantity
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
-from kinetruss.report.document.demands import cased, exceeds, is_over, is_single, share_of, used_of, value_of
-from kinetruss.report.run_summary import checks
+from kinetruss.report.document.demands import cased, is_over, is_single, share_of, used_of
 from kinetruss.report.run_tables import exceeded, moment, poses_of
+from kinetruss.runs import MissionRun
+from kinetruss.runs.doubts import not_unique, remarks
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
+    from kinetruss.strength import Finding
 
     Record = dict[str, Any]
 
 
-POOR_BALANCE = 1e-6
-"""Largest relative error of the energy balance without a warning; for computed motions it is near round-off."""
-NEAR_SINGULAR = 0.01
 MOST = 12
 UNCHECKED = "Not everything could be checked"
 MOTORS = re.compile(r"\s*Not checked without forces: [^.]* of the motors(?: \([a-z_.]+\))?\.")
@@ -32,12 +31,12 @@ INNER = re.compile(r" \((?:[a-z_]+\.)+[a-z_]+\)")
 
 def warnings(run: RunResult) -> list[str]:
     """The warnings, most serious first."""
-    return [*_ending(run), *_limits(run), *_unsure(run), *_incomplete(run)]
+    return [*_ending(run), *_limits(run), *run.finding.doubts, *_incomplete(run)]
 
 
 def _ending(run: RunResult) -> Iterator[str]:
-    if run.whole and run.message:  # the top of the report says it if a run is not complete
-        yield from [given] if (given := checked_words(run.message, bool(run.demand))) else []
+    if run.whole and (said := remarks(run)):  # the top of the report says it if a run is not complete
+        yield from [given] if (given := checked_words(said, bool(run.demand))) else []
 
 
 def checked_words(message: str, demands: bool) -> str:
@@ -50,13 +49,8 @@ def checked_words(message: str, demands: bool) -> str:
     return INNER.sub("", text).strip()
 
 
-def not_held(words: str) -> str:
-    """What the strength check leaves out, as a reader of a report needs it."""
-    return words.replace("Not held: ", "Not included in the strength check: ", 1)
-
-
 def _limits(run: RunResult) -> Iterator[str]:
-    rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked and exceeds(row.utilisation)]
+    rows = [row for row in run.finding.members if row.status == "exceeded"]
     for row in rows[:MOST]:
         when = f" at {f'pose {row.pose}' if row.pose else moment(row.time, ())}" if run.good > 1 else ""
         words = f"{row.rule} is at {quantity(row.utilisation, '%')} of what is allowed{when}"
@@ -72,37 +66,12 @@ def _limits(run: RunResult) -> Iterator[str]:
         yield f"Limits of drives are exceeded in {len(found) - MOST} more intervals."
 
 
-def _unsure(run: RunResult) -> Iterator[str]:
-    found = checks(run)
-    balance, gauge = found["energy_balance"], found["singularity"]
-    if balance is not None and balance["relative"] > POOR_BALANCE:
-        yield (
-            f"The energy balance closes only to {number(balance['relative'], 2)} of the largest power: the motion does not "
-            "fit its own velocities and accelerations (measured records do not quite)."
-        )
-    if gauge is not None and gauge["smallest"] < NEAR_SINGULAR:
-        yield (
-            f"The structure comes near a singular position: measure {number(gauge['smallest'], 3)} at "
-            f"{moment(gauge['time'], poses_of(run))} (0 is singular). Forces there are large and sensitive."
-        )
-    if found["not_unique"]:
-        yield (
-            f"The force is not unique in {', '.join(found['not_unique'])}: the structure is redundant, and the distribution "
-            "depends on stiffness or convention."
-        )
-    for one in () if run.simulation is None else run.simulation.passages:
-        if not one.certain:
-            yield f"At the singular position passed at {one} the tolerance cannot distinguish the branches."
-
-
 def _incomplete(run: RunResult) -> Iterator[str]:
     if run.good and run.forces and run.verdict is None:
         yield "Strength was not checked: utilisation is known only when a run has ended."
-    if run.verdict is not None:
-        yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
-        parts = dict.fromkeys(part for parts in run.verdict.not_checked().values() for part in parts)
-        if parts:
-            yield f"{UNCHECKED}: see the table of what was not, for {', '.join(parts)}."
+    yield from run.finding.left_out
+    if parts := run.finding.unchecked:
+        yield f"{UNCHECKED}: see the table of what was not, for {', '.join(parts)}."
 
 
 # Assumptions of an analysis and what it did not check.
@@ -117,30 +86,26 @@ NEVER = (
 """Subjects that the checks do not contain."""
 
 
-def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = True) -> list[Markup]:
+def assumptions(run: RunResult, record: dict[str, Any], finding: Finding, *, condition: bool = True) -> list[Markup]:
     """What was assumed, and what was not checked, headed by the strength that was not checked.
 
-    condition : with that of the run; a mission has several.
+    run, finding : that of a mission is the run of its governing pair, and what all pairs say. condition : with that of the run;
+    a mission has several.
     """
-    found = [element("ul", [element("li", words) for words in _assumed(run, record, condition=condition)])]
-    left, count = unchecked(record)
-    if left:
-        head = f"Strength not fully checked: {len(left)} of {counted(count, 'part')}."
-        found.append(element("p", element("strong", head), class_="headline"))
+    found = [element("ul", [element("li", words) for words in _assumed(run, record, finding, condition=condition)])]
+    if finding.unchecked or not finding.parts:
+        found.append(element("p", element("strong", f"{finding.lacking}."), class_="headline"))
+    if finding.unchecked:
         missing = record["not_checked"].items()
         rows = [(checked_words(what, demands=False), str(len(parts)), ", ".join(parts)) for what, parts in missing]
         found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
-    elif not count:
-        found.append(
-            element("p", element("strong", "Strength was not checked: the run has no strength check."), class_="headline")
-        )
     unlimited = sorted({row["rule"] for row in record["limits"] if row["utilisation"] is None})
     never = [*([f"drives: no limit is given for {', '.join(unlimited)}"] if unlimited else []), *NEVER]
     found.append(element("p", f"Not checked: {'; '.join(never)}."))
     return found
 
 
-def _assumed(run: RunResult, record: dict[str, Any], *, condition: bool) -> Iterator[str]:
+def _assumed(run: RunResult, record: dict[str, Any], finding: Finding, *, condition: bool) -> Iterator[str]:
     model = run.model
     chords = {f"{name}{CHORD}" for name in model.beams}
     if run.forces and any(kind != FRAME and name not in chords for name, kind in shown_kinds(model).items()):
@@ -163,11 +128,9 @@ def _assumed(run: RunResult, record: dict[str, Any], *, condition: bool) -> Iter
         yield f"In time, the {run.good} samples were evaluated; between them nothing was checked."
     if run.demand:
         yield "Drives: friction is that of the records, at constant coefficients; the heating of motors was not computed."
-    names = [name for one in run.forces.values() for name in one.data.attrs.get("not_unique", [])]
-    if names:
-        yield f"The forces of {', '.join(dict.fromkeys(names))} are not unique: they depend on stiffness or convention."
-    if run.verdict is not None:
-        yield from map(not_held, run.verdict.data.attrs.get("not_held", []))
+    if names := not_unique(run):
+        yield f"The forces of {', '.join(names)} are not unique: they depend on stiffness or convention."
+    yield from finding.left_out
     if condition and run.definition.condition is not None:
         yield f"Operating condition: {run.definition.condition}."
 
@@ -175,41 +138,29 @@ def _assumed(run: RunResult, record: dict[str, Any], *, condition: bool) -> Iter
 # The result in three lines: what governs, whether a limit is exceeded, and what was checked.
 
 
-def result_lines(record: Mapping[str, Any]) -> tuple[str, str, str]:
-    """Three lines of a report, from its record: the governing member or drive first."""
-    return _governing(record), _limits_line(record), _checked(record)
+def result_lines(run: RunResult, record: Mapping[str, Any]) -> tuple[str, str, str]:
+    """Three lines of a report, the governing member or drive first. record : what tells the largest force, if nothing was
+    checked.
+    """
+    found = run.finding
+    checked = [row.status for row in (*found.members, *found.drives) if row.checked]
+    return _governing(run, found, record), _limits_line(found, checked), _checked(found)
 
 
-def governing_entry(record: Mapping[str, Any]) -> dict[str, Any] | None:
-    """The entry of highest utilisation of members and drives; None if no limit was checked."""
-    # entries of strength are worst first, a finite number before one that has none
-    held = [row for row in (*record["strength"][:1], *record["limits"]) if row["utilisation"] is not None]
-    return max(held, key=lambda row: value_of(row["utilisation"]), default=None)
-
-
-def _governing(record: Mapping[str, Any]) -> str:
-    count = record["samples"]
-    part = f"{count['good']} of {count['asked']} {count.get('what', 'samples')}"
-    begin = "" if record["whole"] else f"Not complete ({part}). "
-    worst = governing_entry(record)
+def _governing(run: RunResult, found: Finding, record: Mapping[str, Any]) -> str:
+    begin = f"{found.partial}. " if found.partial else ""
+    worst = found.governing
     if worst is None:
         return f"{begin}No limit was checked. {_largest(record)}".strip()
-    drive = worst in record["limits"]
-    what = f"{worst['rule']} of {'the drive of ' if drive else ''}{worst['part']}"
-    when = ""
-    if worst.get("pose"):
-        when = f"pose {worst['pose']}"
-    elif worst["time"] is not None and not is_single(record):
-        when = f"t = {instant(worst['time'])}"
-    case = ""
-    if worst["load_case"]:
-        case = f"pair {worst['load_case']}" if count.get("what") == "pairs" else cased(worst["load_case"])
-    place = ", ".join(words for words in (when, case) if words)
-    amounts = ""
-    if worst["unit"]:
-        value, limit = (quantity(value_of(worst[key]), worst["unit"]) for key in ("value", "limit"))
-        amounts = f": {value} of {limit}"
-    return f"{begin}Governing: {what}, {used_of(worst['utilisation'])}{amounts}{f' ({place})' if place else ''}."
+    pairs = isinstance(run, MissionRun)
+    what = f"{worst.rule} of {'the drive of ' if found.kind == 'drive' else ''}{worst.part}"
+    when = f"pose {worst.pose}" if worst.pose else ""
+    if not when and worst.time == worst.time and (pairs or run.good > 1):
+        when = f"t = {instant(worst.time)}"
+    case = f"pair {worst.load_case}" if pairs else cased(worst.load_case)
+    place = ", ".join(words for words in (when, case if worst.load_case else "") if words)
+    amounts = f": {quantity(worst.value, worst.unit)} of {quantity(worst.limit, worst.unit)}" if worst.unit else ""
+    return f"{begin}Governing: {what}, {used_of(worst.utilisation)}{amounts}{f' ({place})' if place else ''}."
 
 
 def _largest(record: Mapping[str, Any]) -> str:
@@ -226,31 +177,21 @@ def _largest(record: Mapping[str, Any]) -> str:
     return ""
 
 
-def _limits_line(record: Mapping[str, Any]) -> str:
-    held = [row for row in (*record["strength"], *record["limits"]) if row["utilisation"] is not None]
-    over = sum(map(is_over, held))
-    scope = "" if record["whole"] else " in the part that was computed"
-    if not held:
+def _limits_line(found: Finding, checked: Sequence[str]) -> str:
+    over, scope = checked.count("exceeded"), " in the part that was computed" if found.partial else ""
+    if not checked:
         return "No limit was checked: strengths of members and limits of drives are not known here."
     if over:
-        return f"{over} of {counted(len(held), 'limit')} that were checked {'is' if over == 1 else 'are'} exceeded{scope}."
-    return f"None of the {counted(len(held), 'limit')} that were checked is exceeded{scope}."
+        return f"{over} of {counted(len(checked), 'limit')} that were checked {'is' if over == 1 else 'are'} exceeded{scope}."
+    return f"None of the {counted(len(checked), 'limit')} that were checked is exceeded{scope}."
 
 
-def unchecked(record: Mapping[str, Any]) -> tuple[list[str], int]:
-    """Parts with a rule that was not checked, and the number of all parts."""
-    parts = list(dict.fromkeys(row["part"] for row in record["strength"]))
-    left = dict.fromkeys(part for names in record["not_checked"].values() for part in names)
-    return list(left), len(parts)
-
-
-def _checked(record: Mapping[str, Any]) -> str:
-    left, count = unchecked(record)
-    if not count:
-        return "Strength was not checked: the run has no strength check."
-    if left:
-        return f"Strength not fully checked: {len(left)} of {counted(count, 'part')} ({', '.join(left)})."
-    without = ", without every action" if record["checks"]["not_held"] else ""
+def _checked(found: Finding) -> str:
+    if not found.parts:
+        return f"{found.lacking}."
+    if found.unchecked:
+        return f"{found.lacking} ({', '.join(found.unchecked)})."
+    count, without = len(found.parts), ", without every action" if found.left_out else ""
     return f"Strength checked by every rule: {'all ' if count > 1 else ''}{counted(count, 'part')}{without}."
 
 

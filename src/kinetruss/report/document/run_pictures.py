@@ -15,7 +15,7 @@ import numpy as np
 from kinetruss.display import Markup, element, quantity
 from kinetruss.report.document.diagram_pages import drawn, scales_of
 from kinetruss.report.member_diagrams import governing_diagrams
-from kinetruss.report.pictures.specs import Figure, Histories, Panel, Shape
+from kinetruss.report.pictures.specs import Drawing, Figure, Histories, Panel
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -53,7 +53,7 @@ def picture(figure: Figure, number: int, caption: str) -> Markup:
         panels = [draw(replace(whole, panels=(panel,))) for panel in whole.panels]
         return embedded([lines_of(drawn, f"{number}-{k}", caption) for k, drawn in enumerate(panels)], caption)
     drawn = draw(bare)
-    heavy = isinstance(figure, Shape) and len(figure.ends) > MEMBERS
+    heavy = isinstance(figure, Drawing) and len(figure.kinds) > MEMBERS
     return embedded([_pixels(drawn, caption) if heavy else lines_of(drawn, f"{number}", caption)], caption)
 
 

@@ -48,7 +48,7 @@ def lines(run: RunResult) -> tuple[str, str, str]:
     None of the 3 limits that were checked is exceeded.
     Strength checked by every rule: 1 part.
     """
-    return mission_lines(run) if isinstance(run, MissionRun) else result_lines(document_record(run, []))
+    return mission_lines(run) if isinstance(run, MissionRun) else result_lines(run, document_record(run, []))
 
 
 # The report of a run as one self-contained page.
@@ -120,7 +120,7 @@ def _html(run: RunResult, front: Front) -> str:
     return framed(
         title,
         front,
-        result_lines(record),
+        record["result"],
         parts,
         kicker="Report of a structural analysis",
         quiet=" · ".join(word for word in words if word),
@@ -136,19 +136,19 @@ def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> 
     # what was not checked is in the result and in the assumptions
     graver = [one for one in record["warnings"] if not one.startswith(UNCHECKED)]
     result = [tiles(record), *warned(record | {"warnings": graver})]
-    return summary_parts(result, loaded_figure(run, record, small=True), sheets, assumptions(run, record))
+    return summary_parts(result, loaded_figure(run, record, small=True), sheets, assumptions(run, record, run.finding))
 
 
 def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
     """The sections of the report of a run, in their order."""
-    drawn = _Drawn(run)
+    drawn, assumed = _Drawn(run), assumptions(run, record, run.finding)
     changes = drawn.of("lengths") if _changes(run) else ()
     stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
     deflected = deflected_figure(run, record)
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
         Part("result", "Result", "", [tiles(record), *warned(record)]),
-        Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumptions(run, record)),
+        Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumed),
         Part(
             "structure",
             "Structure and loads",

@@ -15,10 +15,9 @@ from kinetruss.display import Markup, element, instant, quantity
 from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
 from kinetruss.report.document.columns import Columns
-from kinetruss.report.document.data import document_record, plain
-from kinetruss.report.document.demands import cased, value_of
+from kinetruss.report.document.data import plain
+from kinetruss.report.document.demands import cased
 from kinetruss.report.document.frame import Part, framed
-from kinetruss.report.document.result import governing_entry, result_lines
 from kinetruss.report.document.run_report import run_parts, run_record, short_parts
 from kinetruss.report.document.title_block import front_of
 from kinetruss.report.document.worked import worked
@@ -112,7 +111,7 @@ def governing_run(record: Record) -> RunResult:
     found = [runs.run(model, name) for name in record["runs"] or model.runs]
     if not found:
         raise InputError("The sized model has no runs. Give it one, and size it again.")
-    return max(found, key=lambda run: _most(document_record(run, [])))
+    return max(found, key=lambda run: -1.0 if run.finding.governing is None else run.finding.governing.utilisation)
 
 
 def _model(record: Record) -> Model:
@@ -120,11 +119,6 @@ def _model(record: Record) -> Model:
         return Model.model_validate_json(record["model"])
     except ValidationError as error:
         raise InputError(f"The model of the sizing cannot be read ({error.error_count()} faults). {_MEND}") from None
-
-
-def _most(record: Record) -> float:
-    worst = governing_entry(record)
-    return -1.0 if worst is None else value_of(worst["utilisation"])
 
 
 def _record(run: RunResult, sizing: Record, sheets: list[Sheet] | None = None) -> dict[str, Any]:
@@ -150,7 +144,7 @@ def _html(run: RunResult, sizing: Record, front: Front) -> str:
     return framed(
         title,
         front,
-        result_lines(record),
+        record["result"],
         parts,
         kicker="Report of a sizing",
         quiet=" · ".join(word for word in (sizing["title"], f"governing run {run.name}", front.block.date) if word),

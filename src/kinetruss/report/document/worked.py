@@ -12,12 +12,13 @@ from kinetruss import runs
 from kinetruss.display import Markup, Table, element, instant, quantity
 from kinetruss.errors import KinetrussError
 from kinetruss.report.document.columns import Columns
-from kinetruss.report.document.demands import cased, exceeds
+from kinetruss.report.document.demands import cased
 from kinetruss.report.document.places import sample_of
 from kinetruss.report.document.sheets import Sheet, valued
 from kinetruss.report.document.worked_drives import drive_sheet
 from kinetruss.report.document.worked_members import beam_column_sheet, beam_yield_sheet, buckling_sheet, yield_sheet
 from kinetruss.report.member_diagrams import only
+from kinetruss.results.wide_tables import exceeds
 
 if TYPE_CHECKING:
     from kinetruss.results import Row

@@ -3,84 +3,22 @@
 from __future__ import annotations
 
 import html
-import os
 import re
-import shutil
-import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
+from kinetruss.display.browser import INSTALL, PAPER as PRINTING, Browser, BrowserError, chromium
 from kinetruss.report.document.frame import with_pages
 from kinetruss.report.document.run_report import document_page
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 if TYPE_CHECKING:
     from kinetruss.model import TitleBlock
     from kinetruss.report.page import Page
     from kinetruss.runs import RunResult
-
-
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge")
-PLACES = ("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome", "/Applications/Chromium.app/Contents/MacOS/Chromium")
-PATIENCE = 180.0
-"""Largest time of printing, s."""
-
-FLAGS = (
-    "--headless=new",
-    "--disable-gpu",
-    "--no-first-run",
-    "--no-default-browser-check",
-    "--no-pdf-header-footer",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-extensions",
-    "--disable-sync",
-    "--host-resolver-rules=MAP * ~NOTFOUND",
-)
-"""Options without network access: the page needs none, and the browser must not use any."""
-
-
-def chromium() -> str | None:
-    """The program that prints, or None if there is none."""
-    for name in NAMES:
-        if found := shutil.which(name):
-            return found
-    return next((place for place in PLACES if Path(place).is_file()), None)
-
-
-def print_page(page: Path, paper: Path, scratch: Path) -> str:
-    """Print an HTML file to a PDF file. Returns an empty text, or a sentence with the reason of a failure and the fix.
-
-    scratch : folder for temporary files of the browser.
-    """
-    program = chromium()
-    if program is None:
-        return "No PDF: no Chromium was found. Install it (Debian: apt-get install chromium), or print the page from a browser."
-    flags = list(FLAGS)
-    if hasattr(os, "geteuid") and os.geteuid() == 0:
-        flags.append("--no-sandbox")  # needed to start as root; the page is our own
-    command = [program, *flags, f"--user-data-dir={scratch}", f"--print-to-pdf={paper}", page.resolve().as_uri()]
-    try:
-        done = subprocess.run(command, capture_output=True, timeout=PATIENCE, check=False)
-    except subprocess.TimeoutExpired:
-        return f"No PDF: {program} did not print the page within {PATIENCE:g} s. Print it from a browser."
-    except OSError as error:
-        return f"No PDF: {program} cannot be started ({error.strerror}). Print the page from a browser."
-    if done.returncode == 0 and _is_whole(paper):
-        return ""
-    said = done.stderr.decode(errors="replace").strip().splitlines()
-    last = said[-1] if said else f"exit code {done.returncode}"
-    return f"No PDF: {program} failed ({last}). Print the page from a browser."
-
-
-def _is_whole(paper: Path) -> bool:
-    if not paper.is_file():
-        return False
-    data = paper.read_bytes()
-    return data.startswith(b"%PDF-") and b"%%EOF" in data[-64:]
 
 
 # Reads from a printed report on which pages its sections begin, and how far its last page is filled.
@@ -150,7 +88,7 @@ def _height(page: bytes) -> float:
 # Writes a report: the page, and a PDF if a browser can print it.
 
 REPORT, SUMMARY = "report", "summary"
-PAGE, PAPER = "page.html", "page.pdf"
+PAGE = "page.html"
 SHORT = 2
 """Sheets of a summary."""
 EMPTY = 0.6
@@ -238,40 +176,38 @@ def _printed(text: str, paper: Path, most: int = 0) -> str:
 
     most : number of sheets that are kept if letters of a readable size permit it; 0: any.
     """
-    with TemporaryDirectory(prefix="kinetruss-") as scratch:
-        last: bytes | str = ""
-        for last in _proofs(text, Path(scratch), most):
-            if isinstance(last, str):
-                return last
-        with whole_file(paper) as draft:
-            draft.write_bytes(last if isinstance(last, bytes) else b"")
+    program = chromium()
+    if program is None:
+        return f"No PDF: no Chromium was found. {INSTALL}, or print the page from a browser."
+    try:
+        with TemporaryDirectory(prefix="kinetruss-") as scratch, Browser(program, PRINTING) as browser:
+            source = Path(scratch) / PAGE
+
+            def proof(text: str) -> bytes:
+                source.write_text(text, encoding="utf-8")
+                return browser.paper(source)
+
+            last = _fitted(text, proof, most)
+    except BrowserError as error:
+        return f"No PDF: {error} Print the page from a browser."
+    with whole_file(paper) as draft:
+        draft.write_bytes(last)
     return ""
 
 
-def _proofs(text: str, scratch: Path, most: int) -> Iterator[bytes | str]:
-    """Printed files, better and better, or the reason why there is none: the first without numbers in its contents, then with
-    letters of a size that leaves no last page of a few lines, then with the numbers.
+def _fitted(text: str, proof: Callable[[str], bytes], most: int) -> bytes:
+    """The printed file, after some proofs: the first without numbers in its contents, then with letters of a size that leaves
+    no last page of a few lines, then with the numbers.
     """
-    first = _print(text, scratch)
-    yield first
-    if isinstance(first, str):
-        return
+    last = first = proof(text)
     fitted, measured = text, read_paper(first)
     for fit in TIGHT if most else FITS[1:]:
         if measured.pages <= most if most else measured.left <= EMPTY:
             break
         resized = text.replace("<main", f'<main style="--fit: {fit}"', 1)
-        again = _print(resized, scratch)
-        if isinstance(again, str):
-            break
-        if most or read_paper(again).left < measured.left:
-            fitted, measured = resized, read_paper(again)
+        last = proof(resized)
+        if most or read_paper(last).left < measured.left:
+            fitted, measured = resized, read_paper(last)
     if measured.starts and (not most or fitted != text):
-        yield _print(with_pages(fitted, measured.starts), scratch)
-
-
-def _print(text: str, scratch: Path) -> bytes | str:
-    source, drawn = scratch / PAGE, scratch / PAPER
-    source.write_text(text, encoding="utf-8")
-    drawn.unlink(missing_ok=True)
-    return print_page(source, drawn, scratch / "browser") or drawn.read_bytes()
+        last = proof(with_pages(fitted, measured.starts))
+    return last

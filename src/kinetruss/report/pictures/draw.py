@@ -1,4 +1,4 @@
-"""Draws figures from plain specifications, without a display: PNG and SVG."""
+"""Figures from plain specifications, without a display: curves and bars; PNG, SVG and PDF."""
 
 from __future__ import annotations
 
@@ -9,37 +9,31 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import DIGIT, DRIVEN, LOAD, POINT, aligned, quantity, scale
-from kinetruss.report.pictures.drawing import MEMBERS, projected, write_names
+from kinetruss.display import DIGIT, POINT, aligned, quantity, scale
+from kinetruss.report.pictures.drawing import drawn
 from kinetruss.report.pictures.specs import (
     ACCENT,
     ALARM,
     BAND,
-    INK,
     PRINT,
     QUIET,
     RC,
     REST,
     Bars,
+    Drawing,
     Figure,
     Histories,
     Panel,
-    Pose,
-    Shape,
     pen,
 )
-from kinetruss.results.zarr_files import whole_file
+from kinetruss.results.folder import whole_file
 
 __all__ = ["draw", "save"]
 
 CHARACTER = 0.069
 """Width of a character of the legend, inches."""
-
-NODES = 24
-"""Number of nodes up to which they are named."""
 
 SUFFIXES = ("png", "svg", "pdf")
 SCREEN: float = RC["savefig.dpi"]
@@ -47,13 +41,15 @@ SCREEN: float = RC["savefig.dpi"]
 
 def draw(figure: Figure) -> Canvas:
     """A matplotlib figure of the specification, in the house style."""
+    if isinstance(figure, Drawing):
+        return drawn(figure)
     if isinstance(figure, Histories) and figure.width is not None:
         with mpl.rc_context(RC | PRINT):
             return _printed(figure, figure.width / 25.4)
     with mpl.rc_context(RC):
         if isinstance(figure, Histories):
             return _histories(figure)
-        return _bars(figure) if isinstance(figure, Bars) else _shape(figure)
+        return _bars(figure)
 
 
 def save(figures: Iterable[Figure], folder: Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
@@ -216,51 +212,3 @@ def _bars(figure: Bars) -> Canvas:
     ax.set_xlabel(f"{figure.quantity} ({unit})")
     ax.set_title(figure.title)
     return canvas
-
-
-def _shape(figure: Shape) -> Canvas:
-    count = len(figure.poses)
-    canvas = _canvas(3.1 * count + 0.4, 4.0)
-    axes = canvas.subplots(1, count, squeeze=False)[0]
-    canvas.subplots_adjust(left=0.02, right=0.98, top=0.86, bottom=0.06, wspace=0.03)
-    flat = [projected(pose.position) for pose in figure.poses]
-    whole = np.concatenate([*flat, *(projected(np.array(pair)) for pose in figure.poses for pair in pose.loads)])
-    low, high = whole.min(axis=0), whole.max(axis=0)
-    margin = 0.08 * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
-    for ax, pose, points in zip(axes, figure.poses, flat, strict=True):
-        ax.set_title(pose.caption, fontsize=9, fontweight="normal")
-        ax.set_xlim(low[0] - margin, high[0] + margin)
-        ax.set_ylim(low[1] - 1.6 * margin, high[1] + margin)
-        ax.set_aspect("equal")
-        ax.set_axis_off()
-        _pose(ax, figure, pose, points)
-    _scale_bar(axes[0], low, high)
-    canvas.suptitle(figure.title, x=0.02, ha="left", fontweight="bold", fontsize=10)
-    return canvas
-
-
-def _pose(ax: Any, figure: Shape, pose: Pose, points: Any) -> None:
-    curves = {k: projected(along) for k, along in pose.curves.items()}
-    for driven, colour, width in ((False, INK, 1.2), (True, DRIVEN, 3.0)):
-        chosen = [k for k, is_driven in enumerate(figure.driven) if is_driven is driven]
-        lines = [curves.get(k, points[list(figure.ends[k])]) for k in chosen]
-        ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, capstyle="round"))
-    ax.plot(*points.T, "o", color=INK, markersize=3.0)
-    ax.plot(*points[list(figure.held)].T, "^", color=INK, markersize=8, markerfacecolor="white")
-    for start, end in pose.loads:
-        pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", projected(end), projected(start), arrowprops=pen)
-    members = figure.members if len(figure.members) <= MEMBERS else ()
-    loads = [(projected(start), projected(end)) for start, end in pose.loads]
-    write_names(ax, points, figure.nodes if len(figure.nodes) <= NODES else (), figure.ends, members, loads)
-
-
-def _scale_bar(ax: Any, low: Any, high: Any) -> None:
-    size = float(high[0] - low[0]) / 3 or 1.0
-    power = 10 ** np.floor(np.log10(size))
-    length = power * max(step for step in (1, 2, 5) if step * power <= size)
-    left, level = low[0], low[1] - 0.1 * float(np.max(high - low))
-    ax.plot([left, left + length], [level, level], color=QUIET, linewidth=2)
-    ax.annotate(
-        quantity(length, "m"), (left + length, level), xytext=(4, -3), textcoords="offset points", fontsize=8, color=QUIET
-    )

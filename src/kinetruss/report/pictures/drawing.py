@@ -1,8 +1,8 @@
-"""Line drawings of a structure for print: their view, and names where they cover as little as possible."""
+"""Line drawings of a structure: lines, faces, marks, arrows and names, a scale and the colours."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -14,7 +14,8 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.display import DIVERGING, DRIVEN, ELASTIC, KINDS, LOAD, MISSING, OVER, SEQUENTIAL, number, quantity, scale
-from kinetruss.report.pictures.specs import INK, PRINT, QUIET, RC, WIDTHS, Colouring, Drawing, Stand
+from kinetruss.report.pictures.labels import put
+from kinetruss.report.pictures.specs import ALARM, INK, PRINT, QUIET, RC, WIDTHS, Colouring, Drawing, Stand
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,134 +23,14 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-VIEWS = {"iso": (-62.0, 16.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
-"""Azimuth and elevation of the views, degrees."""
-
-MEMBERS = 40
-"""Number of members up to which their names are shown by default."""
-
-WIDE, HIGH, GAP, STEP = 0.62, 1.25, 2.0, 4.0
-"""Width of a character and height of a line over the font size; distances of a name from its place, of points on lines, pt."""
-
-SIZE, MARK = 7.0, 2.5
-"""Font size, and radius of the marks of nodes, points."""
-
-AROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)], float)
-ALONG = (0.5, 0.4, 0.6, 0.3, 0.7)
-
-
-def eye(view: str) -> NDArray[np.float64]:
-    """Unit vector (3,) from the structure to the eye."""
-    azimuth, elevation = np.radians(VIEWS[view])
-    return np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation), np.sin(elevation)])
-
-
-def projected(points: NDArray[np.float64], view: str = "iso") -> NDArray[np.float64]:
-    """Points (.., 2) or (.., 3), m, on paper (.., 2): the plane as it is, space in parallel projection with z upright."""
-    if points.shape[-1] == 2:
-        return points
-    toward = eye(view)
-    right = np.array([-np.sin(np.radians(VIEWS[view][0])), np.cos(np.radians(VIEWS[view][0])), 0.0])
-    seen: NDArray[np.float64] = points @ np.column_stack([right, np.cross(toward, right)])
-    return seen
-
-
-def write_names(
-    ax: Any,
-    points: Array,
-    nodes: Sequence[str],
-    ends: Sequence[tuple[int, int]],
-    members: Sequence[str],
-    loads: Sequence[tuple[Array, Array]] = (),
-) -> None:
-    """Write names of nodes beside points (n, 2), and names of members beside their lines where nothing crosses them.
-
-    A name that finds no free place is omitted. Behind each is a white ground, so that it can be read across a line.
-    """
-    ax.apply_aspect()
-    inch = 72 / ax.figure.dpi
-    seen = ax.transData.transform(points) * inch
-    arrows = [ax.transData.transform(np.array(pair)) * inch for pair in loads]
-    segments = [*((seen[a], seen[b]) for a, b in ends), *((pair[0], pair[1]) for pair in arrows)]
-    marks = (seen[:, None] + MARK * AROUND).reshape(-1, 2)
-    sheet = _Sheet(ax, np.concatenate([marks, *(_between(p, q) for p, q in segments)]))
-    for k, name in enumerate(nodes):
-        sheet.put(name, _besides(seen[k], name, SIZE), INK)
-    for (a, b), name in zip(ends, members, strict=False):
-        sheet.put(name, _along(seen[a], seen[b], name, SIZE), QUIET, free=True)
-
-
-class _Sheet:
-    """Axes with lines, as points (k, 2) on paper, and the places that names have taken."""
-
-    def __init__(self, ax: Any, lines: Array) -> None:
-        self.ax, self.lines, self.inch = ax, lines, 72 / ax.figure.dpi
-        self.taken: list[Array] = []
-        self.corners = np.array(ax.get_window_extent().get_points()) * self.inch
-
-    def put(self, name: str, places: Iterable[Array], colour: str, *, free: bool = False) -> None:
-        """Write a name at the place that covers the fewest lines. free : only where it covers none."""
-        found = [box for box in _within(self.corners, places) if not any(_meet(box, one) for one in self.taken)]
-        covered = [int(((self.lines >= box[0]) & (self.lines <= box[1])).all(axis=1).sum()) for box in found]
-        if not found or (free and min(covered)):
-            return
-        box = found[int(np.argmin(covered))]
-        self.taken.append(box)
-        ground = {"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
-        at = self.ax.transData.inverted().transform(box.mean(axis=0) / self.inch)
-        self.ax.text(*at, name, fontsize=SIZE, color=colour, ha="center", va="center", bbox=ground)
-
-
-def _within(sheet: Array, boxes: Iterable[Array]) -> list[Array]:
-    """The boxes that lie on the sheet, or all if none does."""
-    found = list(boxes)
-    return [box for box in found if (box[0] >= sheet[0]).all() and (box[1] <= sheet[1]).all()] or found
-
-
-def _between(p: Array, q: Array) -> Array:
-    """Points on a line."""
-    count = max(2, int(np.hypot(*(q - p)) / STEP))
-    found: Array = p + np.linspace(0, 1, count)[:, None] * (q - p)
-    return found
-
-
-def _besides(at: Array, name: str, size: float) -> Iterator[Array]:
-    half = _half(name, size)
-    return (_around(at + way * (half + GAP), half) for way in AROUND)
-
-
-def _along(p: Array, q: Array, name: str, size: float) -> Iterator[Array]:
-    half, along = _half(name, size), q - p
-    normal = np.array([-along[1], along[0]]) / (np.hypot(*along) or 1.0)
-    apart = float(np.abs(normal) @ half) + GAP
-    return (_around(p + part * along + side * apart * normal, half) for part in ALONG for side in (1, -1))
-
-
-def _half(name: str, size: float) -> Array:
-    return np.array([WIDE * size * len(name), HIGH * size]) / 2
-
-
-def _around(middle: Array, half: Array) -> Array:
-    return np.stack([middle - half, middle + half])
-
-
-def _meet(one: Array, other: Array) -> bool:
-    return bool((one[0] < other[1]).all() and (other[0] < one[1]).all())
-
-
-def names_of(count: int, most: int, asked: bool | None, names: Iterable[str]) -> tuple[str, ...]:
-    """The names, if they are asked for, or by default if there are not too many."""
-    return tuple(names) if (count <= most if asked is None else asked) else ()
-
-
-# Line drawings of a structure for print.
-
 INCH = 25.4
-GHOST, WAY, FACE = "#a8b0b9", "#444444", "#c9d4de"
+GHOST, WAY, FACE, BODY = "#a8b0b9", "#444444", "#c9d4de", "#dde3ea"
+BAND = "#f3d9a4"
+"""Band about the governing member: the colour of what is picked in the viewer, on paper."""
 TALLEST = 1.4
 """Largest ratio of height to width of a figure, or of a page, so that it fits on the sheet (A4: 1.414)."""
-NOTE = 0.14
-"""Height of the line under the scale, inches."""
+NOTE, ASIDE, LETTER = 0.14, 0.7, 0.075
+"""Height of the line under the scale, width of the axes at the left, and of a letter of the title, inches."""
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
     "driven": {"colors": DRIVEN, "linewidths": 2.2},
@@ -160,6 +41,8 @@ PENS: dict[str, dict[str, Any]] = {
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }
 """Styles of members without a value, by kind."""
+PINNED = {"clamped": "s", "held": "^", "guided": "o"}
+"""Marks of supports."""
 
 
 def drawn(figure: Drawing) -> Canvas:
@@ -168,9 +51,11 @@ def drawn(figure: Drawing) -> Canvas:
         low, high = _box(figure)
         size = np.maximum(high - low, 0.05 * float(np.max(high - low)))
         width, count = figure.width / INCH, len(figure.stands)
-        cell = (width - 0.1) / count
-        high_cell = min(cell * float(size[1] / size[0]), 1.5 * max(cell, 2.0))
-        above = 0.06 + 0.2 * bool(figure.title) + 0.18 * any(one.caption for one in figure.stands)
+        aside = ASIDE * (figure.axes is not None)
+        cell = (width - 0.1 - aside) / count
+        high_cell = min(cell * float(size[1] / size[0]), 1.5 * max(cell, 2.0), figure.tallest)
+        title = wrap(figure.title, int(width / LETTER))
+        above = 0.06 + 0.06 * bool(title) + 0.14 * len(title) + 0.18 * any(one.caption for one in figure.stands)
         # The line under the scale: what grey, red and broken members are.
         missing = "" if figure.colouring is None else figure.colouring.missing
         note = "; ".join(filter(None, [missing, "broken: not unique" if figure.unsure else ""]))
@@ -180,15 +65,17 @@ def drawn(figure: Drawing) -> Canvas:
         canvas = Canvas(figsize=(width, height))
         FigureCanvasAgg(canvas)
         for k, one in enumerate(figure.stands):
-            ax = canvas.add_axes(((0.05 + k * cell) / width, below / height, cell / width, high_cell / height))
+            left = 0.05 + aside + k * cell
+            ax = canvas.add_axes((left / width, below / height, cell / width, high_cell / height))
             ax.set_xlim(low[0], low[0] + size[0])
             ax.set_ylim(low[1], low[1] + size[1])
             ax.set_aspect("equal")
             ax.set_axis_off()
             _stand(ax, figure, one)
-            canvas.text((0.08 + k * cell) / width, (below + high_cell + 0.05) / height, one.caption, va="bottom")
-        if figure.title:
-            canvas.text(0.08 / width, 1 - 0.05 / height, figure.title, va="top", fontweight="bold")
+            canvas.text((left + 0.03) / width, (below + high_cell + 0.05) / height, one.caption, va="bottom")
+        canvas.text(0.08 / width, 1 - 0.05 / height, "\n".join(title), va="top", fontweight="bold")
+        if figure.axes is not None:
+            _axes(canvas, *figure.axes, below + high_cell / 2, height)
         _scale_bar(canvas, canvas.axes[0], float(size[0]), height)
         if figure.colouring is not None:
             _legend(canvas, figure.colouring, width, height, NOTE * bool(note))
@@ -197,74 +84,93 @@ def drawn(figure: Drawing) -> Canvas:
 
 
 def _box(figure: Drawing) -> tuple[Any, Any]:
-    shown = [one.points for one in figure.stands] + [np.array(pair) for one in figure.stands for pair in one.loads]
-    shown += [one.bodies.reshape(-1, 2) for one in figure.stands if one.bodies.size] + list(figure.ways)
-    if figure.ghost is not None:
-        shown.append(figure.ghost)
-    shown += [points for one in figure.stands for points in one.curves.values()]
+    shown = [one.dots for one in figure.stands] + [np.array(pair) for one in figure.stands for pair in one.arrows]
+    shown += [points.reshape(-1, 2) for one in figure.stands for points in (one.bodies, one.faces)]
+    shown += [*figure.ways, *figure.ghost, *(line for one in figure.stands for line in one.lines)]
     points = np.concatenate(shown)
     low, high = points.min(axis=0), points.max(axis=0)
-    margin = (0.09 if figure.names else 0.06) * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
+    margin = 0.08 * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
     return low - margin, high + margin
 
 
 def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
-    if figure.ghost is not None:
-        ax.add_collection(LineCollection([figure.ghost[list(ends)] for ends in figure.ends], colors=GHOST, linewidths=0.5))
+    ax.add_collection(LineCollection(list(figure.ghost), colors=GHOST, linewidths=0.5))
     for way in figure.ways:
         ax.plot(*way.T, color=WAY, linewidth=0.7, linestyle=(0, (4, 1.5)))
-    if one.bodies.size:
-        ax.add_collection(PolyCollection(list(one.bodies), facecolors="#dde3ea", edgecolors="none"))
+    ax.add_collection(PolyCollection(list(one.bodies), facecolors=BODY, edgecolors="none"))
     if len(one.faces):
         _faces(ax, figure, one)
-    lines = one.lines(figure.ends)
+    if one.band is not None and not one.band[1]:
+        line = [one.lines[one.band[0]]]
+        ax.add_collection(LineCollection(line, colors=BAND, linewidths=9.0, capstyle="round", zorder=0.5))
     if figure.colouring is None or one.values is None:
         for kind, pen in PENS.items():
-            chosen = [line for line, own in zip(lines, figure.kinds, strict=True) if own == kind]
+            chosen = [line for line, own in zip(one.lines, figure.kinds, strict=True) if own == kind]
             ax.add_collection(LineCollection(chosen, **pen))
     else:
-        # a dark rim keeps pale colours visible on white paper
-        thick = _thickness(ax, figure, one)
-        ax.add_collection(LineCollection(lines, colors=INK, linewidths=1.3 * thick, capstyle="round"))
-        colours = LineCollection(
-            lines,
-            cmap=_map(figure.colouring),
-            norm=Normalize(*figure.colouring.limits),
-            linewidths=thick,
-            capstyle="round",
-        )
-        colours.set_array(np.ma.masked_invalid(one.values))
-        ax.add_collection(colours)
-        # with white gaps: a force that is not unique, or what was not checked
-        broken = sorted({*figure.unsure, *np.flatnonzero(np.isnan(one.values)).tolist()})
-        ax.add_collection(
-            LineCollection([lines[k] for k in broken], colors="white", linewidths=1.4 * thick, linestyles=(0, (0.6, 2.4)))
-        )
-    mesh = len(one.faces) > 0
-    ax.plot(
-        *one.points[list(figure.joined) if mesh else slice(None)].T,
-        "o",
-        color=INK,
-        markersize=1.1 * _thickness(ax, figure, one),
-    )
-    ax.plot(*one.hinges.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
-    for nodes, marker in ((figure.held, "^"), (figure.guided, "o")):
-        ax.plot(*one.points[list(nodes)].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
-    for start, end in one.loads:
+        _coloured(ax, figure, one)
+    if one.band is not None and one.band[1]:
+        ax.add_collection(LineCollection([one.lines[one.band[0]]], colors=ALARM, linewidths=3.2, capstyle="round"))
+    ax.plot(*one.dots.T, "o", color=INK, markersize=1.1 * _thickness(ax, one))
+    ax.plot(*one.motors.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
+    for kind, marker in PINNED.items():
+        ax.plot(*one.supports[kind].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
+    for start, end in one.arrows:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", end, start, arrowprops=pen)
-    write_names(ax, one.points, figure.nodes if figure.names else (), figure.ends, figure.members, one.loads)
+    covered = [*one.lines, *(np.array(pair) for pair in one.arrows)]
+    put(ax, one.labels, covered, np.concatenate(list(one.supports.values())))
 
 
-def _thickness(ax: Any, figure: Drawing, one: Stand) -> float:
+def _coloured(ax: Any, figure: Drawing, one: Stand) -> None:
+    """Members in the colours of their values."""
+    assert figure.colouring is not None  # noqa: S101 - for mypy
+    assert one.values is not None  # noqa: S101 - for mypy
+    # a dark rim keeps pale colours visible on white paper
+    thick, lines = _thickness(ax, one), list(one.lines)
+    ax.add_collection(LineCollection(lines, colors=INK, linewidths=1.3 * thick, capstyle="round"))
+    colours = LineCollection(
+        lines, cmap=_map(figure.colouring), norm=Normalize(*figure.colouring.limits), linewidths=thick, capstyle="round"
+    )
+    colours.set_array(np.ma.masked_invalid(one.values))
+    ax.add_collection(colours)
+    # with white gaps: a force that is not unique, or what was not checked
+    broken = sorted({*figure.unsure, *np.flatnonzero(np.isnan(one.values)).tolist()})
+    ax.add_collection(
+        LineCollection([lines[k] for k in broken], colors="white", linewidths=1.4 * thick, linestyles=(0, (0.6, 2.4)))
+    )
+
+
+def _thickness(ax: Any, one: Stand) -> float:
     """Width of coloured lines, points: thinner where members are short on paper, or they would run together."""
-    if not figure.ends:
+    if not one.lines:
         return 2.0
     ax.apply_aspect()
-    lines = one.points[np.array(figure.ends)].reshape(-1, 2)
-    ends = ax.transData.transform(lines).reshape(-1, 2, 2) * 72 / ax.figure.dpi
+    ends = np.array([[line[0], line[-1]] for line in one.lines])
+    ends = ax.transData.transform(ends.reshape(-1, 2)).reshape(-1, 2, 2) * 72 / ax.figure.dpi
     usual = float(np.median(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
     return float(np.clip(usual / 12, 0.5, 2.0))
+
+
+def _axes(canvas: Canvas, triad: Array, gravity: Array | None, middle: float, height: float) -> None:
+    """Directions of the axes, and of gravity, at the left."""
+    ax = canvas.add_axes((0, 0, (ASIDE + 0.2) / canvas.get_figwidth(), 1))
+    ax.set_xlim(0, ASIDE + 0.2)
+    ax.set_ylim(0, height)
+    ax.set_axis_off()
+
+    def arrow(start: Array, way: Array, name: str, colour: str) -> None:
+        pen = {"arrowstyle": "-|>", "color": colour, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+        ax.annotate("", tuple(start + way), tuple(start), arrowprops=pen)
+        x, y = (start + 1.3 * way).tolist()
+        ax.text(x, y, name, fontsize=7, ha="center", va="center", color=colour)
+
+    origin = np.array([0.4, max(0.4, middle - 0.35)])
+    for name, way in zip("xyz", triad, strict=False):
+        arrow(origin, 0.32 * way, name, INK)
+    if gravity is not None and height > 1.6:
+        above = 0.75 + max(0.0, -0.42 * float(gravity[1]))
+        arrow(origin + np.array([0.0, above]), 0.32 * gravity, "g", QUIET)
 
 
 def _faces(ax: Any, figure: Drawing, one: Stand) -> None:
@@ -284,8 +190,7 @@ def _map(colouring: Colouring) -> Any:
 def _scale_bar(canvas: Canvas, ax: Any, size: float, height: float) -> None:
     """The scale bar under the first pose."""
     aim = size / 4
-    power = 10 ** np.floor(np.log10(aim))
-    length = power * max(step for step in (1, 2, 5) if step * power <= aim * (1 + 1e-9))
+    length = round_length(aim)
     box = ax.get_position()
     left, level = box.x0 + 0.01, box.y0 - 0.12 / height
     # the axes keep the shape of what they show, so that they may be narrower than their cell
@@ -322,3 +227,9 @@ def _legend(canvas: Canvas, colouring: Colouring, width: float, height: float, a
             fontsize=7,
             color=QUIET,
         )
+
+
+def round_length(most: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is at most `most`."""
+    power = 10 ** np.floor(np.log10(most))
+    return float(power * max(step for step in (1, 2, 5) if step * power <= most * (1 + 1e-9)))

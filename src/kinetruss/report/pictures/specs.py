@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from kinetruss.display import COLOURS, OVER
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
+
+    from kinetruss.report.pictures.labels import Label
 
     Array = NDArray[np.float64]
 
@@ -124,32 +127,6 @@ class Bars:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Pose:
-    """One configuration: caption, node positions (n_nodes, dim), m, loads as pairs of a start and an end, m, and by member the
-    points (g, dim), m, of beams.
-    """
-
-    caption: str
-    position: Array
-    loads: tuple[tuple[Array, Array], ...] = ()
-    curves: Mapping[int, Array] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Shape:
-    """The structure at some instants: members as pairs of node indices, which are driven, held nodes, names of members."""
-
-    name: str
-    title: str
-    nodes: tuple[str, ...]
-    ends: tuple[tuple[int, int], ...]
-    driven: tuple[bool, ...]
-    held: tuple[int, ...]
-    poses: tuple[Pose, ...]
-    members: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Colouring:
     """The colour quantity: label, unit, labels at the ends, ends in SI; diverging about zero or not.
 
@@ -166,52 +143,47 @@ class Colouring:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Stand:
-    """One instant of a drawing, on paper: nodes (n, 2), m; values (members,) that colour; loads as pairs of a start
-    and an end, m; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, from back to front,
-    with their brightness (f,), 0 to 1, and values (f,) of the colour quantity; hinges (h, 2), m, with a motor; curves, by
-    member the points (g, 2), m, of beams.
+    """One instant of a drawing, on paper: lines (g, 2), m, of members, and their values (members,) that colour; dots (k, 2), m,
+    of nodes; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, from back to front, with
+    their brightness (f,), 0 to 1, and values (f,) of the colour quantity; motors (h, 2), m; supports, by `PINNED` (k, 2), m;
+    arrows as pairs of a start and an end, m; band : the member that governs, and whether it is over its capacity.
     """
 
     caption: str
-    points: Array
-    values: Array | None
-    loads: tuple[tuple[Array, Array], ...]
+    lines: Sequence[Array]
+    dots: Array
     bodies: Array
     faces: Array
     light: Array
-    face_values: Array | None
-    hinges: Array
-    curves: Mapping[int, Array] = field(default_factory=dict)
-
-    def lines(self, ends: Iterable[tuple[int, int]]) -> list[Array]:
-        """Points (g, 2), m, of members from end to end: beams along their curves."""
-        return [self.curves.get(k, self.points[list(pair)]) for k, pair in enumerate(ends)]
+    motors: Array
+    supports: Mapping[str, Array]
+    values: Array | None = None
+    face_values: Array | None = None
+    arrows: Sequence[tuple[Array, Array]] = ()
+    labels: Sequence[Label] = ()
+    band: tuple[int, bool] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Drawing:
-    """The structure for print, `width` mm wide, at one or more instants beside each other.
+    """The structure, `width` mm wide, at one or more instants beside each other.
 
-    kinds : of the members. joined : nodes of members and bodies. held : nodes held in all axes; guided : in some. ghost : start
-    pose (n, 2), m; ways : of nodes, each (times, 2), m. members : names that are
-    written. unsure : members whose force is not unique.
+    kinds : of the members. unsure : members whose force is not unique. ghost : lines of another pose; ways : of nodes, each
+    (times, 2), m. axes : directions (dim, 2) of the axes on paper, and of gravity (2,) or None, drawn at the left. tallest :
+    height of the structure at most, inches.
     """
 
+    name: str
     title: str
     width: float
-    nodes: tuple[str, ...]
-    ends: tuple[tuple[int, int], ...]
-    kinds: tuple[str, ...]
-    joined: tuple[int, ...]
-    held: tuple[int, ...]
-    guided: tuple[int, ...]
-    stands: tuple[Stand, ...]
-    colouring: Colouring | None
-    ghost: Array | None
-    ways: tuple[Array, ...]
-    names: bool
-    members: tuple[str, ...] = ()
-    unsure: tuple[int, ...] = ()
+    kinds: Sequence[str]
+    stands: Sequence[Stand]
+    colouring: Colouring | None = None
+    unsure: Sequence[int] = ()
+    ghost: Sequence[Array] = ()
+    ways: Sequence[Array] = ()
+    axes: tuple[Array, Array | None] | None = None
+    tallest: float = np.inf
 
 
-Figure = Histories | Bars | Shape
+Figure = Histories | Bars | Drawing

@@ -18,9 +18,6 @@ from kinetruss.viewer.self_contained import ends, heading, ticks
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.viewer.films.stage import Camera
-
-
 INK, QUIET = THEMES["light"]["ink"], THEMES["light"]["faint"]
 KIND_WORDS = {
     "rigid": "rigid",
@@ -42,7 +39,9 @@ def strips(width: int, height: int) -> tuple[int, int, int]:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Frame:
-    """The strips around pictures of one size. title : above; note : text below it on the right."""
+    """The strips around pictures of one size. title : above; note : text below it on the right; backward : unit vector towards
+    the eye.
+    """
 
     width: int
     height: int
@@ -57,7 +56,7 @@ class Frame:
     single: bool
     gravity: Sequence[float]
     dim: int
-    camera: Camera
+    backward: NDArray[np.float64]
 
     def around(self, picture: NDArray[np.uint8], time: str) -> NDArray[np.uint8]:
         """The picture with its strips (height, width, 3)."""
@@ -127,15 +126,18 @@ class Frame:
 
     def _axes(self, draw: Any, letter: int, top: int) -> None:
         """The axes as the camera sees them, and next to them the direction of gravity."""
-        camera = self.camera
+        backward = self.backward
+        right = np.cross((0.0, 1.0, 0.0) if abs(backward[2]) > 0.999 else (0.0, 0.0, 1.0), backward)
+        right /= np.linalg.norm(right)
+        upward = np.cross(backward, right)
         reach, level = 1.35 * letter, top + 2.3 * letter
         shown = [(name, np.array(axis, float), colour, self.width - 3.2 * letter) for name, axis, colour in AXES[: self.dim]]
         down = np.zeros(3)
         down[: len(self.gravity)] = self.gravity
         if np.linalg.norm(down) > 0:
             shown.append(("g", down / np.linalg.norm(down), QUIET, self.width - 7.4 * letter))
-        for name, axis, colour, left in sorted(shown, key=lambda one: float(one[1] @ camera.backward)):
-            tip = np.array([axis @ camera.right, -(axis @ camera.upward)]) * reach
+        for name, axis, colour, left in sorted(shown, key=lambda one: float(one[1] @ backward)):
+            tip = np.array([axis @ right, -(axis @ upward)]) * reach
             start = (left, level) if name != "g" else (left - tip[0] / 2, level - 0.3 * letter - tip[1] / 2)
             _arrow(draw, start, tip, colour, letter)
             size = float(np.hypot(*tip))

@@ -1,7 +1,9 @@
-"""A drawing as the record that the page shows."""
+"""What pages see: a drawing as a record; a live model as scenes, poses and the data of its controls."""
 
 from __future__ import annotations
 
+import json
+import time
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -10,22 +12,151 @@ import numpy as np
 from kinetruss.errors import Fault, UnitError
 from kinetruss.io.writing import located
 from kinetruss.model import NodalForce, turns
-from kinetruss.studio.drawing_edits import MEMBERS, ends_of, place_of
-from kinetruss.studio.edits import role_of
+from kinetruss.shelves import shelf, shelves
+from kinetruss.studio.edits import CELLS, MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import loose_ends
+from kinetruss.studio.member_kinds import role_of
+from kinetruss.studio.new_parts import forms
 from kinetruss.studio.poses import number
+from kinetruss.studio.requested_runs import worst_rows
 from kinetruss.units import parse
+from kinetruss.viewer import pack, scene
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.results import Forces
+    from kinetruss.runs import RunResult
     from kinetruss.studio.drawing import Drawing
     from kinetruss.studio.judging import Judged
+    from kinetruss.studio.poses import Instant
+    from kinetruss.studio.session import Session
+
+Record = dict[str, Any]
 
 
-def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
-    """Everything that the page shows. light : without text and records, and without the whole text of the mobility."""
+# A live model.
+
+
+def scene_of(session: Session, note: str = "") -> bytes:
+    """The whole scene, and everything that can be changed."""
+    now = session.instant()
+    picture = scene(now.forces, model=session.model)
+    header = {"kind": "scene", "setup": _setup(session), "state": _pose_record(session, now, note)}
+    return framed(header, pack(picture))
+
+
+def state_of(session: Session, note: str = "", fine: bool = False) -> bytes:
+    """The present pose: drive values in the header, positions and forces as float32 after it."""
+    now = session.instant(fine)
+    blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in now.arrays.items() if name != "time"}
+    table = [[name, values.size] for name, values in blocks.items()]
+    header = {"kind": "state", "state": _pose_record(session, now, note), "arrays": table}
+    return framed(header, *(values.tobytes() for values in blocks.values()))
+
+
+def run_of(result: RunResult) -> bytes:
+    """A scene of a run of key frames, and its worst instants."""
+    note = "" if result.status.ok else f"{result.status.value} {result.message}"
+    return framed({"kind": "run", "worst": worst_rows(result), "note": note}, pack(scene(result)))
+
+
+def numbers(session: Session) -> Record:
+    """All numbers of the present pose in double precision."""
+    pose, data = session.pose, session.instant().forces.data
+    names = [name for name in ("member_force", "reaction", "drive_force", "end_force", "joint_force") if name in data]
+    return {
+        "kind": "numbers",
+        "values": pose.values,
+        "position": pose.position.tolist(),
+        "stopped": pose.stopped,
+        "gauge": number(pose.gauge),
+        "members": list(session.model.members),
+        "nodes": list(session.model.nodes),
+        **{name: data[name].values[0].tolist() for name in names},
+    }
+
+
+def framed(header: Record, *blocks: bytes) -> bytes:
+    """One binary message: length of the header (uint32), the header in JSON padded to four bytes, then the blocks."""
+    text = json.dumps(header, ensure_ascii=False, allow_nan=False).encode()
+    text += b" " * (-len(text) % 4)
+    return b"".join([len(text).to_bytes(4, "little"), text, *blocks])
+
+
+def _pose_record(session: Session, now: Instant, note: str) -> Record:
+    pose = session.pose
+    return {
+        "values": pose.values,
+        "gauge": number(pose.gauge),
+        "stopped": pose.stopped,
+        "note": " ".join(filter(None, [note, session.unkept, pose.note, now.forces.message])),
+        "demand": now.demand,
+        "mobility": now.mobility,
+        "alarms": now.alarms,
+        "verdict": now.verdict,
+    }
+
+
+def _setup(session: Session) -> Record:
+    """The data for the controls of the page."""
+    model, first, drafts = session.model, session.original.model or session.model, session.drafts
+    drives = []
+    for name, drive in model.all_drives.items():
+        low, high, limited = session.limits(name)
+        drives.append({"name": name, "unit": "rad" if turns(drive) else "m", "low": low, "high": high, "limited": limited})
+    loads = [
+        {"name": name, "node": load.node, "force": None if load.force is None else list(load.force)}
+        for name, load in model.loads.items()
+        if isinstance(load, NodalForce)
+    ]
+    return {
+        "drives": drives,
+        "loads": loads,
+        "dim": model.dim,
+        "gravity": list(model.gravity or (0.0,) * model.dim),
+        "masses": {name: node.mass for name, node in model.nodes.items()},
+        "nodes": list(model.nodes),
+        "members": [{"name": name, "role": role_of(model, name), "own": role_of(first, name)} for name in first.members],
+        "cases": list(model.load_cases),
+        "case": session.case,
+        "file": "" if session.file is None else session.file.name,
+        "writable": session.folder is not None,
+        "lost": session.lost,
+        "page": session.key if drafts is not None else "",
+        "offer": drafts.left[0][1] if drafts is not None and drafts.left else None,
+        "frames": [frame.model_dump() for frame in session.frames],
+        **_history(session.drawing),
+    }
+
+
+def _history(drawing: Drawing) -> Record:
+    """What can be undone and done again, in words."""
+    return {
+        "undo": drawing.state.words if drawing.past else "",
+        "redo": drawing.future[0].words if drawing.future else "",
+    }
+
+
+# A drawing.
+
+
+def first(session: Session) -> Record:
+    """The record of a drawing page that has just connected."""
+    offered = session.offered
+    offer = offered and {"when": offered[1], "ago": time.time() - offered[1], "lines": offered[0].count("\n")}
+    names = {name: sorted(shelf(name)) for name in shelves()}
+    return drawing_of(session) | {
+        "choices": names | {"cells": list(CELLS), "forms": forms()},
+        "offer": offer,
+        "picture": None if session.drafts is None else session.drafts.picture(),
+        "running": session.results.running(),
+    }
+
+
+def drawing_of(session: Session, light: bool = False) -> Record:
+    """Everything that a drawing page shows. light : without text and records, and without the whole text of the mobility."""
+    drawing = session.drawing
     data, found = drawing.state.data, drawing.found
     places = _places(drawing)
     members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
@@ -50,15 +181,18 @@ def state_of(drawing: Drawing, light: bool = False) -> dict[str, Any]:
         "dim": drawing.dim,
         "nodes": list(places),
         "members": [{"name": name, "ends": ends, "kind": _kind(drawing, name)} for name, ends in known.items()],
-        "fixed": _fixed(data, len(next(iter(places.values()), [0, 0]))),
+        "fixed": supports(data),
         "loads": _loads(found),
         "data": data,
         "text": text,
         "faults": fault_rows(located(text, found.faults)),
-        "undo": drawing.state.words if drawing.past else "",
-        "redo": drawing.future[0].words if drawing.future else "",
         "valid": found.model is not None,
         "hints": loose_ends(places, known),
+        "file": "" if session.file is None else session.file.name,
+        "dirty": drawing.state is not session.saved,
+        "writable": session.folder is not None,
+        "offered": session.offered is not None,
+        **_history(drawing),
     }
 
 
@@ -95,11 +229,6 @@ def _kind(drawing: Drawing, name: str) -> str:
     if model is not None:
         return role_of(model, name)
     return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
-
-
-def _fixed(data: dict[str, Any], dim: int) -> dict[str, str]:
-    given = data.get("fixed") or {}
-    return dict(given) if isinstance(given, dict) else dict.fromkeys(given, "xyz"[:dim])
 
 
 def _loads(found: Judged) -> list[dict[str, Any]]:

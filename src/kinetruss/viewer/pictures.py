@@ -1,25 +1,30 @@
-"""Three-dimensional pictures and films, written without a display to a file that appears completely or not at all."""
+"""Shaded pictures and films, drawn by the viewer's own page in Chromium without a screen."""
 
 from __future__ import annotations
 
+import base64
+import io
 import itertools
-import shutil
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import json
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PIL import Image
 
-from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, limits_of, number, quantity, rgb
-from kinetruss.errors import InputError
+from kinetruss.display import DRIVEN, KINDS, LOAD, OVER, SKINS, THEMES, colours_of, number, quantity, rgb
+from kinetruss.display.browser import INSTALL, WEBGL, Browser, BrowserError, chromium
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.model import nearest
-from kinetruss.results.zarr_files import whole_file
-from kinetruss.viewer.films.shown import Look, Subject
-from kinetruss.viewer.films.stage import ANGLE, Camera, aimed
 from kinetruss.viewer.moving import CHANNELS
+from kinetruss.viewer.picture_files import check_encoder, rate_of, write_film, write_picture
+from kinetruss.viewer.picture_frame import Frame, strips
 from kinetruss.viewer.scenes import scene
+from kinetruss.viewer.self_contained import film_page
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,8 +33,6 @@ if TYPE_CHECKING:
     from kinetruss.results import Result
     from kinetruss.runs import RunResult
     from kinetruss.viewer.moving import Mode, Scene
-
-    Frames = Iterable[NDArray[np.uint8]]
 
 
 ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
@@ -46,108 +49,21 @@ def usual_speed(duration: float) -> float:
     return next((one for one in several if SHORT <= duration / one <= LONG), 1.0)
 
 
-# Writes frames to a file that appears completely or not at all.
-
-
-def rate_of(suffix: str, fps: float) -> float:
-    """Possible frames per second: delays in a GIF are whole hundredths of a second, at least two."""
-    return fps if suffix == ".mp4" else 100.0 / max(2, round(100.0 / fps))
-
-
-def check_encoder(suffix: str) -> None:
-    """Raise an error for missing packages before anything is drawn.
-
-    Raises
-    ------
-    InputError : MP4 without imageio-ffmpeg, or without a program ffmpeg.
-    """
-    if suffix == ".mp4":
-        _ffmpeg()
-
-
-def write_picture(picture: NDArray[np.uint8], path: Path) -> None:
-    """Write one PNG file."""
-    with whole_file(path) as part:
-        Image.fromarray(picture).save(part, format="PNG", dpi=(300, 300))
-
-
-def write_film(frames: Frames, path: Path, size: tuple[int, int], fps: float, colours: NDArray[np.uint8]) -> None:
-    """Write frames (height, width, 3), 0 to 255, as MP4 (H.264, plays everywhere) or as GIF (endless).
-
-    colours : (n, 3), all colours of the frames; a GIF has one table of 255 for all frames, to avoid flicker.
-
-    Raises
-    ------
-    StoreError : the file cannot be written.
-    """
-    with whole_file(path) as part:
-        if path.suffix.lower() == ".mp4":
-            _mp4(frames, part, size, fps)
-        else:
-            _gif(frames, part, fps, colours)
-
-
-def _mp4(frames: Frames, part: Path, size: tuple[int, int], fps: float) -> None:
-    part.touch()  # report here that the file cannot be written; ffmpeg takes twenty lines for it
-    writer = _ffmpeg().write_frames(
-        part,
-        size,
-        fps=fps,
-        codec="libx264",
-        macro_block_size=2,
-        output_params=["-preset", "veryfast", "-crf", "18", "-movflags", "+faststart"],
-        ffmpeg_log_level="error",
-    )
-    writer.send(None)
-    try:
-        for frame in frames:
-            writer.send(frame)
-    finally:
-        writer.close()
-
-
-def _gif(frames: Frames, part: Path, fps: float, colours: NDArray[np.uint8]) -> None:
-    pictures = (Image.fromarray(frame) for frame in frames)
-    first = next(pictures)
-    # half of the table for the shaded colours, half for the first frame
-    shades = (np.linspace(0.4, 1.0, 24)[:, None, None] * colours).astype(np.uint8)
-    swatches = Image.fromarray(shades).resize((first.width, first.height // 2), Image.Resampling.NEAREST)
-    sample = Image.new("RGB", (first.width, first.height + swatches.height))
-    sample.paste(first)
-    sample.paste(swatches, (0, first.height))
-    table = sample.quantize(255, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-    begin = first.quantize(palette=table, dither=Image.Dither.NONE)
-    rest = (one.quantize(palette=table, dither=Image.Dither.NONE) for one in pictures)
-    with part.open("wb") as stream:
-        begin.save(stream, format="GIF", save_all=True, append_images=rest, duration=round(1000 / fps), loop=0, optimize=False)
-
-
-def _ffmpeg() -> Any:
-    try:
-        import imageio_ffmpeg
-    except ImportError as error:
-        raise InputError(
-            f"Films as MP4 need the package {error.name}. Install what they need: pip install 'kinetruss[render]' "
-            "(or write a .gif)"
-        ) from None
-    try:
-        program = shutil.which(imageio_ffmpeg.get_ffmpeg_exe())
-    except RuntimeError:
-        program = None
-    if program is None:
-        raise InputError(
-            "No program ffmpeg is found. Install it (apt-get install ffmpeg), or name it in IMAGEIO_FFMPEG_EXE; "
-            "or write a .gif, which needs none."
-        )
-    return imageio_ffmpeg
-
-
-# Three-dimensional pictures and films, written without a display.
-
 SUFFIXES = (".png", ".mp4", ".gif")
 SWINGING = 2.5
 """Period of an animated mode, s."""
 LEAST, MOST = (240, 180), (7680, 7680)
+PRESETS = {
+    "iso": (0.72, -1.0, 0.42),
+    "corner": (0.72, -1.0, 0.42),
+    "front": (0.0, -1.0, 0.0),
+    "side": (1.0, 0.0, 0.0),
+    "top": (0.0, 0.0, 1.0),
+}
+"""Directions of the presets; ``corner`` is ``iso`` in the page."""
+AHEAD = 3
+"""Pictures that the page is asked for at a time."""
+READY = "new Promise((done) => { const wait = () => (window.kinetruss?.film ? done() : setTimeout(wait, 5)); wait(); })"
 
 
 def render(
@@ -195,8 +111,8 @@ def render(
 
     Raises
     ------
-    InputError : an unknown suffix, size, colour, camera, instant or name; a film of a model without motion; PyVista, ffmpeg
-    or a library that draws without a display is missing. StoreError : the file cannot be written.
+    InputError : an unknown suffix, size, colour, camera, instant or name; a film of a model without motion; Chromium or
+    ffmpeg is missing. AnalysisError : Chromium failed. StoreError : the file cannot be written.
 
     Examples
     --------
@@ -209,19 +125,16 @@ def render(
     path = Path(file)
     _check(path, size, fps, speed)
     shown = scene(what, model=model, case=case, modes=modes, instants=() if at is None else (at,))
-    subject = Subject(
-        shown,
-        Look(
-            ghost=ghost,
-            faces=_bodily(shown) if faces is None else faces,
-            loads=loads,
-            grid=grid,
-            paths=_nodes(shown, paths),
-            mode=_mode(shown, mode),
-        ),
-    )
-    channel = _channel(shown, colour)
-    limits = (0.0, 1.0) if channel is None else limits_of(channel["scale"], subject.shown_values(channel))
+    look = {
+        "direction": _direction(camera, int(shown.header["dim"])).tolist(),
+        "colour": _channel(shown, colour),
+        "mode": _mode(shown, mode),
+        "paths": _nodes(shown, paths),
+        "ghost": ghost,
+        "faces": _bodily(shown) if faces is None else faces,
+        "loads": loads,
+        "grid": grid,
+    }
     pace = 1.0
     if path.suffix == ".png":
         shots = _picture(shown, at, mode)
@@ -229,97 +142,88 @@ def render(
         time = shown.arrays["time"]
         pace = speed or (usual_speed(float(time[-1] - time[0])) if mode is None else 1.0)
         shots = _film(shown, path, at, mode, fps, pace)
-    job = _Job(subject=subject, channel=channel, limits=limits, size=size, camera=camera, bare=bare, pace=pace)
+    job = _Job(scene=shown, look=look, size=size, bare=bare, pace=pace)
     pictures = job.pictures(shots, progress)
     first = next(pictures)  # all input errors are raised before a file is started
-    from kinetruss.viewer.films import render as files
-
     if path.suffix == ".png":
-        files.write_picture(first, path)
+        write_picture(first, path)
     else:
-        frames = itertools.chain([first], pictures)
-        files.write_film(frames, path, size, files.rate_of(path.suffix, fps), job.palette())
+        write_film(itertools.chain([first], pictures), path, size, rate_of(path.suffix, fps), job.palette())
     return path
 
 
 @dataclass(frozen=True, slots=True)
 class _Shot:
-    """Frame of the scene, phase of the mode, and text of the instant."""
+    """Sample of the scene, phase of the mode, and text of the instant."""
 
-    frame: int
-    swing: float
+    sample: int
+    phase: float
     words: str
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Job:
-    subject: Subject
-    channel: dict[str, Any] | None
-    limits: tuple[float, float]
+    """What is drawn; look : options of the page, as `viewer-src/src/film.js` has them."""
+
+    scene: Scene
+    look: dict[str, Any]
     size: tuple[int, int]
-    camera: str | Sequence[float]
     bare: bool
     pace: float = 1.0
 
     def pictures(self, shots: Sequence[_Shot], progress: Callable[[int, int], None] | None) -> Iterator[NDArray[np.uint8]]:
-        """Draw each shot."""
-        from kinetruss.viewer.films.frame import strips
-        from kinetruss.viewer.films.stage import stage
-
+        """Draw each shot (height, width, 3); the page draws the next ones meanwhile."""
         width, height = self.size
         high = height if self.bare else height - sum(strips(width, height)[1:])
-        camera = self.eye(width / high)
-        frame = None if self.bare else self.frame(camera)
-        hatched = self.subject.hatched(self.channel)
-        with stage(self.subject, width, high, 3 if len(shots) == 1 else 2) as scenery:
-            scenery.look_from(camera, ANGLE)
+        with _opened(self.scene) as browser:
+            said = browser.ask(f"kinetruss.film({json.dumps({**self.look, 'width': width, 'height': high})})")
+            frame = None if self.bare else self.frame(said)
+            waiting: list[int] = []
             for k, shot in enumerate(shots):
-                colours = self.subject.colours(shot.frame, self.channel, self.limits)
-                skin = self.subject.skin_colours(shot.frame, self.channel, self.limits)
-                picture = scenery.shoot(shot.frame, colours, skin, hatched, shot.swing)
+                soon = shots[k + len(waiting) : k + AHEAD]
+                waiting += [browser.begin(f"kinetruss.shown.shoot({one.sample}, {one.phase})") for one in soon]
+                drawn = Image.open(io.BytesIO(base64.b64decode(browser.answer(waiting.pop(0)).partition(",")[2])))
+                picture = np.asarray(drawn.convert("RGB"))
                 yield picture if frame is None else frame.around(picture, shot.words)
                 if progress is not None:
                     progress(k + 1, len(shots))
 
-    def eye(self, wide: float) -> Camera:
-        """The camera that shows all of every frame."""
-        points = np.concatenate([self.subject.places.reshape(-1, 3), self.subject.tips()])
-        around = 2 * self.subject.ball * np.array([[-1, -1, -1], [1, 1, 1]])
-        return aimed(self.camera, np.concatenate([points + one for one in around]), wide, self.subject.dim)
+    @property
+    def channel(self) -> dict[str, Any] | None:
+        """The channel that colours the members; None: their kinds."""
+        return next((one for one in self.scene.header["channels"] if one["id"] == self.look["colour"]), None)
 
-    def frame(self, camera: Camera) -> Any:
-        """The text around the picture."""
-        from kinetruss.viewer.films.frame import Frame
-
-        header, channel = self.subject.scene.header, self.channel
-        values = np.zeros(1) if channel is None else self.subject.shown_values(channel)
+    def frame(self, said: dict[str, Any]) -> Frame:
+        """The text around the picture. said : what the page tells of its colours."""
+        header, channel = self.scene.header, self.channel
         kinds = [*header["kinds"], *(one["kind"] for one in header["skins"])]
         notes = ["worst of the whole run"] * bool(channel and channel.get("over_run"))
-        notes += ["striped: not unique"] * bool(channel and channel["id"] != "speed" and self.subject.unsure)
+        notes += ["striped: not unique"] * bool(channel and channel["id"] != "speed" and said["unsure"])
         notes += [f"{number(self.pace)} × real time"] * (self.pace != 1)
-        notes += [f"grid {quantity(self.subject.step, 'm')}"] * self.subject.look.grid
+        notes += [f"grid {quantity(said['step'], 'm')}"] * self.look["grid"]
         return Frame(
             width=self.size[0],
             height=self.size[1],
             title=str(header["title"] or header["name"]),
             note=", ".join(notes),
             channel=channel,
-            limits=self.limits,
-            largest=float(np.nanmax(np.abs(values), initial=0.0)),
+            limits=said["limits"],
+            largest=said["largest"],
             kinds=kinds,
             gravity=header["gravity"],
-            dim=self.subject.dim,
-            over=channel is not None and channel["scale"] in ("capacity", "margin") and bool((np.nan_to_num(values) > 1).any()),
-            missing=bool(np.isnan(values).any()),
-            single=len(self.subject.places) < 2,
-            camera=camera,
+            dim=int(header["dim"]),
+            over=said["over"],
+            missing=said["missing"],
+            single=len(self.scene.arrays["time"]) < 2,
+            backward=np.array(self.look["direction"]),
         )
 
     def palette(self) -> NDArray[np.uint8]:
         """All colours of members."""
         if self.channel is None:
             return np.array([rgb(one) for one in (*KINDS.values(), *SKINS.values())], np.uint8)
-        colours, light = colours_of(self.channel["scale"], np.linspace(*self.limits, 48), self.limits), THEMES["light"]
+        limits = (-1.0, 1.0) if self.channel["scale"] == "diverging" else (0.0, 1.0)
+        colours, light = colours_of(self.channel["scale"], np.linspace(*limits, 48), limits), THEMES["light"]
         return np.concatenate(
             [colours, [rgb(one) for one in (LOAD, DRIVEN, OVER, light["node"], light["body"], light["outline"])]]
         ).astype(np.uint8)
@@ -360,11 +264,11 @@ def _mode(shown: Scene, mode: int | None) -> int | None:
     return mode
 
 
-def _channel(shown: Scene, colour: str | None) -> dict[str, Any] | None:
+def _channel(shown: Scene, colour: str | None) -> str | None:
     """The channel that colours the members; None: their kinds."""
-    known: dict[str, dict[str, Any]] = {str(one["id"]): one for one in shown.header["channels"]}
+    known = [str(one["id"]) for one in shown.header["channels"]]
     if colour is None:
-        return known.get("force", known.get("stress") if shown.header["skins"] else None)
+        return next((one for one in ("force", *(["stress"] if shown.header["skins"] else [])) if one in known), None)
     if colour == "kind":
         return None
     if colour not in CHANNELS:
@@ -372,7 +276,43 @@ def _channel(shown: Scene, colour: str | None) -> dict[str, Any] | None:
     if colour not in known:
         there = ", ".join([*known, "kind"])
         raise InputError(f"There is nothing to colour by {colour} here. What can be shown: {there}.")
-    return known[colour]
+    return colour
+
+
+def _direction(camera: str | Sequence[float], dim: int) -> NDArray[np.float64]:
+    """The unit vector towards the eye."""
+    if isinstance(camera, str):
+        if camera not in PRESETS:
+            raise InputError(f"No camera called {camera!r}. {nearest(camera, PRESETS)}")
+        # a plane structure is seen along the normal of its plane by default
+        camera = (0.0, 0.0, 1.0) if dim == 2 and camera in ("iso", "corner") else PRESETS[camera]
+    found = np.array(camera, float)
+    if found.shape != (3,) or not np.isfinite(found).all() or not np.linalg.norm(found) > 0:
+        raise InputError(f"camera {tuple(camera)}: give a preset ({', '.join(PRESETS)}) or a direction (x, y, z).")
+    direction: NDArray[np.float64] = found / np.linalg.norm(found)
+    return direction
+
+
+@contextmanager
+def _opened(shown: Scene) -> Iterator[Browser]:
+    """A browser with the page that draws a scene.
+
+    Raises
+    ------
+    InputError : no Chromium is installed. AnalysisError : it failed.
+    """
+    program = chromium()
+    if program is None:
+        raise InputError(f"Shaded pictures and films are drawn by Chromium, and none was found. {INSTALL}.")
+    try:
+        with TemporaryDirectory(prefix="kinetruss-") as folder, Browser(program, WEBGL) as browser:
+            page = Path(folder, "film.html")
+            page.write_text(film_page(shown), encoding="utf-8")
+            browser.open(page)
+            browser.ask(READY)
+            yield browser
+    except BrowserError as error:
+        raise AnalysisError(f"Nothing was drawn: {error}") from None
 
 
 def _picture(shown: Scene, at: float | None, mode: int | None) -> list[_Shot]:

@@ -1,0 +1,134 @@
+"""What makes the numbers of a run unsure: an energy balance that does not close, a singular position, forces not unique; and
+load cases that no check includes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.display import counted, instant, number
+from kinetruss.mechanics import not_unique_note
+
+if TYPE_CHECKING:
+    from kinetruss.results import Forces
+    from kinetruss.runs.results import RunResult
+
+
+POOR_BALANCE = 1e-6
+"""Largest relative error of the energy balance without a doubt; for computed motions it is near round-off."""
+NEAR_SINGULAR = 0.01
+STILL = 1e-12
+"""Displacement, as a fraction of the structure's size, below which a motion is round-off."""
+
+
+def poses_of(run: RunResult) -> list[str]:
+    """Names of the poses of a run at rest; empty for a motion, whose samples have times."""
+    data = run.motion.data
+    return [str(name) for name in data["pose"].values] if "pose" in data.coords else []
+
+
+def moment(time: float, poses: Sequence[str]) -> str:
+    """When a value is found: the name of a pose, whose time is its number, or the time.
+
+    >>> moment(1.0, ["low", "high"]), moment(0.5, [])
+    ('pose high', 't = 0.5 s')
+    """
+    return f"pose {poses[round(time)]}" if poses and time == time else f"t = {instant(time)}"
+
+
+def doubts(run: RunResult) -> Iterator[str]:
+    """Sentences on what makes the numbers of a run unsure, most serious first."""
+    balance, gauge = energy_balance(run), singularity(run)
+    if balance is not None and balance["relative"] > POOR_BALANCE:
+        yield (
+            f"The energy balance closes only to {number(balance['relative'], 2)} of the largest power: the motion does not "
+            "fit its own velocities and accelerations (measured records do not quite)."
+        )
+    if gauge is not None and gauge["smallest"] < NEAR_SINGULAR:
+        yield (
+            f"The structure comes near a singular position: measure {number(gauge['smallest'], 3)} at "
+            f"{moment(gauge['time'], poses_of(run))} (0 is singular). Forces there are large and sensitive."
+        )
+    if names := not_unique(run):
+        yield (
+            f"The force is not unique in {', '.join(names)}: the structure is redundant, and the distribution "
+            "depends on stiffness or convention."
+        )
+    for case, found in run.statics.items():
+        soft = {"unstable": "of negative stiffness", "neutral": "without stiffness"}
+        if ways := [f"{counted(k, 'mode')} {what}" for name, what in soft.items() if (k := int(found.attrs.get(name, 0)))]:
+            yield f"The equilibrium under {'all loads' if case == 'all' else case} is not stable: {' and '.join(ways)}."
+    for one in () if run.simulation is None else run.simulation.passages:
+        if not one.certain:
+            yield f"At the singular position passed at {one} the tolerance cannot distinguish the branches."
+
+
+def cases_left_out(run: RunResult) -> list[str]:
+    """A sentence on load cases with displacements and without section forces, so that no check includes them."""
+    names = [case for case in run.statics if run.forces and case not in run.forces]
+    return (
+        [f"Not included: strength under {', '.join(names)}, whose loads act on members between their joints."] if names else []
+    )
+
+
+def remarks(run: RunResult) -> str:
+    """The message of a run without what its doubts say."""
+    return run.message.replace(not_unique_note(not_unique(run)), "").strip() if run.message else ""
+
+
+def not_unique(run: RunResult) -> list[str]:
+    """Members whose force is not unique in a load case."""
+    return list(dict.fromkeys(name for forces in run.forces.values() for name in forces.attrs.get("not_unique", [])))
+
+
+def singularity(run: RunResult) -> dict[str, float] | None:
+    """The smallest measure of singularity and its time; None where it is not known."""
+    gauge = run.motion.arrays["singularity"].values if "singularity" in run.motion.arrays else np.zeros(0)
+    if not len(gauge) or np.isnan(gauge).all():
+        return None
+    at = int(np.nanargmin(gauge))
+    return {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
+
+
+def energy_balance(run: RunResult) -> dict[str, Any] | None:
+    """The power balance of the load case that closes worst: its largest error and the largest power, W, and their ratio; None
+    for poses at rest, which have no power.
+    """
+    still, exchanged = _stands_still(run), _exchanged(run)
+    moving = [forces for forces in run.forces.values() if forces.data.sizes["time"] and "energy_balance" in forces.data]
+    found = [_balance(forces, exchanged, still) for forces in moving]
+    return max(found, key=lambda entry: float(entry["relative"]), default=None)
+
+
+def _exchanged(run: RunResult) -> float:
+    """Largest power between kinetic and potential energy of a simulation, W; a free mechanism may have no other power."""
+    if run.simulation is None or run.simulation.data.sizes["time"] < 2:
+        return 0.0
+    data = run.simulation.data
+    return float(np.max(np.abs(np.diff(data["kinetic_energy"].values) / np.diff(data["time"].values))))
+
+
+def _stands_still(run: RunResult) -> bool:
+    """True if all motion is round-off, so that fractions of the largest power have no meaning."""
+    data = run.motion.data
+    if not data["time"].size:
+        return True
+    way = float(np.max(np.abs(data["velocity"].values), initial=0.0)) * float(data["time"][-1] - data["time"][0])
+    return way <= STILL * float(np.ptp(data["position"].values[0], axis=0).max())
+
+
+def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
+    """Largest error of the power balance, and its ratio to the largest power: that of a single drive, of drives and loads
+    together, or between kinetic and potential energy.
+    """
+    data = forces.data
+    miss = float(np.max(np.abs(data["energy_balance"].values)))
+    drives = (
+        data["drive_force"].values * forces.motion.data["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
+    )
+    powers = [np.nanmax(np.abs(one), initial=0.0) for one in (drives, data["power"].values, data["energy_rate"].values)]
+    largest = float(max(*powers, exchanged))
+    return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}

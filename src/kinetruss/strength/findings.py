@@ -1,0 +1,199 @@
+"""What a result says, decided once: whether limits are kept, what governs, what was not checked and why, what is unsure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
+
+from kinetruss.display import counted
+from kinetruss.results.wide_tables import NOT_CHECKED
+
+if TYPE_CHECKING:
+    from kinetruss.results import Demand, Row, Verdict
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Finding:
+    """What a result says: terminal, report, page and studio show these words.
+
+    members, drives : every check of a part and of a drive, worst first; `Row.status` tells whether its limit is kept.
+    left_out : sentences on actions that no check includes. partial : why the result is not that which was asked for; empty if
+    it is. doubts : sentences on what makes its numbers unsure.
+    """
+
+    members: tuple[Row, ...] = ()
+    drives: tuple[Row, ...] = ()
+    left_out: tuple[str, ...] = ()
+    partial: str = ""
+    doubts: tuple[str, ...] = ()
+
+    @property
+    def state(self) -> Literal["over", "open", "ok", "none"]:
+        """``over`` : a limit is exceeded. ``open`` : none of those checked is, but something was not checked, or the result is
+        not that which was asked for. ``ok`` : all limits are kept. ``none`` : there was nothing to check.
+        """
+        if self.over:
+            return "over"
+        if self.partial or self.unchecked or self.left_out:
+            return "open"
+        return "none" if self.governing is None else "ok"
+
+    @cached_property
+    def governing(self) -> Row | None:
+        """The check of the highest utilisation, of a member before one of a drive; None if nothing was checked."""
+        # an infinite one follows the finite one of its part that says by how much
+        most = [row for rows in (self.members, self.drives) for row in rows[:1] if row.checked]
+        return max(most, key=lambda row: row.utilisation, default=None)
+
+    @property
+    def kind(self) -> Literal["member", "drive"]:
+        """Of what governs."""
+        return "drive" if self.governing in self.drives[:1] else "member"
+
+    @cached_property
+    def over(self) -> tuple[Row, ...]:
+        """The worst check of each part and drive beyond a limit."""
+        first = [{row.part: row for row in reversed(rows) if row.status == "exceeded"} for rows in (self.members, self.drives)]
+        return tuple(sorted((row for one in first for row in one.values()), key=lambda row: -row.utilisation))
+
+    @cached_property
+    def unchecked(self) -> dict[str, tuple[str, ...]]:
+        """Part with a rule that was not checked -> rules, and why."""
+        found: dict[str, tuple[str, ...]] = {}
+        for row in self.members:
+            if row.status == "not checked":
+                found[row.part] = (*found.get(row.part, ()), f"{row.rule}: {row.note.removeprefix(NOT_CHECKED)}")
+        return found
+
+    @cached_property
+    def parts(self) -> tuple[str, ...]:
+        """Parts of members that have a rule."""
+        return tuple(dict.fromkeys(row.part for row in self.members))
+
+    @cached_property
+    def unlimited(self) -> tuple[str, ...]:
+        """Drives of which no limit is known."""
+        checked = {row.part for row in self.drives if row.checked}
+        return tuple(dict.fromkeys(row.part for row in self.drives if row.part not in checked))
+
+    @property
+    def lacking(self) -> str:
+        """How much of the strength was not checked, in words; empty if all was."""
+        if not self.parts:
+            return f"Strength was not checked{'' if self.partial else ': no member has forces'}"
+        if self.unchecked:
+            return f"Strength not fully checked: {len(self.unchecked)} of {counted(len(self.parts), 'part')}"
+        return "Strength not fully checked: not every action is included" if self.left_out else ""
+
+    @property
+    def text(self) -> str:
+        """The state in words, without what governs."""
+        return {"over": "Over capacity", "ok": "OK"}.get(self.state) or self.partial or self.lacking
+
+    @property
+    def governs(self) -> str:
+        """What governs, in words; empty if nothing was checked."""
+        if self.governing is None:
+            return ""
+        return f"{'highest of what was checked: ' if self.state == 'open' else ''}{self.governing.place}"
+
+    @property
+    def more(self) -> list[str]:
+        """What else to know of the limits: others exceeded, what was not checked, what no check includes."""
+        others, drives = len(self.over) - 1, len(self.unlimited)
+        lacking = self.lacking if self.unchecked else ""
+        found = [
+            f"{others} more over" if others > 0 else "",
+            *(one for one in (self.partial, lacking) if one != self.text),
+            f"{counted(drives, 'drive')} without limits" if drives else "",
+            *self.left_out,
+        ]
+        return [one for one in found if one]
+
+    @property
+    def sentence(self) -> str:
+        """The verdict in one line.
+
+        >>> import kinetruss as kt
+        >>> model = kt.read(kt.library.example_files()["four_bar"][0])
+        >>> kt.run(model).finding.sentence
+        'OK; crank, yield: 3.6 % at 0.6083 s'
+        """
+        return "; ".join(filter(None, [self.text, self.governs, *self.more]))
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Plain data for JSON."""
+        one = self.governing
+        return {
+            "state": self.state,
+            "text": self.text,
+            "more": self.more,
+            "warnings": list(self.doubts),
+            "governing": None
+            if one is None
+            else {
+                "kind": self.kind,
+                "name": one.part,
+                "member": one.member,
+                "text": one.place,
+                "used": one.utilisation if math.isfinite(one.utilisation) else None,
+                "time": one.time if math.isfinite(one.time) else None,
+                "load_case": one.load_case,
+            },
+        }
+
+
+def find(
+    verdict: Verdict | None,
+    drives: Iterable[Row] = (),
+    *,
+    left_out: Iterable[str] = (),
+    partial: str = "",
+    doubts: Iterable[str] = (),
+    timed: bool = True,
+) -> Finding:
+    """What a verdict and the checks of drives say.
+
+    Parameters
+    ----------
+    drives : checks of drives, of `demands` or others. left_out : sentences on what the verdict does not include, besides its
+    own. partial : why the result is only a part of what was asked for; by default how the forces of the verdict ended, if not
+    well. doubts : sentences on what makes the numbers unsure. timed : False for one pose at rest, whose time says nothing.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> model = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+    ...     loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+    ... )
+    >>> found = kt.strength.find(kt.strength.check(model, kt.runs.forces_at_rest(model)), timed=False)
+    >>> found.state, found.sentence
+    ('ok', 'OK; strut, buckling: 6.14 %')
+    """
+    rows = [] if verdict is None or "utilisation" not in verdict.arrays else verdict.table()  # a run's, before its end
+    if verdict is not None and not verdict.status.ok:
+        partial = partial or verdict.status.value.rstrip(".")
+    several = [rows, sorted(drives, key=_worst_first)]
+    members, others = several if timed else ([replace(row, time=math.nan) for row in some] for some in several)
+    return Finding(
+        members=tuple(members),
+        drives=tuple(others),
+        left_out=(*(() if verdict is None else map(str, verdict.attrs.get("not_held", []))), *left_out),
+        partial=partial,
+        doubts=tuple(doubts),
+    )
+
+
+def _worst_first(row: Row) -> float:
+    return -row.utilisation if row.checked else math.inf
+
+
+def demands(demand: Mapping[str, Demand]) -> list[Row]:
+    """The checks of drives, of the demand by load case."""
+    cases = ((case, one) for case, one in demand.items() if "utilisation" in one.arrays)
+    return [replace(row, load_case=case) for case, one in cases for row in one.table()]
