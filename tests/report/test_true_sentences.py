@@ -101,7 +101,7 @@ def test_a_full_turn_is_drawn_in_three_poses():
     model = kt.library.mechanisms.four_bar()
     turn = kt.Run(trajectory=kt.ConstantRate(rates={"motor": 2 * math.pi}, duration=1.0), samples=61)
     shape = specifications(kt.run(model.with_(runs={"turn": turn}), "turn"))[0]
-    places = [pose.position for pose in shape.poses]
+    places = [stand.dots for stand in shape.stands]
     assert len(places) == 3
     size = np.ptp(places[0])
     assert min(np.abs(a - b).max() for k, a in enumerate(places) for b in places[:k]) > 0.05 * size

@@ -16,7 +16,9 @@ from kinetruss.report.pictures.drawing import drawn
 from kinetruss.report.pictures.specs import WIDTHS, Colouring
 from kinetruss.report.pictures.stands import VIEWS, drawing, projected, shown_at
 from kinetruss.results import Forces, Motion, Result, Simulation
+from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
+from kinetruss.runs.mission_results import check_histories
 from kinetruss.units import parse
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
@@ -102,10 +104,15 @@ def picture(
 
 
 def _motion(what: Any) -> Motion | None:
-    """The motion of a run or a result, or None of what stands still."""
-    if isinstance(what, (RunResult, Simulation, Forces)):
+    """The motion of a run or a result, or None of what stands still; without a sample it is refused."""
+    if isinstance(what, RunResult):
+        check_histories(what)
         return what.motion
-    return what if isinstance(what, Motion) else None
+    motion = what.motion if isinstance(what, (Simulation, Forces)) else what
+    if not isinstance(motion, Motion):
+        return None
+    check_samples(motion)
+    return motion
 
 
 def _colouring(scene: Scene) -> Colouring | None:
