@@ -12,8 +12,7 @@ from kinetruss.display import instant
 from kinetruss.model.beam_frames import FRAME, shown_kinds, shown_names
 from kinetruss.report.pictures.picture import arrows, curves_of
 from kinetruss.report.pictures.specs import Bars, Figure, Histories, Panel, Pose, Shape
-from kinetruss.report.run_summary import worst_rows
-from kinetruss.report.run_tables import moment, poses_of
+from kinetruss.report.run_data import moment, poses_of, worst
 from kinetruss.runs.mission_results import check_histories
 
 if TYPE_CHECKING:
@@ -239,16 +238,16 @@ def _when(run: RunResult, time: float) -> str:
 
 
 def _utilisation(run: RunResult) -> Iterator[Figure]:
-    rows = worst_rows(run, BARS)
+    rows = worst(run)[:BARS]
     if rows:
-        notes = tuple(f"{row.rule}{_when(run, row.time)}" for row in rows)
+        notes = tuple(f"{row['rule']}{_when(run, row['time'])}" for row in rows)
         yield Bars(
             name="utilisation",
             title="Utilisation of the worst members by their governing rule",
             quantity="utilisation (demand over capacity)",
             unit="%",
-            labels=tuple(row.part for row in rows),
-            values=np.array([row.utilisation for row in rows]),
+            labels=tuple(row["part"] for row in rows),
+            values=np.array([row["utilisation"] for row in rows]),
             notes=notes,
         )
     stressed: dict[str, Any] = {}

@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.display import number, quantity
 from kinetruss.model.runs import FLEXIBLE
-from kinetruss.report.run_tables import moment, poses_of
+from kinetruss.report.run_data import moment, peak, poses_of
 
 if TYPE_CHECKING:
     from kinetruss.results import Result, Simulation
@@ -65,10 +65,7 @@ def _motors(found: Simulation) -> list[dict[str, Any]]:
         return []
     rows = []
     for k, name in enumerate(map(str, data["motor"].values)):
-        peaks = {}
-        for key in ("current", "voltage", "torque", "speed"):
-            values = data[f"motor_{key}"].values[:, k]
-            peaks[key] = float(values[int(np.argmax(np.abs(values)))])
+        peaks = {key: peak(data[f"motor_{key}"].values[:, k]) for key in ("current", "voltage", "torque", "speed")}
         last = {key: float(data[one].values[-1, k]) for key, one in LAST.items()}
         still = float(np.mean(data["motor_direction"].values[:, k] == 0))
         rows.append({"motor": name, **peaks, **last, "still": still})

@@ -3,49 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from kinetruss.display import Table, counted, instant, margin, number, quantity
+from kinetruss.display import Table, counted, instant, number, quantity
 from kinetruss.errors import one_line
 from kinetruss.model import inner_parts
-from kinetruss.report.mission_tables import mission_record, mission_text
+from kinetruss.report import tables
+from kinetruss.report.drive_data import drive_loads, exceeded, motors, spring_loads, trains
+from kinetruss.report.mission_tables import mission_entries, mission_record
 from kinetruss.report.page import Page
+from kinetruss.report.run_data import WORST, checks, largest_forces, moment, plain, poses_of, worst
 from kinetruss.report.run_lines import simulation_lines, simulation_record, statics_lines, statics_record, statics_title
-from kinetruss.report.run_tables import (
-    IDLE,
-    MOST,
-    drive_loads,
-    drives_text,
-    exceeded,
-    moment,
-    pose_at,
-    poses_of,
-    spring_loads,
-    springs_text,
-    telling,
-    trains,
-    trains_text,
-)
-from kinetruss.results.records import MOTORS_UNCHECKED
 from kinetruss.runs import MissionRun
 from kinetruss.strength.governing import headline
 
 if TYPE_CHECKING:
-    from kinetruss.results import Demand, Forces, Row
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
-
-
-WORST = 8
-
-STILL = 1e-12
-"""Displacement, as a fraction of the structure's size, below which a motion is round-off."""
-
-FORCE_HEAD = ("member", "force", "of it by motion", "time", "load case")
-WORST_HEAD = ("part", "rule", "utilisation", "value", "limit", "margin", "time", "at", "load case")
-MOTOR_HEAD = ("motor of", "load", "speed", "torque", "current", "voltage", "power", "energy", "nearest limit", "load case")
 
 
 def summary(run: RunResult) -> Page:
@@ -58,8 +33,8 @@ def summary(run: RunResult) -> Page:
     ['Four-bar linkage', 'run turn: Completed.', 'verdict: OK; crank, yield: 3.6 % at 0.6083 s']
     """
     if isinstance(run, MissionRun):
-        return Page(found=run, as_record=mission_record, as_text=mission_text)
-    return Page(found=run, as_record=summary_record, as_text=_text)
+        return Page(found=run, as_record=mission_record, as_entries=mission_entries)
+    return Page(found=run, as_record=summary_record, as_entries=entries)
 
 
 def summary_record(run: RunResult) -> dict[str, Any]:
@@ -83,7 +58,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "active_members": len(run.model.active),
         "verdict": headline(run.verdict, run.demand, timed=_timed(run)).record,
         "largest_forces": largest_forces(run),
-        "worst": [{name: getattr(row, name) for name in row.__slots__} for row in worst_rows(run)],
+        "worst": worst(run)[:WORST],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
         "drive_loads": drive_loads(run, motors(run)),
         "spring_loads": spring_loads(run),
@@ -96,50 +71,25 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
     }
-    plain: dict[str, Any] = _plain(record)
-    return plain
+    found: dict[str, Any] = plain(record, None)
+    return found
 
 
-def _text(run: RunResult) -> str:
-    """The page as text."""
-    parts = [_head(run)]
-    if given := list(simulation_lines(run)):
-        parts.append(Table(("", ""), given, "Simulation").text)
-    if given := list(statics_lines(run)):
-        parts.append(Table(("", ""), given, statics_title(run)).text)
-    if forces := largest_forces(run):
-        parts.append(f"Largest member forces (tension positive)\n{_columns(run, FORCE_HEAD, [*map(_force_cells, forces)])}")
-    if rows := worst_rows(run):
-        beyond = "".join(f"\n{words}" for words in _beyond(run))
-        parts.append(
-            f"Worst members (utilisation: 100 % is the limit)\n{_columns(run, WORST_HEAD, [*map(_cells, rows)])}{beyond}"
-        )
-    if run.verdict is not None and (missing := run.verdict.not_checked()):
-        parts.append("Not checked\n" + "\n".join(f"{what} ({', '.join(names)})" for what, names in missing.items()))
-    found = motors(run)
-    parts += drives_text(drive_loads(run, found), timed=_timed(run))
-    parts += springs_text(spring_loads(run))
-    if found:
-        parts.append(_motors_text(found))
-    parts += trains_text(run)
-    if lines := list(_check_lines(run)):
-        parts.append(Table(("", ""), lines, "Checks").text)
-    return "\n\n".join(parts)
-
-
-def _motors_text(found: list[dict[str, Any]]) -> str:
-    """The table of motors; of many those nearest to a limit."""
-    shown, more = found, ""
-    if len(found) > MOST:
-        shown = sorted(found, key=_near, reverse=True)[:MOST]
-        more = f"\nand {len(found) - MOST} more, farther from their limits"
-    return f"Motors (largest values of the motion)\n{telling(MOTOR_HEAD, [*map(_motor_cells, shown)])}{more}"
-
-
-def _near(motor: Mapping[str, Any]) -> tuple[float, float]:
-    """How near a motor is to its limits, then its torque: strokes of equal cells are equal."""
-    limit = motor["nearest_limit"]
-    return (round(limit["utilisation"], 6) if limit else 0.0, abs(motor["motor_torque"]))
+def entries(run: RunResult) -> Iterator[Entry]:
+    """What the page says, in its order."""
+    timed, found = _timed(run), motors(run)
+    yield _head(run)
+    yield Table(("", ""), simulation_lines(run), "Simulation")
+    yield Table(("", ""), statics_lines(run), statics_title(run))
+    yield tables.largest_forces(largest_forces(run), timed=timed)
+    yield tables.strength(worst(run), "\n".join(_beyond(run)), timed=timed)
+    yield tables.not_checked(() if run.verdict is None else run.verdict.not_checked().items())
+    yield tables.drives(drive_loads(run, found), timed=timed)
+    yield tables.springs(spring_loads(run))
+    yield tables.motors(found)
+    yield from tables.trains(trains(run))
+    yield tables.exceeded(exceeded(run))
+    yield Table(("", ""), _check_lines(run), "Checks")
 
 
 def _head(run: RunResult) -> str:
@@ -176,14 +126,6 @@ def _timed(run: RunResult) -> bool:
     return run.good > 1 or not run.statics
 
 
-def _columns(run: RunResult, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    """A table of the run; of one pose at rest without its time, of several with their names."""
-    at = rows[0][head.index("time")]
-    if poses_of(run):
-        return telling([{"time": "pose"}.get(name, name) for name in head], rows)
-    return telling(head, rows, IDLE if _timed(run) else IDLE | {"time": at})
-
-
 def _verdict(run: RunResult) -> str:
     """The verdict in one line: state, what governs, what is not included."""
     found = headline(run.verdict, run.demand, timed=_timed(run)).record
@@ -196,49 +138,6 @@ def _verdict(run: RunResult) -> str:
     return "verdict: " + "; ".join([found["text"], *words, *found["more"]])
 
 
-def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
-    """The members with the largest force of all load cases, largest first, without bars that represent bodies.
-
-    ``unique`` : False if the structure is redundant and the force of the member depends on stiffness or convention.
-    """
-    found: list[dict[str, Any]] = []
-    for case, forces in run.forces.items():
-        values = forces.data["member_force"].values
-        if not len(values):
-            continue
-        static = None if forces.static is None else forces.static.data["member_force"].values
-        unsure = set(forces.data.attrs.get("not_unique", []))
-        for i, member in enumerate(map(str, forces.data["member"].values)):
-            if member in run.model.bars and run.model.bars[member].brace:
-                continue
-            at = int(np.argmax(np.abs(values[:, i])))
-            share = math.nan if static is None else float(values[at, i] - static[at, i])
-            when = float(forces.data["time"].values[at])
-            found.append(
-                {
-                    "member": member,
-                    "force": float(values[at, i]),
-                    "by_motion": share,
-                    "time": when,
-                    "pose": pose_at(forces, at),
-                    "load_case": case,
-                    "unique": member not in unsure,
-                }
-            )
-    return sorted(found, key=lambda entry: -abs(entry["force"]))[:count]
-
-
-def worst_rows(run: RunResult, count: int = WORST) -> list[Row]:
-    """The governing entry of each part, worst part first."""
-    if run.verdict is None:
-        return []
-    first: dict[str, Row] = {}
-    for row in run.verdict.table():
-        if row.checked and row.utilisation > 0:
-            first.setdefault(row.part, row)
-    return list(first.values())[:count]
-
-
 def _beyond(run: RunResult) -> Iterable[str]:
     """Beam-columns without a finite value: the parts by their reason."""
     found: dict[str, list[str]] = {}
@@ -247,113 +146,6 @@ def _beyond(run: RunResult) -> Iterable[str]:
             case = "" if row.load_case == "all" else f", {row.load_case}"
             found.setdefault(f"{row.note.partition(';')[0]}, so beam-column has no finite value{case}", []).append(row.part)
     return (f"{', '.join(parts)}: {words}" for words, parts in found.items())
-
-
-def motors(run: RunResult) -> list[dict[str, Any]]:
-    """Peaks of every active member that has a screw, and of every angle that has a motor, by load case."""
-    found = []
-    for case, demand in run.demand.items():
-        if not demand.data.sizes["time"]:
-            continue
-        # For each active member its entry of highest utilisation.
-        first: dict[str, dict[str, Any]] = {}
-        if "utilisation" in demand.data:
-            for row in demand.table():
-                if row.checked:
-                    first.setdefault(row.part, {"quantity": row.rule, "utilisation": row.utilisation, "time": row.time})
-        nearest = first
-        for k, name in enumerate(demand.data["active"].values):
-            known = (demand.data[history].values[:, k] for history in ("screw_torque", "motor_torque"))
-            if all(np.isnan(values).all() for values in known):
-                continue
-            peak = {key: _peak(demand, history, k) for key, history in PEAKS.items()}
-            peak["drive_torque"] = _peak(demand, "drive_torque", k) if "drive_torque" in demand.data else math.nan
-            energy = float(demand.data["drawn_energy"].values[k]) if "drawn_energy" in demand.data else math.nan
-            locking = bool(demand.data["self_locking"].values[k]) if "self_locking" in demand.data else None
-            found.append(
-                {
-                    "active": str(name),
-                    "load_case": case,
-                    **peak,
-                    "drawn_energy": energy,
-                    "self_locking": locking,
-                    "nearest_limit": nearest.get(str(name)),
-                }
-            )
-    return found
-
-
-PEAKS = {
-    "thrust": "thrust",
-    "motor_speed": "motor_speed",
-    "motor_torque": "motor_torque",
-    "current": "current",
-    "voltage": "voltage",
-    "electrical_power": "electrical_power",
-}
-
-
-def _peak(demand: Demand, history: str, k: int) -> float:
-    """The value of largest magnitude, with its sign."""
-    values = demand.data[history].values[:, k]
-    return math.nan if np.isnan(values).all() else float(values[np.nanargmax(np.abs(values))])
-
-
-def checks(run: RunResult) -> dict[str, Any]:
-    """Energy balance, singularity measure, members whose force is not unique, limits of motors that the motion alone left
-    open and the forces decided, missing strength checks.
-    """
-    gauge = run.motion.data["singularity"].values
-    record: dict[str, Any] = {"singularity": None, "energy_balance": None, "not_unique": []}
-    if len(gauge) and not np.isnan(gauge).all():
-        at = int(np.nanargmin(gauge))
-        record["singularity"] = {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
-    still = _stands_still(run)
-    balances = [_balance(forces, _exchanged(run), still) for forces in run.forces.values() if _moves(forces)]
-    if balances:
-        record["energy_balance"] = max(balances, key=lambda entry: entry["relative"])
-    record["not_held"] = [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))
-    record["motors"] = list(run.motion.attrs.get(MOTORS_UNCHECKED, ())) if run.demand else []
-    record["not_unique"] = list(
-        dict.fromkeys(m for forces in run.forces.values() for m in forces.data.attrs.get("not_unique", []))
-    )
-    return record
-
-
-def _moves(forces: Forces) -> bool:
-    """False for forces of poses at rest, which have no power."""
-    return bool(forces.data.sizes["time"]) and "energy_balance" in forces.data
-
-
-def _exchanged(run: RunResult) -> float:
-    """Largest power between kinetic and potential energy of a simulation, W; a free mechanism may have no other power."""
-    if run.simulation is None or run.simulation.data.sizes["time"] < 2:
-        return 0.0
-    data = run.simulation.data
-    return float(np.max(np.abs(np.diff(data["kinetic_energy"].values) / np.diff(data["time"].values))))
-
-
-def _stands_still(run: RunResult) -> bool:
-    """True if all motion is round-off, so that fractions of the largest power have no meaning."""
-    data = run.motion.data
-    if not data["time"].size:
-        return True
-    way = float(np.max(np.abs(data["velocity"].values), initial=0.0)) * float(data["time"][-1] - data["time"][0])
-    return way <= STILL * float(np.ptp(data["position"].values[0], axis=0).max())
-
-
-def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
-    """Largest error of the power balance, and its ratio to the largest power: that of a single drive, of drives and loads
-    together, or between kinetic and potential energy.
-    """
-    data = forces.data
-    miss = float(np.max(np.abs(data["energy_balance"].values)))
-    drives = (
-        data["drive_force"].values * forces.motion.data["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
-    )
-    powers = [np.nanmax(np.abs(one), initial=0.0) for one in (drives, data["power"].values, data["energy_rate"].values)]
-    largest = float(max(*powers, exchanged))
-    return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}
 
 
 def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
@@ -370,56 +162,3 @@ def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
     if found["motors"]:
         yield "motors", f"checked with the forces of this run: {', '.join(found['motors'])}"
     yield from (("strength", sentence) for sentence in found["not_held"])
-
-
-def _force_cells(f: Mapping[str, Any]) -> tuple[str, ...]:
-    by_motion = quantity(f["by_motion"], "N")
-    return (
-        f["member"],
-        quantity(f["force"], "N") + ("" if f["unique"] else ", not unique"),
-        by_motion,
-        f["pose"] or instant(f["time"]),
-        f["load_case"],
-    )
-
-
-def _cells(row: Row) -> tuple[str, ...]:
-    return (
-        row.part,
-        row.rule,
-        quantity(row.utilisation, "%"),
-        quantity(row.value, row.unit),
-        quantity(row.limit, row.unit),
-        margin(row.margin),
-        row.pose or instant(row.time),
-        quantity(row.position, "m"),
-        row.load_case,
-    )
-
-
-def _motor_cells(motor: Mapping[str, Any]) -> tuple[str, ...]:
-    nearest, turning = motor["nearest_limit"], math.isfinite(motor["drive_torque"])
-    load = quantity(motor["drive_torque"], "N m") if turning else quantity(motor["thrust"], "N")
-    limit = f"{nearest['quantity']} {quantity(nearest['utilisation'], '%')}" if nearest else "-"
-    return (
-        motor["active"],
-        load,
-        quantity(motor["motor_speed"], "rad/s"),
-        quantity(motor["motor_torque"], "N m"),
-        quantity(motor["current"], "A"),
-        quantity(motor["voltage"], "V"),
-        quantity(motor["electrical_power"], "W"),
-        quantity(motor["drawn_energy"], "J"),
-        limit,
-        motor["load_case"],
-    )
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {str(key): _plain(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(entry) for entry in value]
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    return value

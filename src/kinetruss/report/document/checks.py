@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
 
@@ -203,7 +204,7 @@ SHOWN = 300_000
 """Number of characters up to which a model file is shown; a larger one can only be saved."""
 
 
-def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
+def recompute(run: RunResult, record: dict[str, Any]) -> list[Entry]:
     """Versions and hash, commands, and the model file."""
     given = {key: value for key, value in record["provenance"].items() if key not in ("title", "model", "run")}
     rows: list[tuple[str, Any]] = [("run folder", record["out"])] if record["out"] else []
@@ -213,8 +214,8 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     rows += [("computing took", quantity(run.wall_time, "s"))]
     saved = element("a", "Save model.json", href=_address(record["model"]), download="model.json", class_="screen save")
     steps = f"kinetruss check model.json\nkinetruss run model.json {run.name} -o again\nkinetruss info again"
-    parts = [
-        Table(("", ""), rows, "Provenance").html,
+    parts: list[Entry] = [
+        Table(("", ""), rows, "Provenance"),
         element(
             "p",
             "The file report.html holds the model, byte by byte; save it as model.json. ",

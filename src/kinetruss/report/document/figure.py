@@ -13,18 +13,19 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.display import quantity
-from kinetruss.report.document.demands import cased
 from kinetruss.report.document.figure_contents import Loaded, loaded, supports_of
 from kinetruss.report.document.figure_drawing import WIDTH, Labels, draw_supports, drawn, lines_of_members, round_length, seen
-from kinetruss.report.document.run_pictures import embedded, lines_of
+from kinetruss.report.document.run_pictures import lines_of
+from kinetruss.report.entries import Figure
 from kinetruss.report.pictures.drawing import projected
 from kinetruss.report.pictures.specs import INK, PRINT, QUIET, RC
 from kinetruss.report.run_lines import shift_of
+from kinetruss.report.tables import cased
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.display import Markup
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ SHARE = 0.1
 GHOST = "#a8b0b9"
 
 
-def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
+def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
     """The figure of the load case of the governing entry; nothing for runs over time, and without displacements."""
     if run.good != 1 or not run.statics:
         return []
@@ -61,7 +62,7 @@ def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
         f"; supports: {', '.join(held)}." if held else "."
     )
     canvas = _drawn(rest, moved, (farthest, words))
-    return [embedded([lines_of(canvas, "deflected", caption)], caption)]
+    return [Figure(panels=[lines_of(canvas, "deflected", caption)], caption=caption)]
 
 
 def _case(run: RunResult, record: Mapping[str, Any]) -> str:
@@ -103,10 +104,10 @@ SMALL = 2.45
 """Height of the figure of a summary, inches."""
 
 
-def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Markup]:
+def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Entry]:
     """The figure as part of a page; nothing for a run without a good sample. small : for a summary."""
     if not run.good:
         return []
     found = loaded(run, record)
     canvas = drawn(found, SMALL) if small else drawn(found)
-    return [embedded([lines_of(canvas, "loaded", found.caption)], found.caption)]
+    return [Figure(panels=[lines_of(canvas, "loaded", found.caption)], caption=found.caption)]

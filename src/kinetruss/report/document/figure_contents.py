@@ -11,8 +11,8 @@ import numpy as np
 from kinetruss.display import instant, number
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.report.document.demands import cased, is_over, share_of, value_of
 from kinetruss.report.document.result import governing_entry
+from kinetruss.report.tables import cased, is_over, share_of, value_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,14 +7,15 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, Table, counted, element, instant, number, quantity
+from kinetruss.display import Markup, counted, element, instant, number, quantity
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
-from kinetruss.report.document.demands import cased, exceeds, is_over, is_single, share_of, used_of, value_of
-from kinetruss.report.run_summary import checks
-from kinetruss.report.run_tables import exceeded, moment, poses_of
+from kinetruss.report.drive_data import exceeded
+from kinetruss.report.run_data import checks, moment, poses_of
+from kinetruss.report.tables import cased, exceeds, is_over, is_single, not_checked, share_of, used_of, value_of
 
 if TYPE_CHECKING:
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
     Record = dict[str, Any]
@@ -117,19 +118,18 @@ NEVER = (
 """Subjects that the checks do not contain."""
 
 
-def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = True) -> list[Markup]:
+def assumptions(run: RunResult, record: dict[str, Any], *, condition: bool = True) -> list[Entry]:
     """What was assumed, and what was not checked, headed by the strength that was not checked.
 
     condition : with that of the run; a mission has several.
     """
-    found = [element("ul", [element("li", words) for words in _assumed(run, record, condition=condition)])]
+    found: list[Entry] = [element("ul", [element("li", words) for words in _assumed(run, record, condition=condition)])]
     left, count = unchecked(record)
     if left:
         head = f"Strength not fully checked: {len(left)} of {counted(count, 'part')}."
         found.append(element("p", element("strong", head), class_="headline"))
-        missing = record["not_checked"].items()
-        rows = [(checked_words(what, demands=False), str(len(parts)), ", ".join(parts)) for what, parts in missing]
-        found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
+        missing = ((checked_words(what, demands=False), parts) for what, parts in record["not_checked"].items())
+        found.append(not_checked(missing, "Strength that was not checked"))
     elif not count:
         found.append(
             element("p", element("strong", "Strength was not checked: the run has no strength check."), class_="headline")
