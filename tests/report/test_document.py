@@ -15,10 +15,11 @@ import kinetruss as kt
 from kinetruss import report
 from kinetruss.display import Table, element
 from kinetruss.display.tables import bar, span_bar
-from kinetruss.report.document.checks import closure, mobility_record
+from kinetruss.report.document.checks import mobility_record
 from kinetruss.report.document.inputs import worded
 from kinetruss.report.document.run_pictures import FINE, thinned
 from kinetruss.report.pictures.specs import Histories, Panel
+from kinetruss.report.run_data import closure
 from kinetruss.report.tables import is_over, margin_of, share_of, used_columns
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod

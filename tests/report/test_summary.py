@@ -28,7 +28,7 @@ def test_the_page_names_the_worst(tripod_run):
     assert "Completed." in text
     worst = tripod_run.verdict.table()[0]
     assert text.index("Worst members") < text.index(worst.part, text.index("Worst members"))
-    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces   all"):
+    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces       all"):
         assert word in text
 
 

@@ -231,8 +231,8 @@ class Table:
             names[unit] = unit if own.fixed else name
             for k, text in zip(mine, texts, strict=False):
                 cells[k] = text
-        if pages and not own.mixed:
-            name = names.get(str(own.unit), "")
+        if pages and len(names) == 1:
+            (name,) = names.values()
             return f"{own.head} ({name.replace(' ', chr(160))})" if name else own.head, cells
         named = zip(cells, units, values, strict=True)
         return own.head, [f"{text} {names[unit]}".rstrip(" ") if math.isfinite(value) else text for text, unit, value in named]

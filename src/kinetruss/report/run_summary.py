@@ -13,8 +13,8 @@ from kinetruss.report import tables
 from kinetruss.report.drive_data import drive_loads, exceeded, motors, spring_loads, trains
 from kinetruss.report.mission_tables import mission_entries, mission_record
 from kinetruss.report.page import Page
-from kinetruss.report.run_data import WORST, checks, largest_forces, moment, plain, poses_of, worst
-from kinetruss.report.run_lines import simulation_lines, simulation_record, statics_lines, statics_record, statics_title
+from kinetruss.report.run_data import WORST, checks, closure, largest_forces, plain, poses_of, worst
+from kinetruss.report.run_lines import simulation_record, statics_lines, statics_record, statics_title
 from kinetruss.runs import MissionRun
 from kinetruss.strength.governing import headline
 
@@ -77,19 +77,21 @@ def summary_record(run: RunResult) -> dict[str, Any]:
 
 def entries(run: RunResult) -> Iterator[Entry]:
     """What the page says, in its order."""
-    timed, found = _timed(run), motors(run)
+    timed, engines = _timed(run), motors(run)
     yield _head(run)
-    yield Table(("", ""), simulation_lines(run), "Simulation")
+    yield from tables.simulation(simulation_record(run))
     yield Table(("", ""), statics_lines(run), statics_title(run))
     yield tables.largest_forces(largest_forces(run), timed=timed)
     yield tables.strength(worst(run), "\n".join(_beyond(run)), timed=timed)
     yield tables.not_checked(() if run.verdict is None else run.verdict.not_checked().items())
-    yield tables.drives(drive_loads(run, found), timed=timed)
+    yield tables.drives(drive_loads(run, engines), timed=timed)
     yield tables.springs(spring_loads(run))
-    yield tables.motors(found)
+    yield tables.motors(engines)
     yield from tables.trains(trains(run))
     yield tables.exceeded(exceeded(run))
-    yield Table(("", ""), _check_lines(run), "Checks")
+    found = checks(run)
+    held = (("strength", "not included", words) for words in found["not_held"])
+    yield tables.checks(found, closure(run), poses_of(run), *held, forces=bool(run.forces))
 
 
 def _head(run: RunResult) -> str:
@@ -146,19 +148,3 @@ def _beyond(run: RunResult) -> Iterable[str]:
             case = "" if row.load_case == "all" else f", {row.load_case}"
             found.setdefault(f"{row.note.partition(';')[0]}, so beam-column has no finite value{case}", []).append(row.part)
     return (f"{', '.join(parts)}: {words}" for words, parts in found.items())
-
-
-def _check_lines(run: RunResult) -> Iterable[tuple[str, str]]:
-    found = checks(run)
-    if (balance := found["energy_balance"]) is not None:
-        share, power = number(balance["relative"], 2), quantity(balance["largest_power"], "W")
-        yield "energy balance", f"power of drives and loads = rate of energy to {share} of the largest power ({power})"
-    if (gauge := found["singularity"]) is not None:
-        when = moment(gauge["time"], poses_of(run))
-        yield "singularity", f"smallest measure {number(gauge['smallest'], 3)} at {when} (0 is singular)"
-    if run.forces:
-        unique = found["not_unique"]
-        yield "unique forces", "all" if not unique else f"all but {', '.join(unique)}"
-    if found["motors"]:
-        yield "motors", f"checked with the forces of this run: {', '.join(found['motors'])}"
-    yield from (("strength", sentence) for sentence in found["not_held"])

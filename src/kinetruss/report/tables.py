@@ -7,8 +7,9 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from kinetruss.display import Table, margin, quantity
+from kinetruss.display import Table, margin, number, quantity
 from kinetruss.display.tables import MOST, Column, Of, bar, drawn, measured, mixed, seconds, span_bar, together, words
+from kinetruss.report.run_data import moment
 
 Record = dict[str, Any]
 Rows = Sequence[Record]
@@ -391,3 +392,94 @@ def displacements(cases: Mapping[str, Record], dim: int, *, timed: bool, poses: 
         measured("strain energy", "energy", "J"),
     ]
     return Table(columns, rows, "Largest displacement of a node, with its components")
+
+
+# Simulations, and checks that need no other program.
+
+NOTHING = 1e-20
+"""Kinetic energy (J), or fraction of the initial energy, that counts as zero."""
+METHODS = {"taylor": "Taylor series"}
+SOLVERS = {
+    "dense": "equations of motion solved with a dense matrix",
+    "sparse": "equations of motion solved with a sparse matrix",
+    "sweep": "equations of motion solved along the chain",
+}
+
+
+def simulation(found: Record | None) -> list[Table]:
+    """Method, steps and energy of a simulation; what its motors did; its events and singular positions."""
+    if found is None:
+        return []
+    energy = found["energy"]
+    rows = [
+        ("method", f"{METHODS.get(found['method'], found['method'])}; {SOLVERS.get(found['solver'], found['solver'])}"),
+        ("steps", f"{found['steps']}, {found['rejected']} rejected, {found['evaluations']} evaluations"),
+        (
+            "energy",
+            f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end; {_change(energy)}",
+        ),
+    ]
+    motors = [
+        words("motor"),
+        *(measured(head, unit=unit) for head, unit in (("current", "A"), ("voltage", "V"), ("torque", "N m"))),
+        measured("turned", unit="rad"),
+        *together("J", {"fed": "electrical_energy", "of it heat in the winding": "copper_energy"}),
+        measured("samples at rest", lambda one: one["still"] or None, "%"),
+    ]
+    events = [
+        words("event", "name"),
+        words("time", lambda one: f"{number(one['time'], 9)} s"),
+        words("direction", lambda one: "rising" if one["direction"] > 0 else "falling"),
+    ]
+    passages = [
+        words("time", lambda one: f"{number(one['time'], 6)} s"),
+        words("smallest pivot", lambda one: number(one["pivot"], 3)),
+        words("branch", lambda one: "certain" if one["certain"] else "not certain"),
+    ]
+    return [
+        Table(("", ""), rows, "Simulation"),
+        Table(motors, found["motors"], "Motors of the simulation: largest values with their signs, and totals", most=MOST),
+        Table(events, found["events"], "Events", most=MOST),
+        Table(passages, found["passages"], "Singular positions passed (pivot 0 is singular)", most=MOST),
+    ]
+
+
+def _change(energy: dict[str, float]) -> str:
+    """Change of the energy: where nothing feeds it or takes from it the error, as a fraction of the largest kinetic energy if
+    anything moves; else what does.
+    """
+    change, kinetic = energy["largest_change"], energy["largest_kinetic"]
+    if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
+        return f"nothing moves; changes by at most {quantity(change, 'J')}"
+    sources = [
+        *([f"drives and loads feed or take up to {quantity(energy['fed'], 'W')}"] if energy["fed"] else []),
+        *([f"dampers and friction take up to {quantity(energy['dissipation'], 'W')}"] if energy["dissipation"] else []),
+    ]
+    if sources:
+        return f"{'; '.join(sources)}; largest kinetic energy {quantity(kinetic, 'J')}"
+    return f"changes by at most {number(change / kinetic, 2)} of the largest kinetic energy ({quantity(kinetic, 'J')})"
+
+
+def checks(found: Record, closed: Record | None, poses: Sequence[str], *more: tuple[str, str, str], forces: bool) -> Table:
+    """Checks, each with its result and what that means. forces : whether there are any. more : further rows."""
+    rows = []
+    balance, gauge = found["energy_balance"], found["singularity"]
+    if balance is not None:
+        miss, largest = quantity(balance["largest_miss"], "W"), quantity(balance["largest_power"], "W")
+        said = f"power not accounted for is at most {miss}, largest power {largest}; 0 is exact"
+        rows.append(("energy balance", f"{number(balance['relative'], 3)} of the largest power", said))
+    if closed is not None:
+        share = f"{number(closed['relative'], 2)} of its length"
+        where = f"{closed['member']} at {moment(closed['time'], poses)}, {share}"
+        said = f"largest departure of a bar from its length: {where}; 0 is exact"
+        rows.append(("constraint error", quantity(closed["error"], "m"), said))
+    if gauge is not None:
+        said = f"smallest at {moment(gauge['time'], poses)}; 0 is singular, 1 is as far from it as can be"
+        rows.append(("singularity margin", number(gauge["smallest"], 3), said))
+    if forces:
+        names = found["not_unique"]
+        said = "in a redundant structure forces depend on stiffness or convention"
+        rows.append(("unique forces", "all" if not names else f"all but {', '.join(names)}", said))
+    if found["motors"]:
+        rows.append(("motors", "checked", f"limits that only forces decide: {', '.join(found['motors'])}"))
+    return Table(("check", "result", "meaning"), [*rows, *more], "What was checked, and the result")

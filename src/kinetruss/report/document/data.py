@@ -5,10 +5,21 @@ from __future__ import annotations
 import hashlib
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.report.document.checks import closure, mobility_record
+from kinetruss.report.document.checks import mobility_record
 from kinetruss.report.document.result import result_lines, warnings
 from kinetruss.report.drive_data import drive_loads, drive_spans, exceeded, limits, motors, trains
-from kinetruss.report.run_data import WORST, checks, envelopes, largest_forces, plain, reactions, skins, strength, worst
+from kinetruss.report.run_data import (
+    WORST,
+    checks,
+    closure,
+    envelopes,
+    largest_forces,
+    plain,
+    reactions,
+    skins,
+    strength,
+    worst,
+)
 from kinetruss.report.run_summary import summary_record
 
 if TYPE_CHECKING:

@@ -16,6 +16,7 @@ from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Model, Of, Record, Run, inner_parts
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
+from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
 if TYPE_CHECKING:
@@ -174,7 +175,7 @@ WORDS = {
     "max_torque": "largest torque",
     "flank": "half-angle of the thread",
     "source": "source:",
-    "taylor": "Taylor series",
+    **METHODS,
 }
 """Names of fields and kinds that are not words."""
 UNITLESS = {"thermal_expansion": "1/K"}

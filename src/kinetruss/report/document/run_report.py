@@ -185,7 +185,10 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         ),
         Section("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
         Section(
-            "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]
+            "simulation",
+            "Simulation",
+            "Integration, events, energies",
+            [*tables.simulation(record["simulation"]), *drawn.of("energies")],
         ),
         Section(
             "statics",
@@ -194,7 +197,7 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
             [*parts.standing(run), *deflected],
         ),
         Section("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
-        Section("checks", "Checks", "Checks that need no other program", parts.checked(run, record)),
+        Section("checks", "Checks", "Checks that need no other program", [parts.checked(run, record)]),
         Section("method", "Method and sources", "", parts.method(run)),
         Section("again", "How to repeat the computation", "Versions and the model itself", recompute(run, record)),
     ]

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, Table, counted, element, number, quantity
-from kinetruss.display.tables import MOST, words
+from kinetruss.display import Markup, Table, counted, element, number
 from kinetruss.report import tables
 from kinetruss.report.document.checks import methods
-from kinetruss.report.document.inputs import WORDS, sources
-from kinetruss.report.run_data import moment, poses_of
+from kinetruss.report.document.inputs import sources
+from kinetruss.report.run_data import poses_of
 from kinetruss.report.run_lines import statics_lines, statics_record, statics_title
 from kinetruss.report.tables import is_single
 
@@ -25,11 +24,6 @@ BESIDE = 6
 """Number of load cases beside each other in a table."""
 SOURCES = 40
 """Largest number of sources that are listed."""
-SOLVERS = {
-    "dense": "equations of motion solved with a dense matrix",
-    "sparse": "equations of motion solved with a sparse matrix",
-    "sweep": "equations of motion solved along the chain",
-}
 
 
 def mobility(record: Record) -> list[Entry]:
@@ -68,38 +62,6 @@ def motion(record: Record) -> list[Table]:
     return [tables.spans(record["drives"], unit) for unit in ("m", "rad")]
 
 
-def simulated(run: RunResult, record: Record) -> list[Table]:
-    """Method and steps of a simulation, and its events."""
-    found = record["simulation"]
-    if found is None or run.simulation is None:
-        return []
-    energy = found["energy"]
-    rows = [
-        ("method", f"{WORDS.get(found['method'], found['method'])}; {SOLVERS.get(found['solver'], found['solver'])}"),
-        ("steps", f"{found['steps']}, {found['rejected']} rejected, {found['evaluations']} evaluations"),
-        (
-            "energy",
-            f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end, largest change "
-            f"{quantity(energy['largest_change'], 'J')}; largest kinetic energy {quantity(energy['largest_kinetic'], 'J')}",
-        ),
-    ]
-    events = [
-        words("event", "name"),
-        words("time", lambda one: f"{number(one['time'], 9)} s"),
-        words("direction", lambda one: "rising" if one["direction"] > 0 else "falling"),
-    ]
-    passages = [
-        words("time", lambda one: f"{number(one['time'], 6)} s"),
-        words("smallest pivot", lambda one: number(one["pivot"], 3)),
-        words("branch", lambda one: "certain" if one["certain"] else "not certain"),
-    ]
-    return [
-        Table(("", ""), rows, "Integration"),
-        Table(events, found["events"], "Events", most=MOST),
-        Table(passages, found["passages"], "Singular positions passed (pivot 0 is singular)", most=MOST),
-    ]
-
-
 def standing(run: RunResult) -> list[Table]:
     """Displacements, energies and stability of a static analysis; what elastic members do along a motion."""
     record = statics_record(run)
@@ -136,39 +98,18 @@ def forces(record: Record) -> list[Entry]:
     ]
 
 
-def checked(run: RunResult, record: Record) -> list[Table]:
-    """Checks, each with its result and the exact value."""
-    rows = [*_numeric(run, record), _model(record)]
-    return [Table(("check", "result", "meaning"), rows, "What was checked, and the result")]
-
-
-def _numeric(run: RunResult, record: Record) -> Iterator[tuple[str, str, str]]:
-    found, closed = record["checks"], record["closure"]
-    balance, gauge = found["energy_balance"], found["singularity"]
-    if balance is not None:
-        miss, largest = quantity(balance["largest_miss"], "W"), quantity(balance["largest_power"], "W")
-        words = f"power not accounted for is at most {miss}, largest power {largest}; 0 is exact"
-        yield "energy balance", f"{number(balance['relative'], 3)} of the largest power", words
-    if closed is not None:
-        share = f"{number(closed['relative'], 2)} of its length"
-        when = moment(closed["time"], record["poses"])
-        words = f"largest departure of a bar from its length: {closed['member']} at {when}, {share}; 0 is exact"
-        yield "constraint error", quantity(closed["error"], "m"), words
+def checked(run: RunResult, record: Record) -> Table:
+    """Checks, with the drift of a simulation and that of the model."""
+    rows = [unchanged(record)]
     if run.simulation is not None and run.simulation.data.sizes["time"]:
         drift = float(run.simulation.data["constraint_error"].values.max())
-        yield "drift of a step", number(drift, 3), "largest constraint error before the projection onto the constraints"
-    if gauge is not None:
-        words = f"smallest at {moment(gauge['time'], record['poses'])}; 0 is singular, 1 is as far from it as can be"
-        yield "singularity margin", number(gauge["smallest"], 3), words
-    if record["envelopes"] and any(record["envelopes"].values()):
-        names = found["not_unique"]
-        words = "in a redundant structure forces depend on stiffness or convention"
-        yield "unique forces", "all" if not names else f"all but {', '.join(names)}", words
-    if found["motors"]:
-        yield "motors", "checked", f"limits that only forces decide: {', '.join(found['motors'])}"
+        said = "largest constraint error before the projection onto the constraints"
+        rows.insert(0, ("drift of a step", number(drift, 3), said))
+    forces = any(record["envelopes"].values())
+    return tables.checks(record["checks"], record["closure"], record["poses"], *rows, forces=forces)
 
 
-def _model(record: Record) -> tuple[str, str, str]:
+def unchanged(record: Record) -> tuple[str, str, str]:
     """Check that the model in the page is the one of the run."""
     short = record["model_sha256"][:16]
     noted = str(record["provenance"].get("model", short))
