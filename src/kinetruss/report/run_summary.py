@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Table, counted, instant, number, quantity
+from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
-from kinetruss.model import inner_parts
 from kinetruss.report import tables
+from kinetruss.report.contents import counted_parts, counts
 from kinetruss.report.drive_data import drive_loads, exceeded, motors, spring_loads, trains
 from kinetruss.report.mission_tables import mission_entries, mission_record
 from kinetruss.report.page import Page
@@ -39,7 +39,7 @@ def summary(run: RunResult) -> Page:
 
 def summary_record(run: RunResult) -> dict[str, Any]:
     """The page as plain data (NaN becomes None)."""
-    time, inner = run.motion.data["time"].values, inner_parts(run.model)
+    time = run.motion.data["time"].values
     record = {
         "run": run.name,
         "out": None if run.path is None else str(run.path),
@@ -52,10 +52,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "samples": {"asked": run.samples, "good": run.good},
         "time": [float(time[0]), float(time[-1])] if len(time) else [],
         "poses": poses_of(run),
-        "nodes": sum(name not in inner.nodes for name in run.model.nodes),
-        "bars": sum(name not in inner.bars for name in run.model.bars),
-        "beams": len(run.model.beams),
-        "active_members": len(run.model.active),
+        **counts(run.model),
         "verdict": headline(run.verdict, run.demand, timed=_timed(run)).record,
         "largest_forces": largest_forces(run),
         "worst": worst(run)[:WORST],
@@ -111,15 +108,7 @@ def _head(run: RunResult) -> str:
         lines.append(_verdict(run))
     if run.message:
         lines.append(run.message)
-    active = f", {counted(len(run.model.active), 'active member')}" if run.model.active else ""
-    active += f", {counted(len(run.model.beams), 'beam')}" if run.model.beams else ""
-    inner = inner_parts(run.model)
-    nodes, bars = (
-        sum(name not in inner.nodes for name in run.model.nodes),
-        sum(name not in inner.bars for name in run.model.bars),
-    )
-    parts = f"{counted(nodes, 'node')}, {counted(bars, 'bar')}{active}"
-    lines.append(f"{count}{span}; {parts}; {quantity(run.wall_time, 's', 3)}")
+    lines.append(f"{count}{span}; {counted_parts(run.model)}; {quantity(run.wall_time, 's', 3)}")
     return "\n".join(lines)
 
 
