@@ -56,9 +56,8 @@ class Numbers:
         """Entries as HTML with numbers before their captions, and links to them: "Tables 2 to 4; Figure 1"."""
         before = dict(self.found)
         inside = joined(self._html(one) for one in entries if one)
-        return inside, joined(
-            "; ".join(filter(None, (_referred(kind, before[kind], last) for kind, last in self.found.items())))
-        )
+        links = (_referred(kind, before[kind], last) for kind, last in self.found.items())
+        return inside, Markup("; ".join(filter(None, links)))
 
     def _html(self, one: Entry) -> Markup:
         if isinstance(one, str):
