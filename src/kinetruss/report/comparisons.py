@@ -15,7 +15,7 @@ from kinetruss.io.values import resolved
 from kinetruss.model import Of, Record, turns
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
-from kinetruss.report.run_data import poses_of
+from kinetruss.report.run_data import entry, poses_of
 from kinetruss.results.records import check_samples
 from kinetruss.runs.variant_sets import short_paths
 from kinetruss.strength import sections, stresses
@@ -207,8 +207,8 @@ def _when(found: Sequence[Maximum], pose: str, time: str) -> Column:
     return words(head, lambda one: getattr(one, pose) or instant(getattr(one, time)))
 
 
-def _records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
-    return [{name: getattr(one, name) for name in one.__slots__} for one in found]
+def _records(found: Sequence[Maximum | Both]) -> list[dict[str, Any]]:
+    return [entry(one) for one in found]
 
 
 def _rows(found: Sequence[Maximum]) -> Iterator[list[Any]]:
@@ -329,7 +329,7 @@ def beside(ideal: tuple[Model, Forces], real: tuple[Model, Forces]) -> Page:
     found += _both("position", places)
     if not found:
         raise InputError("The two models have no member, drive or node in common.")
-    return Page(found=found, as_record=_beside_records, as_entries=_beside_entries, as_rows=_beside_rows)
+    return Page(found=found, as_record=_records, as_entries=_beside_entries, as_rows=_beside_rows)
 
 
 def _stress(model: Model, forces: Forces) -> dict[str, NDArray[np.float64]]:
@@ -374,10 +374,6 @@ def _beside_entries(found: Sequence[Both]) -> list[Entry]:
     values = [mixed(name, name) for name in ("ideal", "real", "difference")]
     columns = [words("quantity"), words("of"), *values, measured("ratio")]
     return [Table(columns, found)]
-
-
-def _beside_records(found: Sequence[Both]) -> list[dict[str, Any]]:
-    return [{name: getattr(one, name) for name in one.__slots__} for one in found]
 
 
 def _beside_rows(found: Sequence[Both]) -> Iterator[list[Any]]:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-    from kinetruss.results import Forces, Row
+    from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
@@ -55,8 +55,8 @@ def peak(values: Any) -> float:
     return math.nan if np.isnan(values).all() else float(values[int(np.nanargmax(np.abs(values)))])
 
 
-def entry(row: Row) -> dict[str, Any]:
-    """An entry of a table of utilisations."""
+def entry(row: Any) -> dict[str, Any]:
+    """The fields of a record, such as an entry of a table of utilisations."""
     return {name: getattr(row, name) for name in row.__slots__}
 
 

@@ -38,9 +38,15 @@ def summary(run: RunResult) -> Page:
 
 
 def summary_record(run: RunResult) -> dict[str, Any]:
-    """The page as plain data (NaN becomes None)."""
-    time = run.motion.data["time"].values
-    record = {
+    """The page as plain data (NaN and infinity become None)."""
+    found: dict[str, Any] = plain(known(run), None)
+    return found
+
+
+def known(run: RunResult) -> dict[str, Any]:
+    """What the page tells, with all numbers as they are."""
+    time, engines = run.motion.data["time"].values, motors(run)
+    return {
         "run": run.name,
         "out": None if run.path is None else str(run.path),
         "title": run.model.title,
@@ -57,9 +63,9 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "largest_forces": largest_forces(run),
         "worst": worst(run)[:WORST],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
-        "drive_loads": drive_loads(run, motors(run)),
+        "drive_loads": drive_loads(run, engines),
         "spring_loads": spring_loads(run),
-        "motors": motors(run),
+        "motors": engines,
         "trains": trains(run),
         "exceeded": exceeded(run),
         "simulation": simulation_record(run),
@@ -68,8 +74,6 @@ def summary_record(run: RunResult) -> dict[str, Any]:
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
     }
-    found: dict[str, Any] = plain(record, None)
-    return found
 
 
 def entries(run: RunResult) -> Iterator[Entry]:

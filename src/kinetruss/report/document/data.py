@@ -7,20 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.report.document.checks import mobility_record
 from kinetruss.report.document.result import result_lines, warnings
-from kinetruss.report.drive_data import drive_loads, drive_spans, exceeded, limits, motors, trains
+from kinetruss.report.drive_data import drive_spans, limits
 from kinetruss.report.run_data import (
-    WORST,
-    checks,
     closure,
     envelopes,
-    largest_forces,
     plain,
     reactions,
     skins,
     strength,
-    worst,
 )
-from kinetruss.report.run_summary import summary_record
+from kinetruss.report.run_summary import known
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -38,7 +34,7 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
     """
     text = model_text(run)
     definition = run.definition
-    found = summary_record(run) | {
+    found = known(run) | {
         "schema": SCHEMA,
         "out": None if run.path is None else run.path.resolve().name,
         "dimension": run.model.dim,
@@ -57,16 +53,6 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
         "closure": closure(run),
         "warnings": warnings(run),
         "worked": worked,
-    }
-    # in the summary infinite numbers are already None
-    found |= {
-        "largest_forces": largest_forces(run),
-        "worst": worst(run)[:WORST],
-        "motors": motors(run),
-        "drive_loads": drive_loads(run, motors(run)),
-        "trains": trains(run),
-        "exceeded": exceeded(run),
-        "checks": checks(run),
     }
     whole: dict[str, Any] = plain(found)
     whole["result"] = list(result_lines(whole))

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, counted, element
-from kinetruss.report.document.checks import methods, recompute
+from kinetruss.report.document.checks import recompute
 from kinetruss.report.document.data import document_record, model_text
 from kinetruss.report.document.figure import loaded_figure
 from kinetruss.report.document.frame import framed, summary_parts
 from kinetruss.report.document.inputs import inputs, lists, section_constants, worded
 from kinetruss.report.document.result import assumptions, checked_words, governing_entry, result_lines
 from kinetruss.report.document.run_pictures import diagrams_of
+from kinetruss.report.document.sections import method
 from kinetruss.report.document.worked import Pairs, shown, worked_pairs, worked_record
 from kinetruss.report.entries import Section
 from kinetruss.report.mission_tables import lined, mission_record, mission_tables
@@ -100,7 +101,7 @@ def _parts(
         name = f"mission {run.name}, pair {_label(run, entries)}"
         basis = [*inputs(pair, name), *_conditions(run), *lists(pair.model), *section_constants(pair.model)]
         yield Section("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
-        yield Section("method", "Method and sources", "", _methods(pair))
+        yield Section("method", "Method and sources", "", method(pair))
     yield Section("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))
 
 
@@ -136,13 +137,6 @@ def findings(run: MissionRun) -> dict[str, str]:
     """Findings by pair, without what the motion alone did not check of motors, since the mission does."""
     entries = {label: checked_words(words, run.trains is not None) for label, words in run.findings.items()}
     return {label: words for label, words in entries.items() if words}
-
-
-def _methods(pair: RunResult) -> list[Markup]:
-    return [
-        element("p", element("b", f"{name}. "), words, element("cite", f" {source}.") if source else None)
-        for name, words, source in methods(pair)
-    ]
 
 
 def _provenance(run: MissionRun) -> dict[str, Any]:
