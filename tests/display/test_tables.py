@@ -39,7 +39,7 @@ def test_a_unit_stands_in_the_cells_of_a_text_and_in_the_head_of_a_page():
     assert ">1.250<" in page and "1.250 kN" not in page.replace("\u00a0", " ")
 
 
-def test_columns_of_one_quantity_share_their_unit_and_decimals_and_those_of_other_rows():
+def test_columns_of_one_quantity_share_their_unit_and_decimals_and_the_unit_of_other_rows():
     alone, grouped = (
         [measured("force", unit="N"), measured("rest", unit="N")],
         together("N", {"force": "force", "rest": "rest"}),
@@ -47,7 +47,7 @@ def test_columns_of_one_quantity_share_their_unit_and_decimals_and_those_of_othe
     assert Table(alone, FORCES).text.splitlines()[1].split() == ["1.250", "kN", "0", "N"]
     assert Table(grouped, FORCES).text.splitlines()[1].split() == ["1.250", "kN", "0", "kN"]
     small = Table([measured("force", unit="N")], FORCES[1:], among=FORCES)
-    assert small.text.splitlines()[1].split() == ["-0.003", "kN"]
+    assert small.text.splitlines()[1].split() == ["-0.0034", "kN"]
 
 
 def test_rows_with_units_of_their_own_share_those_of_equal_rows():

@@ -107,7 +107,7 @@ class Table:
     what they are. rows : mappings, records, or texts in the order of the columns (in HTML also `Markup`). caption, note : above
     and below it. foot : below it, in pages only. most : rows that a text and a page show; rank : of more, those of the largest
     rank are shown. rest : what a text says of those that are left out. among : rows of other tables with which the
-    values share units and decimals. style : class of its own in a page.
+    values share units. style : class of its own in a page.
 
     Examples
     --------
@@ -215,19 +215,15 @@ class Table:
     def _measured(self, own: Column, rows: list[Any], *, pages: bool) -> Line:
         """Head and cells of a column of values."""
         group = [one for one in self.columns if own.group and one.group == own.group] or [own]
-        known = [
-            pair for one in group for some in (rows, self.among) for pair in zip(one.units(some), one.values(some), strict=True)
-        ]
         units, values = own.units(rows), own.values(rows)
+        beside = [pair for one in group for pair in zip(one.units(rows), one.values(rows), strict=True)]
+        among = [pair for one in group for pair in zip(one.units(self.among), one.values(self.among), strict=True)]
         cells, names = [""] * len(rows), {}
         for unit in dict.fromkeys(units):
             mine = [k for k, one in enumerate(units) if one == unit]
-            own_values, others = [values[k] for k in mine], [value for one, value in known if one == unit]
-            taken = "" if own.fixed else unit
-            if own.mixed:
-                texts, name = column(own_values, taken, like=others)
-            else:
-                texts, name = column(own_values + others, taken)
+            shared, scaled = ([value for one, value in pairs if one == unit] for pairs in (beside, among))
+            every = [values[k] for k in mine] + ([] if own.mixed else shared)
+            texts, name = column(every, "" if own.fixed else unit, like=shared + scaled)
             names[unit] = unit if own.fixed else name
             for k, text in zip(mine, texts, strict=False):
                 cells[k] = text

@@ -416,7 +416,8 @@ def simulation(found: Record | None) -> list[Table]:
         ("steps", f"{found['steps']}, {found['rejected']} rejected, {found['evaluations']} evaluations"),
         (
             "energy",
-            f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end; {_change(energy)}",
+            f"{quantity(energy['start'], 'J')} at the start, {quantity(energy['end'], 'J')} at the end, largest change "
+            f"{quantity(energy['largest_change'], 'J')}; {_change(energy)}",
         ),
     ]
     motors = [
