@@ -14,7 +14,7 @@ from pypdf import PdfReader
 
 from kinetruss import report, viewer
 from kinetruss.display import aligned, quantity
-from kinetruss.display.html import PLAIN
+from kinetruss.display.tables import PLAIN
 from kinetruss.report.document.writing import print_page
 from kinetruss.results import Status
 from kinetruss.runs import RunResult
