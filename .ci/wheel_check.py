@@ -30,6 +30,7 @@ NEEDED = (
     "library/examples/*.yaml",
     "library/examples/*.csv",
     "report/document/style.css",
+    "report/document/report.html.j2",
     "viewer/bundle.js",
     "viewer/*LICENSE*",
 )

@@ -15,7 +15,7 @@ from pypdf import PdfReader
 from kinetruss import report, viewer
 from kinetruss.display import aligned, quantity
 from kinetruss.display.browser import PAPER, Browser, chromium
-from kinetruss.display.html import PLAIN
+from kinetruss.display.tables import PLAIN
 from kinetruss.results import Status
 from kinetruss.runs import RunResult
 
@@ -136,7 +136,7 @@ def test_on_paper_are_all_tables_and_a_still_picture(written, lift):
     record = report.document_page(lift).record
     captions = (
         "What was computed", "Mobility of the model", "Envelope of member forces, load case pushed",
-        "Governing rule of each part",
+        "Worst members, each by its governing rule",
         "Demands on the actuators against their limits", "What was checked", "Provenance",
     )  # fmt: skip
     for caption in captions:

@@ -14,12 +14,13 @@ from hypothesis import given, settings, strategies as st
 import kinetruss as kt
 from kinetruss import report
 from kinetruss.display import Table, element
-from kinetruss.report.document.checks import closure, mobility_record
-from kinetruss.report.document.columns import bar, span_bar
-from kinetruss.report.document.demands import bars_of, is_over, margin_of, share_of
+from kinetruss.display.tables import bar, span_bar
+from kinetruss.report.document.checks import mobility_record
 from kinetruss.report.document.inputs import worded
 from kinetruss.report.document.run_pictures import FINE, thinned
 from kinetruss.report.pictures.specs import Histories, Panel
+from kinetruss.report.run_data import closure
+from kinetruss.report.tables import is_over, margin_of, share_of, used_columns
 from kinetruss.runs import RunResult, load, run
 from samples import fourbar, tripod
 
@@ -373,7 +374,8 @@ def test_bars_of_utilisation():
     beyond = widths(bar(float("inf"), 1.5))
     assert beyond["over"] == (0, 100)
     assert beyond["limit"][0] == pytest.approx(100 / 1.5 - 1, abs=0.01)
-    one, other = (widths(drawn) for drawn in bars_of([{"utilisation": 0.3}, {"utilisation": 1.2}]))
+    rows = [{"utilisation": 0.3}, {"utilisation": 1.2}]
+    one, other = (widths(drawn) for drawn in used_columns(rows)[0].values(rows))
     assert one["limit"] == other["limit"]  # one scale in one table
     assert other["over"][1] == pytest.approx(4 * one["used"][1], abs=0.02)
 
@@ -388,7 +390,7 @@ def test_round_off_is_no_utilisation():
 
 
 def test_tables_hold_numbers_to_the_right():
-    text = Table(("name", "force"), [("<M1>", "3 N")], "t", "note").html
+    text = Table(("name", "force"), [("<M1>", "3 N")], "t", "note").html()
     assert '<td class="word">&lt;M1&gt;</td><td class="number">3 N</td>' in text
     assert '<p class="note">note</p>' in text
 

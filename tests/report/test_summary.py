@@ -28,7 +28,7 @@ def test_the_page_names_the_worst(tripod_run):
     assert "Completed." in text
     worst = tripod_run.verdict.table()[0]
     assert text.index("Worst members") < text.index(worst.part, text.index("Worst members"))
-    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces   all"):
+    for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces       all"):
         assert word in text
 
 
@@ -87,8 +87,8 @@ def test_drives_without_a_motor_are_listed_in_their_units(fourbar_run, tripod_ru
     power = torque * fourbar_run.motion.data["drive_velocity"].values[:, 0]
     assert row["power"] == power[np.abs(power).argmax()]
     text = report.summary(fourbar_run).text
-    assert "Drives (largest values of the motion)" in text
-    assert "N m " in text.split("Drives (")[1].splitlines()[2]
+    assert "Drives without a motor (largest values of the motion)" in text
+    assert "N m " in text.split("Drives without a motor (")[1].splitlines()[2]
     # members with a screw stand in the table of motors
     assert not report.summary(tripod_run).record["drive_loads"]
 

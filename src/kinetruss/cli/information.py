@@ -8,7 +8,6 @@ import click
 
 from kinetruss.cli import completing
 from kinetruss.cli.common import HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
-from kinetruss.errors import one_line
 
 EPILOG = """\b
 Examples:
@@ -82,48 +81,11 @@ def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | N
 
 
 def _model(path: Path, as_json: bool, max_size: int) -> None:
-    from kinetruss.cli.model_lines import beam_records, beam_text, body_records, body_text, joint_records, joint_text
-    from kinetruss.display import counted
     from kinetruss.io import read
-    from kinetruss.kinematics import mobility
-    from kinetruss.model import inner_parts
+    from kinetruss.report.contents import contents
 
-    model = read(path, max_size=max_size)
-    found = mobility(model)
-    inner = inner_parts(model)
-    nodes, bars = sum(name not in inner.nodes for name in model.nodes), sum(name not in inner.bars for name in model.bars)
-    counts = {
-        "nodes": nodes,
-        "bars": bars,
-        "active_members": len(model.active),
-        "dimension": model.dim,
-        "coordinates": found.coordinates,
-        "fixed": found.fixed,
-        "rank": found.rank,
-        "degrees_of_freedom": found.degrees_of_freedom,
-        "drives": found.drives,
-        "undriven": found.undriven,
-        "self_stress": found.self_stress,
-    }
+    page = contents(read(path, max_size=max_size), str(path))
     if as_json:
-        texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
-        lists = {"runs": list(model.runs), "bodies": body_records(model), "joints": joint_records(model)}
-        lists["beams"] = beam_records(model)
-        lists["springs"] = list(model.springs)
-        print_json("model", {"model": str(path), "title": model.title, **counts, **lists, **texts})
-        return
-    click.echo(one_line(model.title or str(path), 200))
-    active = f", {counted(len(model.active), 'active member')}" if model.active else ""
-    active += f", {counted(len(model.beams), 'beam')}" if model.beams else ""
-    parts = f"{counted(nodes, 'node')}, {counted(bars, 'bar')}{active}"
-    click.echo(f"{'planar' if model.dim == 2 else 'spatial'}: {parts}")
-    click.echo(str(found))
-    for one in beam_records(model):
-        click.echo(beam_text(one))
-    for one in body_records(model):
-        click.echo(body_text(one))
-    for one in joint_records(model):
-        click.echo(joint_text(one))
-    if model.springs:
-        click.echo(f"springs: {', '.join(model.springs)}")
-    click.echo(f"runs: {', '.join(model.runs) or 'none'}")
+        print_json("model", page.record)
+    else:
+        click.echo(page.text)

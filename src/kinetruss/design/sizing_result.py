@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import Any
 
 from kinetruss.display import Table, instant, quantity
+from kinetruss.display.tables import measured, together, words
 from kinetruss.model import Mission, Model
 from kinetruss.results import Demand, Verdict
 from kinetruss.strength.findings import Finding, demands, find
@@ -101,21 +102,63 @@ class Sizing:
         return self.mass_before - self.mass_after
 
 
-# A sizing as text and as plain data.
+# A sizing as tables, as text and as plain data.
 
-_GROUPS = (
-    "group",
-    "members",
-    "tube before",
-    "tube",
-    "mass before",
-    "mass",
-    "before",
-    "after",
-    "governed by",
-    "one size smaller",
-)
-_DRIVES = ("drives", "members", "screw", "gear", "motor", "self-locking", "utilisation", "governed by")
+NAMES = "Names of tubes are those of their catalogue; the constants of the sections, below, have their sizes in mm."
+
+
+def group_tables(rows: Sequence[Mapping[str, Any]]) -> list[Table]:
+    """Groups of members in a record: tubes before and after, and why no smaller tube is sufficient."""
+    members = words("members", lambda row: str(len(row["members"])))
+    proof = [
+        words("group", "name"),
+        words("tube"),
+        words("one size smaller", "smaller"),
+        measured("would be used", "smaller_utilisation", "%"),
+        words("by", lambda row: f"{row['smaller_part']} {row['smaller_rule']}"),
+    ]
+    return [
+        Table(
+            [
+                words("group", "name"),
+                members,
+                words("tube before", lambda row: row["tube_before"] or "-"),
+                words("tube"),
+                *together("kg", {"mass before": "mass_before", "mass": "mass"}),
+                *together("%", {"used before": "utilisation_before", "used": "utilisation"}),
+                words("governed by", lambda row: _where(row["part"], row["rule"], row)),
+            ],
+            rows,
+            "Groups of members: tubes before and after",
+            foot=f"Used: highest utilisation of the group's members. {NAMES}",
+        ),
+        Table(
+            proof,
+            [row for row in rows if row["smaller"]],
+            "Why no smaller tube is sufficient",
+            foot="Groups that are not listed have the smallest tube of the catalogue.",
+        ),
+    ]
+
+
+def drive_table(sizing: Mapping[str, Any]) -> Table:
+    """Groups of drives in a record: screws, gears and motors from the catalogues."""
+    columns = [
+        words("drives", "name"),
+        words("members", lambda row: str(len(row["members"]))),
+        *(words(what, lambda row, what=what: row[what] or "-") for what in ("screw", "gear", "motor")),
+        words("self-locking", lambda row: "yes" if row["self_locking"] else "no"),
+        measured("used", "utilisation", "%"),
+        words("governed by", lambda row: _where(row["member"], row["quantity"], row) if row["quantity"] else "-"),
+    ]
+    allowed = quantity(1 / float(sizing["drive_margin"]), "%")
+    foot = f"With the margin of {sizing['drive_margin']:g} that is required, {allowed} may be used, strokes excepted."
+    return Table(columns, sizing["drives"], "Groups of drives", foot=foot)
+
+
+def _where(part: str, rule: str, row: Mapping[str, Any]) -> str:
+    case = "all loads" if row["load_case"] == "all" else f"load case {row['load_case']}"
+    return f"{part} {rule} at {instant(row['time'])} ({case})"
 
 
 def table(sizing: Sizing) -> str:
@@ -124,14 +167,13 @@ def table(sizing: Sizing) -> str:
     >>> import kinetruss as kt
     >>> model, mission = kt.library.example_files()["double_octahedral_slew"][:2]
     >>> text = kt.design.table(kt.design.size(kt.read(model), mission))
-    >>> [line.split()[0] for line in text.splitlines()[:5]]
+    >>> [line.split()[0] for line in text.splitlines()[1:6]]
     ['group', 'lower_longerons', 'upper_longerons', 'battens', 'actuators']
     """
+    found = record(sizing)
     lines = []
-    if sizing.groups:
-        lines += [Table(_GROUPS, map(_group, sizing.groups)).text, ""]
-    if sizing.drives:
-        lines += [Table(_DRIVES, map(_drive, sizing.drives)).text, ""]
+    for one in (*group_tables(found["groups"]), drive_table(found)):
+        lines += [one.text, ""] if one else []
     before, after, saved = sizing.mass_before, sizing.mass_after, sizing.mass_saved
     share = f" ({quantity(saved / before, '%')})" if before > 0 else ""
     masses = (quantity(one, "kg") for one in (before, after, saved))
@@ -169,41 +211,6 @@ def record(sizing: Sizing) -> dict[str, Any]:
         "notes": list(sizing.notes),
         "verdict": sizing.finding.record,
     }
-
-
-def _group(row: GroupRow) -> tuple[str, ...]:
-    smaller = "none in the catalogue"
-    if row.smaller:
-        smaller = f"{row.smaller}: {row.smaller_part} {row.smaller_rule} {quantity(row.smaller_utilisation, '%')}"
-    return (
-        row.name,
-        str(len(row.members)),
-        row.tube_before,
-        row.tube,
-        quantity(row.mass_before, "kg"),
-        quantity(row.mass, "kg"),
-        quantity(row.utilisation_before, "%"),
-        quantity(row.utilisation, "%"),
-        _where(row.part, row.rule, row.time, row.load_case),
-        smaller,
-    )
-
-
-def _drive(row: DriveRow) -> tuple[str, ...]:
-    return (
-        row.name,
-        str(len(row.members)),
-        row.screw or "-",
-        row.gear or "-",
-        row.motor or "-",
-        "yes" if row.self_locking else "no",
-        quantity(row.utilisation, "%"),
-        _where(row.member, row.quantity, row.time, row.load_case) if row.quantity else "-",
-    )
-
-
-def _where(part: str, rule: str, time: float, case: str) -> str:
-    return f"{part} {rule} at {instant(time)} ({case})"
 
 
 def _finite(row: dict[str, Any]) -> dict[str, Any]:

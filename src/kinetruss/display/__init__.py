@@ -8,7 +8,6 @@ if TYPE_CHECKING:
     from kinetruss.display.html import (
         POLICY as POLICY,
         Markup as Markup,
-        Table as Table,
         element as element,
         html_page as html_page,
         joined as joined,
@@ -43,5 +42,6 @@ if TYPE_CHECKING:
         limits_of as limits_of,
         rgb as rgb,
     )
+    from kinetruss.display.tables import Column as Column, Table as Table
 
 __getattr__, __dir__, __all__ = late(__name__)

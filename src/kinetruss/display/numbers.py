@@ -156,8 +156,9 @@ def aligned(cells: Sequence[str]) -> list[str]:
     ]
 
 
-def column(values: Sequence[float], unit: str, digits: int = 0) -> tuple[list[str], str]:
-    """Texts of the values of a column in one unit with one number of decimals, and the name of that unit.
+def column(values: Sequence[float], unit: str, digits: int = 0, like: Sequence[float] = ()) -> tuple[list[str], str]:
+    """Texts of the values of a column in one unit with one number of decimals, and the name of that unit. like : values of
+    other columns with the same unit.
 
     >>> column([12.5, 0.0, 118.0], "N")
     (['12.5', '0\u2008\u2007', '118.0'], 'N')
@@ -166,7 +167,7 @@ def column(values: Sequence[float], unit: str, digits: int = 0) -> tuple[list[st
     """
     sizes = [abs(value) for value in values if math.isfinite(value)]
     largest = max(sizes, default=0.0)
-    factor, name = scale(largest, unit)
+    factor, name = scale(max([largest, *(abs(value) for value in like if math.isfinite(value))]), unit)
     floor = max(FLOORS.get(unit, FLOORS[""]) if unit in UNITS else 0.0, ROUND_OFF * largest)
     top = largest * factor
     power = math.floor(math.log10(top) + 1e-9) if top > 0 else 0

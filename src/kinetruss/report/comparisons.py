@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import Table, instant, number, quantity
+from kinetruss.display import Table, instant, quantity
+from kinetruss.display.tables import Column, measured, mixed, seconds, words
 from kinetruss.errors import InputError
 from kinetruss.io.values import resolved
 from kinetruss.model import Of, Record, turns
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
-from kinetruss.report.run_tables import poses_of
+from kinetruss.report.run_data import entry
 from kinetruss.results.records import check_samples
+from kinetruss.runs.doubts import poses_of
 from kinetruss.runs.variant_sets import short_paths
 from kinetruss.strength import sections, stresses
 from kinetruss.units import EITHER, NUMBER, unit_of
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
+    from kinetruss.report.entries import Entry
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
@@ -98,7 +101,6 @@ def _numbered(names: Sequence[str]) -> list[str]:
 # The largest values of quantities across runs, as a table.
 
 USUAL = ("von_mises", "thrust", "drive_velocity", "motor_torque", "current", "voltage")
-HEAD = ("quantity", "of", "run", "maximum", "time", "at rest", "time", "ratio")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -182,19 +184,35 @@ def compare(
                 found += [_maximum(run, label, name, one) for one in group if of in (None, one.of)]
     if not found:
         raise InputError(f"The runs have none of {', '.join(USUAL)} of {', '.join(members) or 'all'}. Name a --quantity.")
-    return Page(found=found, as_record=_records, as_text=_text, as_rows=_rows)
+    return Page(found=found, as_record=_records, as_entries=_entries, as_rows=_rows)
 
 
-def _text(found: Sequence[Maximum]) -> str:
+def _entries(found: Sequence[Maximum]) -> list[Entry]:
     """A table, the runs of one quantity below each other."""
-    posed = all(one.pose for one in found)
-    table = Table(["pose" if posed and name == "time" else name for name in HEAD], map(_cells, found)).text
+    columns = [
+        words("quantity"),
+        words("of", lambda one: one.of or "-"),
+        words("run"),
+        mixed("maximum", "maximum"),
+        _when(found, "pose", "time"),
+        mixed("at rest", "static_maximum"),
+        _when(found, "static_pose", "static_time"),
+        measured("ratio"),
+    ]
     short = dict.fromkeys(f"warning: {one.run}: {one.partial}" for one in found if one.partial)
-    return "\n".join([table, *short])
+    return [Table(columns, found), *short]
 
 
-def _records(found: Sequence[Maximum]) -> list[dict[str, Any]]:
-    return [{name: getattr(one, name) for name in one.__slots__} for one in found]
+def _when(found: Sequence[Maximum], pose: str, time: str) -> Column:
+    """Times, or names of poses."""
+    if not any(getattr(one, pose) for one in found):
+        return seconds("time", time)
+    head = "pose" if all(one.pose for one in found) else "time"
+    return words(head, lambda one: getattr(one, pose) or instant(getattr(one, time)))
+
+
+def _records(found: Sequence[Maximum | Both]) -> list[dict[str, Any]]:
+    return [entry(one) for one in found]
 
 
 def _rows(found: Sequence[Maximum]) -> Iterator[list[Any]]:
@@ -246,17 +264,8 @@ def _maximum(run: RunResult, label: str, name: str, curve: Curve) -> Maximum:
     )
 
 
-def _cells(one: Maximum) -> tuple[str, ...]:
-    rest = ("-", "-", "-")
-    if one.static_maximum is not None:
-        ratio = "-" if one.ratio is None else number(one.ratio, 4)
-        rest = (quantity(one.static_maximum, one.unit), one.static_pose or instant(one.static_time), ratio)
-    return one.quantity, one.of or "-", one.run, quantity(one.maximum, one.unit), one.pose or instant(one.time), *rest
-
-
 # Two models of one structure in one table: ideal joints beside hubs, friction, compliance.
 
-BESIDE_HEAD = ("quantity", "of", "ideal", "real", "difference", "ratio")
 ROUND_OFF = 1e-12
 """Share of the largest value of a quantity up to which another one is round-off."""
 UNITS = {"member_force": "N", "drive_force": "N", "von_mises": "Pa", "position": "m"}
@@ -325,7 +334,7 @@ def beside(ideal: tuple[Model, Forces], real: tuple[Model, Forces]) -> Page:
     found += _both("position", places)
     if not found:
         raise InputError("The two models have no member, drive or node in common.")
-    return Page(found=found, as_record=_beside_records, as_text=_beside_text, as_rows=_beside_rows)
+    return Page(found=found, as_record=_records, as_entries=_beside_entries, as_rows=_beside_rows)
 
 
 def _stress(model: Model, forces: Forces) -> dict[str, NDArray[np.float64]]:
@@ -366,17 +375,10 @@ def _both(name: str, pair: Sequence[dict[str, NDArray[np.float64]]]) -> list[Bot
     return sorted(rows, key=lambda row: -row.difference)
 
 
-def _beside_text(found: Sequence[Both]) -> str:
-    return Table(BESIDE_HEAD, map(_beside_cells, found)).text
-
-
-def _beside_cells(one: Both) -> tuple[str, ...]:
-    values = ["-" if value is None else quantity(value, one.unit) for value in (one.ideal, one.real, one.difference)]
-    return one.quantity, one.of, *values, "-" if one.ratio is None else number(one.ratio, 4)
-
-
-def _beside_records(found: Sequence[Both]) -> list[dict[str, Any]]:
-    return [{name: getattr(one, name) for name in one.__slots__} for one in found]
+def _beside_entries(found: Sequence[Both]) -> list[Entry]:
+    values = [mixed(name, name) for name in ("ideal", "real", "difference")]
+    columns = [words("quantity"), words("of"), *values, measured("ratio")]
+    return [Table(columns, found)]
 
 
 def _beside_rows(found: Sequence[Both]) -> Iterator[list[Any]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.dynamics import Body, FreeBody, LabelledSystem
+    from kinetruss.report.entries import Entry
 
 
 SMALL = 20
@@ -47,26 +48,31 @@ def explain(found: FreeBody | LabelledSystem, pose: str = "") -> Page:
     """
     if hasattr(found, "bodies"):
         return Page(
-            found=found, as_record=_free_body_record, as_text=partial(_free_body_text, pose=pose), as_rows=_free_body_rows
+            found=found, as_record=_free_body_record, as_entries=partial(_free_body, pose=pose), as_rows=_free_body_rows
         )
-    return Page(found=found, as_record=_system_record, as_text=partial(_system_text, pose=pose), as_rows=_system_rows)
+    return Page(found=found, as_record=_system_record, as_entries=partial(_system, pose=pose), as_rows=_system_rows)
 
 
 def _when(found: FreeBody | LabelledSystem, pose: str) -> str:
     return f"pose {pose}" if pose else f"t = {number(found.time, 9)} s"
 
 
-def _free_body_text(found: FreeBody, pose: str) -> str:
-    """The free body as text: all forces, their sum, mass times acceleration, and the difference of the two."""
+def _free_body(found: FreeBody, pose: str) -> Iterator[Entry]:
+    """The free body: all forces, their sum, mass times acceleration, and the difference of the two."""
     at = f"{_when(found, pose)}, load case {found.load_case}"
     if found.kind == "node":
-        return "\n\n".join([_node_head(found, at), _forces(found.bodies[0]), _closing(found)])
-    parts = [_member_head(found, at)]
+        yield _node_head(found, at)
+        yield _forces(found.bodies[0])
+        yield _closing(found)
+        return
+    yield _member_head(found, at)
     for body in found.bodies:
         own = [_place("centre of mass", body.centre, "m"), _place("its acceleration a =", body.acceleration, "m/s^2")]
         title = "" if len(found.bodies) == 1 else f"{'Base rod' if body is found.bodies[0] else 'Tube'} {body.name}: "
-        parts += [f"{title}mass {quantity(body.mass, 'kg', 6)}, {', '.join(own)}", _forces(body), _moments(body)]
-    return "\n\n".join([*parts, _closing(found)])
+        yield f"{title}mass {quantity(body.mass, 'kg', 6)}, {', '.join(own)}"
+        yield _forces(body)
+        yield _moments(body)
+    yield _closing(found)
 
 
 def _node_head(found: FreeBody, at: str) -> str:
@@ -90,7 +96,7 @@ def _member_head(found: FreeBody, at: str) -> str:
     )
 
 
-def _forces(body: Body) -> str:
+def _forces(body: Body) -> Table:
     local = len(body.inertia.local)
     axes = list("xyz"[: len(body.inertia.force)])
     head = axes + ["along 1", "across 2", "across 3"][:local]
@@ -101,7 +107,7 @@ def _forces(body: Body) -> str:
     return _sheet("Forces (N)", head, [*rows, ("", "", None), ("sum", "of all", total), ("m a", right, push)], total, push)
 
 
-def _moments(body: Body) -> str:
+def _moments(body: Body) -> Table:
     head = [f"about {k}" for k in "23"[-len(body.inertia.moment) :]]
     rows: list[Row] = [(t.symbol, t.source, list(t.moment)) for t in body.terms if t.source != "weight"]
     total, right = list(body.moment_sum), list(body.inertia.moment)
@@ -109,7 +115,7 @@ def _moments(body: Body) -> str:
     return _sheet("Moments about the centre of mass (N m)", head, rows, total, right)
 
 
-def _sheet(title: str, head: Sequence[str], rows: Iterable[Row], left: Sequence[float], right: Sequence[float]) -> str:
+def _sheet(title: str, head: Sequence[str], rows: Iterable[Row], left: Sequence[float], right: Sequence[float]) -> Table:
     """Numbers in columns with equal decimals, and a last line with the difference of two rows."""
     rows = list(rows)
     largest = max((abs(x) for _, _, values in rows for x in values or ()), default=0.0)
@@ -121,7 +127,7 @@ def _sheet(title: str, head: Sequence[str], rows: Iterable[Row], left: Sequence[
     rule = "-" * max(9, *map(len, wide), *map(len, head))
     first = max(len(s) for s, _, _ in lines)
     filled = [(f"{symbol.ljust(first)}  {words}".rstrip(), *(cells or [rule] * len(head))) for symbol, words, cells in lines]
-    return Table((title, *head), filled).text
+    return Table((title, *head), filled)
 
 
 def _closing(found: FreeBody) -> str:
@@ -204,8 +210,8 @@ def _free_body_rows(found: FreeBody) -> list[list[Any]]:
     return rows
 
 
-def _system_text(found: LabelledSystem, pose: str) -> str:
-    """The system as a page: a small one as a matrix, a larger one equation by equation; then unknowns and solution."""
+def _system(found: LabelledSystem, pose: str) -> list[Entry]:
+    """The system: a small one as a matrix, a larger one equation by equation; then unknowns and solution."""
     rows, columns = found.matrix.shape
     head = [f"Equations of Newton and Euler; {_when(found, pose)}, load case {found.load_case}"]
     condition = f", condition number {number(found.condition)}" if math.isfinite(found.condition) else ""
@@ -220,16 +226,16 @@ def _system_text(found: LabelledSystem, pose: str) -> str:
     if found.joints:
         head.append(f"held by one member alone: {', '.join(found.joints)}; the member's end force there is the reaction")
     body = _matrix(found) if max(rows, columns) <= SMALL else _written(found)
-    return "\n\n".join(["\n".join(head), body, _solution(found)])
+    return ["\n".join(head), body, _solution(found)]
 
 
-def _matrix(found: LabelledSystem) -> str:
+def _matrix(found: LabelledSystem) -> Table:
     head = ("equation", *map(str, range(1, len(found.unknowns) + 1)), "", "right side")
     rows = [
         (name, *map(_cell, row), "=", number(right, 6))
         for name, row, right in zip(found.equations, found.matrix, found.right, strict=True)
     ]
-    return Table(head, rows).text
+    return Table(head, rows)
 
 
 def _cell(value: float) -> str:
@@ -251,13 +257,13 @@ def _summand(coefficient: float, unknown: str) -> str:
     return f"{'-' if coefficient < 0 else '+'} {size}[{unknown}]"
 
 
-def _solution(found: LabelledSystem) -> str:
+def _solution(found: LabelledSystem) -> Table:
     head = ("#", "unknown", "solution", "inverse dyn.", "difference", "")
     rows = [
         (str(k), name, _fixed(x), _fixed(y), _miss(x - y), _unit(name))
         for k, (name, x, y) in enumerate(zip(found.unknowns, found.solution, found.product, strict=True), 1)
     ]
-    return Table(head, rows).text
+    return Table(head, rows)
 
 
 def _fixed(value: float) -> str:

@@ -1,37 +1,30 @@
-"""A mission as data and as text: pairs, envelope of members, drives and trains, each with the pair that governs."""
+"""A mission as data and in tables: pairs, envelope of members, drives and motors, each with the pair that governs."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from kinetruss.display import Table, instant, quantity
+from kinetruss.display import Table, quantity
+from kinetruss.display.tables import Column, measured, mixed, seconds, words
 from kinetruss.errors import one_line
+from kinetruss.report.run_data import entry, governing, plain
+from kinetruss.report.tables import demand_columns, not_checked, rank_of, used_columns
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from kinetruss.results import Row
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import MissionRun
 
 
-MOST = 40
+MOST = 10, 40
 LONGEST = 200
-"""Rows of a table, and characters of a finding."""
+"""Rows of a table in a text and in a page, and characters of a finding."""
 
 Record = dict[str, Any]
+Rows = Sequence[Record]
 
-
-# A mission as a page: pairs, envelope of members, drives and trains, each with the pair that governs it.
-
-SHOWN = 10
-PAIRS = ("pair", "highest utilisation", "part", "rule", "time", "samples", "what to know")
-WORST = ("part", "rule", "utilisation", "value", "limit", "time", "at", "governing pair")
-EXTREMES = ("part", "what", "largest", "time", "at", "governing pair")
-DRIVES = ("drive", "what", "largest", "time", "governing pair")
-TRAINS = ("motor of", "what", "largest", "limit", "utilisation", "governing pair")
 TRAIN_UNITS = {
     "voltage": "V", "current": "A", "speed": "rad/s", "torque": "N m", "stroke": "m", "break-away": "N m", "input": "V",
     "rms current": "A", "rms torque": "N m", "holding torque": "N m", "electrical power": "W", "drawn energy": "J",
@@ -54,45 +47,61 @@ def mission_record(run: MissionRun) -> dict[str, Any]:
         "pairs_asked": run.samples,
         "pairs_done": run.good,
         "governing": run.governing,
-        "pairs": _plain(run.pairs),
-        "envelope": [{name: getattr(row, name) for name in row.__slots__} for row in rows],
-        "extremes": _plain(run.extremes),
-        "drives": _plain(run.drives),
-        "trains": [] if run.trains is None else _plain(run.trains),
+        "pairs": _records(run.pairs),
+        "envelope": [entry(row) for row in rows],
+        "extremes": _records(run.extremes),
+        "drives": _records(run.drives),
+        "trains": [] if run.trains is None else _records(run.trains),
         "findings": run.findings,
         "wall_time": run.wall_time,
         "provenance": dict(run.provenance),
     }
-    clean: dict[str, Any] = _finite(found)
+    clean: dict[str, Any] = plain(found)
     return clean
 
 
-def _plain(data: xr.Dataset) -> list[dict[str, Any]]:
+def _records(data: xr.Dataset) -> list[Record]:
     """One record an entry, without entries of which nothing is known."""
     frame = data.reset_coords(drop=True).to_dataframe().reset_index()
-    records: list[dict[str, Any]] = frame.to_dict("records")
+    records: list[Record] = frame.to_dict("records")
     return records if "value" not in data else [one for one in records if one["value"] == one["value"]]
 
 
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {str(key): _finite(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_finite(entry) for entry in value]
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float) and not np.isfinite(value):
-        return None if np.isnan(value) else "Infinity" if value > 0 else "-Infinity"
-    return value
+def lined(run: MissionRun, record: Record) -> Record:
+    """What the lines of a result need: entries of members and drives, as in the record of a run."""
+    trains = [
+        {
+            "part": one["active"],
+            "rule": one["quantity"],
+            "unit": TRAIN_UNITS[one["quantity"]],
+            "value": one["value"],
+            "limit": one["limit"],
+            "utilisation": one["utilisation"],
+            "time": one["time_of"],
+            "load_case": one["label"],
+            "pair": one["pair"],
+        }
+        for one in record["trains"]
+    ]
+    return {
+        "whole": record["whole"],
+        "samples": {"good": record["pairs_done"], "asked": record["pairs_asked"], "what": "pairs"},
+        "strength": record["envelope"],
+        "limits": trains,
+        "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
+        "checks": {"not_held": [] if run.verdict is None else list(run.verdict.data.attrs.get("not_held", []))},
+        "largest_forces": [],
+        "drive_loads": [],
+    }
 
 
-def mission_text(run: MissionRun) -> str:
-    """The page as text; the worst of everything."""
-    parts = [mission_head(run)]
-    for title, head, rows in mission_tables(run):
-        more = f"\nand {len(rows) - SHOWN} more" if len(rows) > SHOWN else ""
-        parts.append(f"{title}\n{Table(head, rows[:SHOWN]).text}{more}")
-    return "\n\n".join(parts)
+def mission_entries(run: MissionRun) -> Iterator[Entry]:
+    """The page in the terminal: the worst of everything."""
+    record = mission_record(run)
+    yield mission_head(run)
+    for tables in mission_tables(run, record, lined(run, record)["limits"], run.findings).values():
+        yield from tables
+    yield not_checked(() if run.verdict is None else run.verdict.not_checked().items())
 
 
 def mission_head(run: MissionRun) -> str:
@@ -115,69 +124,69 @@ def mission_head(run: MissionRun) -> str:
     return "\n".join(lines)
 
 
-def mission_tables(run: MissionRun) -> Iterator[tuple[str, tuple[str, ...], list[tuple[str, ...]]]]:
-    """Title, columns and rows of every table that has rows, worst first."""
-    rows = [] if run.verdict is None else [row for row in run.verdict.table() if row.checked]
-    order = np.argsort(-np.nan_to_num(run.pairs["utilisation"].values, nan=-1.0, posinf=np.inf), kind="stable")
-    tables = [
-        ("Worst members (utilisation: 100 % is the limit)", WORST, [_worst(row) for row in rows if row.utilisation > 0]),
-        ("Extremes of members", EXTREMES, list(_extreme_rows(run.extremes))),
-        ("Drives", DRIVES, list(_drive_rows(run.drives))),
-        ("Motors", TRAINS, [] if run.trains is None else list(_trains(run.trains))),
-        ("Pairs", PAIRS, [_pair(run.pairs, int(k)) for k in order]),
-    ]
-    missing = {} if run.verdict is None else run.verdict.not_checked()
-    tables.append(
-        ("Not checked", ("rule, and what is missing", "parts"), [(what, _few(parts)) for what, parts in missing.items()])
+def mission_tables(run: MissionRun, record: Record, limits: Rows, findings: Mapping[str, str]) -> dict[str, list[Table]]:
+    """The tables of members, extremes, drives, motors and pairs, worst first.
+
+    limits : the entries of the motors (`lined`). findings : what to know of pairs, by their labels.
+    """
+    of = run.extremes
+    units = dict(zip(map(str, of["quantity"].values), map(str, of["unit"].values), strict=True)) if "unit" in of else {}
+    extremes = [one | {"unit": units[one["quantity"]]} for one in record["extremes"]]
+    held = sorted((one for one in limits if one["utilisation"] is not None), key=lambda one: -rank_of(one["utilisation"]))
+    free = [one for one in limits if one["utilisation"] is None]
+    pairs = sorted(
+        (one | {"finding": one_line(findings.get(one["label"], ""), LONGEST)} for one in record["pairs"]),
+        key=lambda one: -rank_of(one["utilisation"]),
     )
-    yield from ((title, head, lines) for title, head, lines in tables if lines)
+    station = measured("station", "position", "m")
+    return {
+        "members": [_limits("part", governing(record["envelope"]), "Worst members, each by its governing rule", station)],
+        "extremes": [_largest("part", "quantity", extremes, "Extremes of members", station)],
+        "drives": [_largest("drive", "quantity", record["drives"], "Demands on the drives")],
+        "motors": [
+            _limits("motor of", held, "Demands on the motors against their limits, worst first"),
+            _largest("motor of", "rule", free, "Demands on the motors without a limit"),
+        ],
+        "pairs": [
+            Table(
+                [
+                    words("pair", "label"),
+                    measured("utilisation", unit="%"),
+                    words("part"),
+                    words("rule"),
+                    seconds("time"),
+                    measured("samples"),
+                    words("what to know", "finding"),
+                ],
+                pairs,
+                "Pairs, by their highest utilisation of a member",
+                most=MOST,
+            )
+        ],
+    }
 
 
-def _few(names: Sequence[str]) -> str:
-    return ", ".join(names)
+def _limits(what: str, rows: Rows, caption: str, *more: Column) -> Table:
+    columns = [
+        words(what, "part"),
+        words("rule"),
+        *used_columns(rows),
+        *demand_columns(),
+        seconds("time"),
+        *more,
+        words("governing pair", "load_case"),
+    ]
+    return Table(columns, rows, f"{caption} (utilisation: 100 % is the limit)", most=MOST)
 
 
-def _worst(row: Row) -> tuple[str, ...]:
-    value, limit = quantity(row.value, row.unit), quantity(row.limit, row.unit)
-    used = quantity(row.utilisation, "%")
-    return row.part, row.rule, used, value, limit, instant(row.time), quantity(row.position, "m"), row.load_case
-
-
-def _pair(pairs: xr.Dataset, k: int) -> tuple[str, ...]:
-    one = {name: pairs[name].values[k] for name in pairs.data_vars}
-    used = "-" if np.isnan(one["utilisation"]) else quantity(float(one["utilisation"]), "%")
-    when = "-" if np.isnan(one["time"]) else instant(float(one["time"]))
-    texts = [str(one[name]) for name in ("label", "part", "rule", "finding")]
-    return texts[0], used, texts[1], texts[2], when, f"{one['samples']:.0f}", one_line(texts[3], 200)
-
-
-def _extreme_rows(data: xr.Dataset) -> Iterator[tuple[str, ...]]:
-    """Extremes that are reached, part by part."""
-    units = data["unit"].values
-    for i, part in enumerate(data["part"].values):
-        for j, what in enumerate(data["quantity"].values):
-            one = {name: data[name].values[i, j] for name in data.data_vars}
-            if one["value"] > 0:
-                place = quantity(float(one["position"]), "m")
-                largest = quantity(float(one["value"]), str(units[j]))
-                yield str(part), str(what), largest, instant(float(one["time_of"])), place, str(one["label"])
-
-
-def _drive_rows(data: xr.Dataset) -> Iterator[tuple[str, ...]]:
-    for i, drive in enumerate(data["drive"].values):
-        for j, what in enumerate(map(str, data["quantity"].values)):
-            one = {name: data[name].values[i, j] for name in data.data_vars}
-            if one["value"] > 0:
-                when = "-" if np.isnan(one["time_of"]) else instant(float(one["time_of"]))
-                yield str(drive), what, quantity(float(one["value"]), str(one["unit"])), when, str(one["label"])
-
-
-def _trains(data: xr.Dataset) -> Iterator[tuple[str, ...]]:
-    for i, name in enumerate(data["active"].values):
-        for j, what in enumerate(map(str, data["quantity"].values)):
-            one = {key: data[key].values[i, j] for key in data.data_vars}
-            if one["value"] > 0:
-                unit = TRAIN_UNITS[what]
-                limit = "-" if np.isnan(one["limit"]) else quantity(float(one["limit"]), unit)
-                used = "-" if np.isnan(one["utilisation"]) else quantity(float(one["utilisation"]), "%")
-                yield str(name), what, quantity(float(one["value"]), unit), limit, used, str(one["label"])
+def _largest(what: str, of: str, rows: Rows, caption: str, *more: Column) -> Table:
+    """The largest values of each quantity; of many rows the largest of every quantity."""
+    found: dict[str, list[Record]] = {}
+    for row in sorted(rows, key=lambda row: -rank_of(row["value"])):
+        if rank_of(row["value"]) > 0:
+            found.setdefault(row[of], []).append(row)
+    order = [row | {"place": -place} for name in sorted(found) for place, row in enumerate(found[name])]
+    part, time, pair = ("part", "time", "load_case") if of == "rule" else (what, "time_of", "label")
+    columns = [words(what, part), words("what", of), mixed("largest", "value"), seconds("time", time), *more]
+    caption = f"{caption}, the largest of each quantity"
+    return Table([*columns, words("governing pair", pair)], order, caption, most=MOST, rank=lambda row: row["place"])

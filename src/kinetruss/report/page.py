@@ -1,4 +1,4 @@
-"""A page: one output in several formats."""
+"""A page: one output in several formats. What it says is a list of entries, written once for all of them."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import InputError
+from kinetruss.report.entries import Entry, as_text
 from kinetruss.results.folder import whole_file
 
 
@@ -18,7 +19,7 @@ class Page:
 
     found: Any
     as_record: Callable[[Any], Any]
-    as_text: Callable[[Any], str] | None = None
+    as_entries: Callable[[Any], Iterable[Entry]] | None = None
     as_rows: Callable[[Any], Iterable[Sequence[Any]]] | None = None
     as_html: Callable[[Any], str] | None = None
 
@@ -30,7 +31,7 @@ class Page:
     @property
     def text(self) -> str:
         """The page as text."""
-        return self.as_text(self.found) if self.as_text else ""
+        return as_text(self.as_entries(self.found)) if self.as_entries else ""
 
     @property
     def rows(self) -> list[Sequence[Any]]:
@@ -40,7 +41,13 @@ class Page:
     @property
     def html(self) -> str:
         """A self-contained HTML page."""
-        return self.as_html(self.found) if self.as_html else ""
+        if self.as_html is not None:
+            return self.as_html(self.found)
+        if self.as_entries is None:
+            return ""
+        from kinetruss.report.document.frame import bare_page
+
+        return bare_page(list(self.as_entries(self.found)))
 
     def write(self, file: str | Path) -> Path:
         """Write the rows as CSV.

@@ -17,7 +17,7 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.model import inner_parts
 from kinetruss.report.page import Page
-from kinetruss.report.run_tables import pose_at
+from kinetruss.report.run_data import pose_at
 from kinetruss.runs.mission_results import check_histories
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Owner
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
 
@@ -44,13 +45,13 @@ def gauges(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Page:
     return Page(
         found=strains,
         as_record=partial(_record, compared=compared),
-        as_text=partial(_text, compared=compared),
+        as_entries=partial(_entries, compared=compared),
         as_rows=partial(_rows, compared=compared),
     )
 
 
-def _text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
-    """The page as text: readings of each gauge and group; with a comparison, the difference of the measured record."""
+def _entries(strains: xr.Dataset, compared: xr.Dataset | None = None) -> Iterator[Entry]:
+    """What the page says: readings of each gauge and group; with a comparison, the difference of the measured record."""
     rows = []
     for name, place, values in _curves(strains):
         entry = _extremes(strains["time"].values, values)
@@ -58,7 +59,7 @@ def _text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
             cells = [number(entry[key], 5) for key in ("start", "end", "least")]
             when = [instant(entry[key]) for key in ("least_time", "largest_time")]
             rows.append((name, place, *cells, when[0], number(entry["largest"], 5), when[1]))
-    parts = [f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}\n{Table(READING, rows).text}"]
+    yield Table(READING, rows, f"Strain (1e-6), load case {strains.attrs['load_case']}{_zeroed(strains)}")
     if compared is not None:
         rows = [
             (
@@ -72,8 +73,7 @@ def _text(strains: xr.Dataset, compared: xr.Dataset | None = None) -> str:
             )
             for name, entry in _comparison(compared).items()
         ]
-        parts.append(f"Measured minus simulated (1e-6), {compared.attrs['measured']}\n{Table(COMPARED, rows).text}")
-    return "\n\n".join(parts)
+        yield Table(COMPARED, rows, f"Measured minus simulated (1e-6), {compared.attrs['measured']}")
 
 
 def _zeroed(strains: xr.Dataset) -> str:
@@ -274,7 +274,7 @@ def joints(
         local_axes=("axial", "shear_2", "shear_3")[: len(axes)],
         supports=tuple(supports),
     )
-    return Page(found=found, as_record=_joint_record, as_text=_joints_text)
+    return Page(found=found, as_record=_joint_record, as_entries=_joint_entries)
 
 
 def _instant(data: Any, time: float | None) -> int:
@@ -297,16 +297,14 @@ def _supports(
             yield name, reaction[[one == name for one in of]].sum(axis=0)[shown]
 
 
-def _joints_text(found: JointForces) -> str:
-    """The table as text."""
+def _joint_entries(found: JointForces) -> Iterator[Entry]:
+    """The tables of joints and of supports."""
     when = f"pose {found.pose}" if found.pose else f"t = {instant(found.time)}"
-    parts = [f"{when}, load case {found.load_case}; force on the member from its joint"]
+    yield f"{when}, load case {found.load_case}; force on the member from its joint"
     rows = [(m, e, n, *(quantity(x, "N") for x in (*world, *local))) for m, e, n, world, local in found.rows]
-    parts.append(Table(("member", "end", "node", *found.axes, *found.local_axes), rows).text)
-    if found.supports:
-        rows = [(n, *(quantity(x, "N") for x in world)) for n, world in found.supports]
-        parts.append("force of the supports on the structure\n" + Table(("node", *found.axes), rows).text)
-    return "\n\n".join(parts)
+    yield Table(("member", "end", "node", *found.axes, *found.local_axes), rows)
+    supports = ((n, *(quantity(x, "N") for x in world)) for n, world in found.supports)
+    yield Table(("node", *found.axes), supports, "force of the supports on the structure")
 
 
 def _joint_record(found: JointForces) -> dict[str, Any]:

@@ -11,8 +11,8 @@ import numpy as np
 from kinetruss.display import instant
 from kinetruss.report.pictures.specs import Bars, Drawing, Figure, Histories, Panel
 from kinetruss.report.pictures.stands import drawing, shown_at
-from kinetruss.report.run_summary import worst_rows
-from kinetruss.report.run_tables import moment, poses_of
+from kinetruss.report.run_data import worst
+from kinetruss.runs.doubts import moment, poses_of
 from kinetruss.runs.mission_results import check_histories
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
@@ -220,16 +220,16 @@ def _when(run: RunResult, time: float) -> str:
 
 
 def _utilisation(run: RunResult) -> Iterator[Figure]:
-    rows = worst_rows(run, BARS)
+    rows = worst(run)[:BARS]
     if rows:
-        notes = tuple(f"{row.rule}{_when(run, row.time)}" for row in rows)
+        notes = tuple(f"{row['rule']}{_when(run, row['time'])}" for row in rows)
         yield Bars(
             name="utilisation",
             title="Utilisation of the worst members by their governing rule",
             quantity="utilisation (demand over capacity)",
             unit="%",
-            labels=tuple(row.part for row in rows),
-            values=np.array([row.utilisation for row in rows]),
+            labels=tuple(row["part"] for row in rows),
+            values=np.array([row["utilisation"] for row in rows]),
             notes=notes,
         )
     stressed: dict[str, Any] = {}

@@ -8,16 +8,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from kinetruss.display import Markup, Table, element, quantity
 from kinetruss.errors import KinetrussError
-from kinetruss.model import Bar, LengthDrive
+from kinetruss.model import Bar
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from kinetruss.model import Model
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
 
@@ -65,43 +62,6 @@ def _mobility(model: Model) -> dict[str, Any]:
     )
     texts = {"mechanisms": found.mechanism_texts(), "self_stress_states": found.self_stress_texts()}
     return {name: getattr(found, name) for name in names} | texts
-
-
-def closure(run: RunResult) -> dict[str, Any] | None:
-    """Largest error of a bar length, m, recomputed from the node positions.
-
-    Rigid bars are compared with their given or first length, driven ones with the drive. None without such bars or samples.
-    """
-    data = run.motion.data
-    if not data.sizes["time"]:
-        return None
-    time, position = data["time"].values, data["position"].values
-    place = {str(name): k for k, name in enumerate(data["node"].values)}
-    worst: dict[str, Any] | None = None
-    for name, wanted in _wanted(run):
-        a, b = (position[:, place[end]] for end in run.model.members[name].ends)
-        length = np.linalg.norm(b - a, axis=1)
-        error = np.abs(length - (length[0] if wanted is None else wanted))
-        at = int(error.argmax())
-        if worst is None or error[at] > worst["error"]:
-            share = float(error[at] / length[at]) if length[at] else 0.0
-            worst = {"error": float(error[at]), "relative": share, "member": name, "time": float(time[at])}
-    return worst
-
-
-def _wanted(run: RunResult) -> list[tuple[str, NDArray[np.float64] | float | None]]:
-    """Members with a required length: over time, or one for all times (None: that of the start)."""
-    data = run.motion.data
-    driven = {drive.bar: name for name, drive in run.model.all_drives.items() if isinstance(drive, LengthDrive)}
-    columns = {str(name): k for k, name in enumerate(data["drive"].values)} if "drive" in data.coords else {}
-    found: list[tuple[str, NDArray[np.float64] | float | None]] = []
-    for name, member in run.model.members.items():
-        if name in driven:
-            if driven[name] in columns:
-                found.append((name, data["drive_position"].values[:, columns[driven[name]]]))
-        elif getattr(member, "kind", "") == "rigid":
-            found.append((name, member.length))
-    return found
 
 
 # The methods that a run used, and their publications.
@@ -203,7 +163,7 @@ SHOWN = 300_000
 """Number of characters up to which a model file is shown; a larger one can only be saved."""
 
 
-def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
+def recompute(run: RunResult, record: dict[str, Any]) -> list[Entry]:
     """Versions and hash, commands, and the model file."""
     given = {key: value for key, value in record["provenance"].items() if key not in ("title", "model", "run")}
     rows: list[tuple[str, Any]] = [("run folder", record["out"])] if record["out"] else []
@@ -213,8 +173,8 @@ def recompute(run: RunResult, record: dict[str, Any]) -> list[Markup]:
     rows += [("computing took", quantity(run.wall_time, "s"))]
     saved = element("a", "Save model.json", href=_address(record["model"]), download="model.json", class_="screen save")
     steps = f"kinetruss check model.json\nkinetruss run model.json {run.name} -o again\nkinetruss info again"
-    parts = [
-        Table(("", ""), rows, "Provenance").html,
+    parts: list[Entry] = [
+        Table(("", ""), rows, "Provenance"),
         element(
             "p",
             "The file report.html holds the model, byte by byte; save it as model.json. ",

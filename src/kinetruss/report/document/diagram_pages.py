@@ -15,12 +15,13 @@ from matplotlib.patheffects import withStroke
 
 from kinetruss.display import DIVERGING, number, quantity, scale
 from kinetruss.errors import InputError
-from kinetruss.report.document.data import limits, plain, strength
+from kinetruss.report.drive_data import limits
 from kinetruss.report.member_diagrams import Subject, diagrams_record, governing_diagrams, requested
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.draw import SUFFIXES, write
 from kinetruss.report.pictures.picture import width_of
 from kinetruss.report.pictures.specs import BAND, INK, PRINT, QUIET, RC
+from kinetruss.report.run_data import plain, strength
 
 if TYPE_CHECKING:
     from kinetruss.report.member_diagrams import Line

@@ -9,20 +9,21 @@ import numpy as np
 
 from kinetruss.display import DRIVEN, instant, number, quantity
 from kinetruss.model import Pressure
-from kinetruss.report.document.demands import cased, share_of, value_of
-from kinetruss.report.document.run_pictures import embedded, lines_of
+from kinetruss.report.document.run_pictures import lines_of
+from kinetruss.report.entries import Figure
 from kinetruss.report.pictures.drawing import drawn, round_length
 from kinetruss.report.pictures.labels import CROWDED, Label
 from kinetruss.report.pictures.specs import ALARM, INK, QUIET, WIDTHS, Drawing
 from kinetruss.report.pictures.stands import arrows, drawing, middle, projected, stand, values_of
 from kinetruss.report.run_lines import shift_of
+from kinetruss.report.tables import cased, share_of, value_of
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.display import Markup
+    from kinetruss.report.entries import Entry
     from kinetruss.results import Row
     from kinetruss.runs import RunResult
 
@@ -41,12 +42,12 @@ SHARE = 0.1
 """Size of the largest drawn displacement at most, of the structure."""
 
 
-def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Markup]:
+def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = False) -> list[Entry]:
     """The structure at the governing instant, as part of a page; nothing without a good sample. small : for a summary."""
     if not run.good:
         return []
     figure, caption = loaded(run, record, SMALL if small else TALLEST)
-    return [embedded([lines_of(drawn(figure), "loaded", caption)], caption)]
+    return [Figure(panels=[lines_of(drawn(figure), "loaded", caption)], caption=caption)]
 
 
 def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) -> tuple[Drawing, str]:
@@ -159,7 +160,7 @@ def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: 
     return "; ".join(words) + "."
 
 
-def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
+def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
     """The figure of the load case of the governing entry; nothing for runs over time, and without displacements."""
     if run.good != 1 or not run.statics:
         return []
@@ -191,4 +192,4 @@ def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
         ways=[projected(np.array([rest.x[farthest], moved.x[farthest]]))],
         tallest=LOW,
     )
-    return [embedded([lines_of(drawn(figure), "deflected", caption)], caption)]
+    return [Figure(panels=[lines_of(drawn(figure), "deflected", caption)], caption=caption)]

@@ -4,30 +4,34 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, element, html_page, joined
-from kinetruss.report.document.title_block import PAPERS, Numbers, referred, title_block
+from kinetruss.report.document.title_block import PAPERS, ROWS, SIGNED, TITLE_WORDS
 from kinetruss.report.document.worked import shown
+from kinetruss.report.entries import Numbers, Section
 
 if TYPE_CHECKING:
+    from jinja2 import Template
+
     from kinetruss.report.document.sheets import Sheet
     from kinetruss.report.document.title_block import Front
+    from kinetruss.report.entries import Entry
 
 
 def summary_parts(
-    result: Sequence[Markup], figure: Sequence[Markup], sheets: Sequence[Sheet], assumed: Sequence[Markup], more: str = ""
-) -> list[Part]:
+    result: Sequence[Entry], figure: Sequence[Entry], sheets: Sequence[Sheet], assumed: Sequence[Entry], more: str = ""
+) -> list[Section]:
     """Result, figure, the calculation of the highest utilisation, and assumptions. more : what the figure shows besides."""
     words = "The structure with its supports and loads"
     return [
-        Part("result", "Result", "", result),
-        Part("structure", "Structure and loads", more or words, figure),
-        Part("worked", "Governing calculation", "The check of the highest utilisation", shown(sheets[:1])),
-        Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumed),
+        Section("result", "Result", "", result),
+        Section("structure", "Structure and loads", more or words, figure),
+        Section("worked", "Governing calculation", "The check of the highest utilisation", shown(sheets[:1])),
+        Section("assumed", "Assumptions, and what was not checked", "What the results rest on", assumed),
     ]
 
 
@@ -70,27 +74,16 @@ def _prose(text: str) -> str:
 
 # Puts a report together: head, result, contents, numbered sections, data.
 
-STYLE = Path(__file__).with_name("style.css")
-END = "End of the report."
+FRAME, STYLE = (Path(__file__).with_name(name) for name in ("report.html.j2", "style.css"))
 LONGEST = 90
 """Characters of the footer."""
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A section: key of its links, name, sentence that introduces it, content; without content it is left out."""
-
-    key: str
-    name: str
-    words: str
-    content: Sequence[Markup] = field(default_factory=tuple)
 
 
 def framed(
     title: str,
     front: Front,
     lines: Sequence[str],
-    parts: Sequence[Part],
+    parts: Sequence[Section],
     *,
     kicker: str,
     quiet: str,
@@ -107,50 +100,46 @@ def framed(
     and below the title. above : before the result. record : data of the page, JSON can hold it. foot : of printed pages.
     mark : after the title in the window's name.
     """
-    shown = [part for part in parts if part.content]
-    logo = element("img", alt="Logo", src=front.logo, class_="logo") if front.logo else None
-    kind = f"{kicker}: summary" if front.summary else kicker
-    head = element(
-        "header", logo, element("p", kind, class_="kicker"), element("h1", title), element("p", quiet, class_="quiet")
+    numbers, short = Numbers(), front.summary
+    shown = []
+    for part in parts:
+        inside, links = numbers.html(part.content)
+        if inside:
+            shown.append({"key": part.key, "name": part.name, "words": part.words, "links": links, "inside": inside})
+    main = page_template().render(
+        front=front,
+        block=front.block.model_dump(),
+        short=short,
+        kicker=kicker,
+        title=title,
+        quiet=quiet,
+        rows=ROWS,
+        names=TITLE_WORDS,
+        signed=SIGNED,
+        above=joined(above),
+        parts=shown,
+        lines=lines,
     )
-    sections = list(_sections(shown, lines))
-    contents = [] if front.summary else [_contents(shown)]
-    body = [head, title_block(front.block), *above, sections[0], *contents, *sections[1:]]
-    words = "End of the summary. The full report has all checks, data, methods and the model." if front.summary else END
-    end = element("p", words, class_="note end", id="end")
     data = json.dumps(record, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
     kept = element("script", Markup(data), type="application/json", id="kinetruss-report")
     style = f"{STYLE.read_text('utf-8')}{_sheet(foot, front.paper)}"
     top = f'<meta name="color-scheme" content="light dark">\n<style>{style}</style>\n'
-    name = "summary" if front.summary else "report"
-    main = element("main", "\n", body, end, "\n", class_="short" if front.summary else None)
-    return html_page(f"{title}{mark}: {name}", top, typeset(f"{main}\n{kept}"))
+    return html_page(f"{title}{mark}: {'summary' if short else 'report'}", top, typeset(f"{main}\n{kept}"))
 
 
-def _sections(parts: Sequence[Part], lines: Sequence[str]) -> Iterator[Markup]:
-    numbers = Numbers()
-    for k, part in enumerate(parts, 1):
-        inside, found = numbers.numbered(joined(part.content))
-        links = referred(found)
-        words = [part.words, " (" if part.words else "", links, ")." if part.words else "."] if links else [part.words, "."]
-        said = element("p", words, class_="intro") if part.words or links else None
-        first = [element("p", line, class_="line") for line in lines] if k == 1 else None
-        name = element("h2", element("span", f"{k} ", class_="count"), part.name)
-        yield element("section", name, first, said, inside, id=part.key)
+def bare_page(entries: Sequence[Entry]) -> str:
+    """A page of entries alone; its title is the first line of the first one."""
+    title = next((one.partition("\n")[0] for one in entries if isinstance(one, str)), "kinetruss")
+    main = element("main", Numbers().html(entries)[0])
+    return html_page(title, f"<style>{STYLE.read_text('utf-8')}</style>\n", typeset(main))
 
 
-def _contents(parts: Sequence[Part]) -> Markup:
-    rows = [
-        element(
-            "li",
-            element("a", f"{k} {part.name}", href=f"#{part.key}"),
-            element("span", class_="page", data_key=part.key),
-        )
-        for k, part in enumerate(parts, 1)
-    ]
-    # the last link has no words: it makes the browser tell the place of the end
-    last = element("a", href="#end", class_="endmark", aria_hidden="true", tabindex="-1")
-    return element("nav", element("h2", "Contents"), element("ul", rows), last, aria_label="Contents")
+@lru_cache(maxsize=1)
+def page_template() -> Template:
+    """The frame of a report; all text that is not `Markup` is escaped."""
+    from jinja2 import Environment, StrictUndefined
+
+    return Environment(autoescape=True, undefined=StrictUndefined).from_string(FRAME.read_text("utf-8"))
 
 
 def with_pages(page: str, pages: Mapping[str, int]) -> str:

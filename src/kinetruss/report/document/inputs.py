@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from kinetruss.display import Markup, Table, counted, quantity
+from kinetruss.display import Table, counted, quantity
+from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Model, Of, Record, Run, inner_parts
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
-from kinetruss.report.document.columns import Columns
+from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 
-def section_constants(model: Model) -> list[Markup]:
+def section_constants(model: Model) -> list[Table]:
     """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
     users: dict[str, list[str]] = {}
     sections: dict[str, Any] = {}
@@ -39,27 +40,31 @@ def section_constants(model: Model) -> list[Markup]:
                 sections.setdefault(worded(section), section)
     if not sections:
         return []
-    every, several = list(sections.values()), sum(map(len, users.values()))
-    table = Columns().words("section", list(sections)).words("used by", [listed(users[text], several) for text in sections])
-    table.measured("A (mm²)", [1e6 * one.area for one in every], "")
-    seconds = [[1e12 * one.second_moments[k] for one in every] for k in (0, 1)]
-    moduli = [[1e9 * one.second_moments[k] / one.extreme_fibres[1 - k] for one in every] for k in (0, 1)]
-    radii = [[1e3 * math.sqrt(one.second_moments[k] / one.area) for one in every] for k in (0, 1)]
-    if all(one.round for one in every):
-        table.measured("I (mm⁴)", seconds[0], "").measured("W (mm³)", moduli[0], "").measured("r (mm)", radii[0], "")
-    else:
-        table.together(["I₂ (mm⁴)", "I₃ (mm⁴)"], seconds, "").together(["W₂ (mm³)", "W₃ (mm³)"], moduli, "")
-        table.together(["r₂ (mm)", "r₃ (mm)"], radii, "")
-    table.measured("J (mm⁴)", [None if one.torsion_constant is None else 1e12 * one.torsion_constant for one in every], "")
-    return [table.html("Constants of the sections", "Axes 2 and 3 are across the member, 3 is z in the plane.")]
+    several = sum(map(len, users.values()))
+    rows = [_constants(one) | {"section": text, "users": listed(users[text], several)} for text, one in sections.items()]
+    axes = [""] if all(one.round for one in sections.values()) else ["₂", "₃"]
+    columns = [words("section"), words("used by", "users"), measured("A (mm²)", "A")]
+    for symbol, unit in (("I", "mm⁴"), ("W", "mm³"), ("r", "mm")):
+        columns += together("", {f"{symbol}{axis} ({unit})": f"{symbol}{k}" for k, axis in enumerate(axes)})
+    columns.append(measured("J (mm⁴)", "J"))
+    foot = "Axes 2 and 3 are across the member, 3 is z in the plane."
+    return [Table(columns, rows, "Constants of the sections", foot=foot)]
+
+
+def _constants(section: Any) -> Row:
+    """A, J and, about axes 2 and 3, I, W and r, in mm."""
+    found = {"A": 1e6 * section.area, "J": None if section.torsion_constant is None else 1e12 * section.torsion_constant}
+    for k, (I, c) in enumerate(zip(section.second_moments, reversed(section.extreme_fibres), strict=True)):
+        found |= {f"I{k}": 1e12 * I, f"W{k}": 1e9 * I / c, f"r{k}": 1e3 * math.sqrt(I / section.area)}
+    return found
 
 
 # Lists of a structure: its nodes, its members with length, section and mass, and the mass of the whole.
 
 
-def lists(model: Model) -> list[Markup]:
+def lists(model: Model) -> list[Table]:
     """The tables of nodes and of members of the model as it stands."""
-    return [*_nodes(model), *_members(model)]
+    return [_nodes(model), _members(model)]
 
 
 def nodes_of(model: Model) -> list[Row]:
@@ -120,37 +125,36 @@ def total_mass(model: Model) -> float:
     return float(way @ (mass_matrix(system, system.x0) @ way))
 
 
-def _nodes(model: Model) -> list[Markup]:
-    rows = nodes_of(model)
-    table = Columns().words("node", [row["node"] for row in rows])
-    table.together(list("xyz"[: model.dim]), [[row["at"][k] for row in rows] for k in range(model.dim)], "m")
-    if any(row["support"] for row in rows):
-        table.words("support", [row["support"] for row in rows])
-    if any(row["mass"] for row in rows):
-        table.measured("mass on it", [row["mass"] or None for row in rows], "kg")
-    return [table.html("Nodes, in the position of the model")] if rows else []
+def _nodes(model: Model) -> Table:
+    columns = [
+        words("node"),
+        *together("m", {axis: ("at", k) for k, axis in enumerate("xyz"[: model.dim])}),
+        words("support"),
+        measured("mass on it", lambda row: row["mass"] or None, "kg"),
+    ]
+    return Table(columns, nodes_of(model), "Nodes, in the position of the model")
 
 
-def _members(model: Model) -> list[Markup]:
+def _members(model: Model) -> Table:
     rows = members_of(model)
-    if not rows:
-        return []
-    table = Columns().words("member", [row["member"] for row in rows]).words("kind", [row["kind"] for row in rows])
-    table.words("ends", [" – ".join(row["ends"]) for row in rows])
-    table.measured("length", [row["length"] for row in rows], "m")
-    if any(row["section"] for row in rows):
-        table.words("section", [row["section"] for row in rows])
-    table.measured("mass", [row["mass"] for row in rows], "kg")
+    columns = [
+        words("member"),
+        words("kind"),
+        words("ends", lambda row: " – ".join(row["ends"])),
+        measured("length", unit="m"),
+        words("section"),
+        measured("mass", unit="kg"),
+    ]
     own, whole = sum(row["mass"] for row in rows), total_mass(model)
-    words = f"Total of {counted(len(rows), 'member')}: {quantity(own, 'kg')}."
+    foot = f"Total of {counted(len(rows), 'member')}: {quantity(own, 'kg')}."
     others = [
         *(["masses on nodes"] if any(node.mass for node in model.nodes.values()) else []),
         *(["bodies"] if model.bodies else []),
         *(["membranes and solids"] if model.membranes or model.solids else []),
     ]
     if others:
-        words += f" With {', '.join(others)}, everything in the model: {quantity(whole, 'kg')}."
-    return [table.html("Members, in the position of the model", words)]
+        foot += f" With {', '.join(others)}, everything in the model: {quantity(whole, 'kg')}."
+    return Table(columns, rows, "Members, in the position of the model", foot=foot)
 
 
 # Tables of the inputs: run, structure, supports and loads, materials, sections and drive trains.
@@ -171,7 +175,7 @@ WORDS = {
     "max_torque": "largest torque",
     "flank": "half-angle of the thread",
     "source": "source:",
-    "taylor": "Taylor series",
+    **METHODS,
 }
 """Names of fields and kinds that are not words."""
 UNITLESS = {"thermal_expansion": "1/K"}
@@ -191,12 +195,12 @@ ANALYSES = {
 }
 
 
-def inputs(run: RunResult, name: str = "") -> list[Markup]:
+def inputs(run: RunResult, name: str = "") -> list[Table]:
     """The tables that are not empty. name : of the run, if it has another one for readers."""
     model = run.model
     found = [
-        Table(("", ""), _run_rows(run, name or run.name), "What was computed").html,
-        Table(("", ""), _structure_rows(model), "The structure").html,
+        Table(("", ""), _run_rows(run, name or run.name), "What was computed"),
+        Table(("", ""), _structure_rows(model), "The structure"),
     ]
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
         ("Materials and sections", "used by", _parts(model)),
@@ -205,10 +209,7 @@ def inputs(run: RunResult, name: str = "") -> list[Markup]:
         ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
-    for caption, head, rows in lists:
-        if shown := list(rows):
-            found.append(Table((head, "what"), shown, caption).html)
-    return found
+    return [*found, *(Table((head, "what"), rows, caption) for caption, head, rows in lists)]
 
 
 def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:

@@ -7,23 +7,33 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, counted, element
-from kinetruss.report.document.checks import methods, recompute
-from kinetruss.report.document.data import document_record, model_text, plain
+from kinetruss.report.document.checks import recompute
+from kinetruss.report.document.data import document_record, model_text
 from kinetruss.report.document.figure import loaded_figure
-from kinetruss.report.document.frame import Part, framed, summary_parts
+from kinetruss.report.document.frame import framed, summary_parts
 from kinetruss.report.document.inputs import inputs, lists, section_constants, worded
-from kinetruss.report.document.mission_parts import envelopes
 from kinetruss.report.document.result import assumptions, checked_words, result_lines
 from kinetruss.report.document.run_pictures import diagrams_of
+from kinetruss.report.document.sections import method
 from kinetruss.report.document.worked import Pairs, shown, worked_pairs, worked_record
-from kinetruss.report.mission_tables import TRAIN_UNITS, mission_record
+from kinetruss.report.entries import Section
+from kinetruss.report.mission_tables import lined, mission_record, mission_tables
+from kinetruss.report.run_data import plain
 
 if TYPE_CHECKING:
-    import xarray as xr
-
     from kinetruss.report.document.sheets import Sheet
     from kinetruss.report.document.title_block import Front
     from kinetruss.runs import MissionRun, RunResult
+
+
+ENVELOPES = {
+    "members": ("Members", "Every part by its governing rule and pair"),
+    "extremes": ("Extremes of members", "Largest tension, compression and bending"),
+    "drives": ("Drives", "Largest loads, rates and powers"),
+    "motors": ("Motors", "Largest demands, against limits"),
+    "pairs": ("Pairs", "Motions, conditions and load cases, worst first"),
+}
+"""Sections of the tables of a mission: names, and the sentences that introduce them."""
 
 
 def mission_html(run: MissionRun, front: Front) -> str:
@@ -63,40 +73,7 @@ def mission_lines(run: MissionRun) -> tuple[str, str, str]:
     return result_lines(run, lined(run, mission_record(run)))
 
 
-def lined(run: MissionRun, record: dict[str, Any]) -> dict[str, Any]:
-    """What the lines of a result need: entries of members and drives, as in the record of a run."""
-    trains = [
-        {
-            "part": one["active"],
-            "rule": one["quantity"],
-            "unit": TRAIN_UNITS[one["quantity"]],
-            "value": one["value"],
-            "limit": one["limit"],
-            "utilisation": one["utilisation"],
-            "time": one["time_of"],
-            "load_case": one["label"],
-            "pair": one["pair"],
-        }
-        for one in record["trains"]
-    ]
-    return {
-        "whole": record["whole"],
-        "samples": {"good": record["pairs_done"], "asked": record["pairs_asked"], "what": "pairs"},
-        "strength": record["envelope"],
-        "limits": trains,
-        "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
-        "units": _units(run.extremes, "quantity"),
-        "largest_forces": [],
-        "drive_loads": [],
-    }
-
-
-def _units(data: xr.Dataset, axis: str) -> dict[str, str]:
-    """Units by the names along an axis."""
-    return dict(zip(map(str, data[axis].values), map(str, data["unit"].values), strict=True)) if axis in data else {}
-
-
-def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Part]:
+def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any]) -> list[Section]:
     """The sections of a summary: the figure is that of the governing pair."""
     figure = [] if pair is None else loaded_figure(pair, document_record(pair, []), small=True)
     assumed = [] if pair is None else assumptions(pair, entries, run.finding, condition=False)
@@ -104,37 +81,37 @@ def _short(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries
     return summary_parts(list(_state(run)), figure, sheets, assumed, words)
 
 
-def _parts(run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any], view: str) -> Iterator[Part]:
-    yield Part("result", "Result", "", list(_state(run)))
+def _parts(
+    run: MissionRun, pair: RunResult | None, sheets: list[Sheet], entries: dict[str, Any], view: str
+) -> Iterator[Section]:
+    yield Section("result", "Result", "", list(_state(run)))
     if pair is not None:
         found = assumptions(pair, entries, run.finding, condition=False)
-        yield Part("assumed", "Assumptions, and what was not checked", "What the results rest on", found)
+        yield Section("assumed", "Assumptions, and what was not checked", "What the results rest on", found)
         frame = element("iframe", title="the governing pair", sandbox="allow-scripts", srcdoc=view, loading="lazy")
         seen = [element("div", frame, class_="screen")] if view else []
         words = f"Motion, condition and load case: {_label(run)}"
         own = document_record(pair, [])
-        yield Part("pair", "The governing pair", words, [*seen, *loaded_figure(pair, own), *diagrams_of(pair, own)])
+        yield Section("pair", "The governing pair", words, [*seen, *loaded_figure(pair, own), *diagrams_of(pair, own)])
     calculations = "The governing entry of each check over all pairs, with the numbers of its pair at its instant"
-    yield Part("worked", "Worked calculations", calculations, shown(sheets))
-    noted = findings(run)
-    record = mission_record(run)
-    pairs = [one | {"finding": noted.get(one["label"], "")} for one in record["pairs"]]
-    yield from envelopes(entries, record | {"pairs": pairs})
+    yield Section("worked", "Worked calculations", calculations, shown(sheets))
+    tables = mission_tables(run, mission_record(run), entries["limits"], findings(run))
+    yield from (Section(key, *named, tables[key]) for key, named in ENVELOPES.items())
     if pair is not None:
         name = f"mission {run.name}, pair {_label(run)}"
         basis = [*inputs(pair, name), *_conditions(run), *lists(pair.model), *section_constants(pair.model)]
-        yield Part("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
-        yield Part("method", "Method and sources", "", _methods(pair))
-    yield Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))
+        yield Section("inputs", "Basis of the analysis", "The governing pair, and the data of the structure", basis)
+        yield Section("method", "Method and sources", "", method(pair))
+    yield Section("again", "How to repeat the computation", "Versions and the model itself", recompute(run, _provenance(run)))
 
 
-def _conditions(run: MissionRun) -> list[Markup]:
+def _conditions(run: MissionRun) -> list[Table]:
     """The conditions of the mission."""
     named = run.definition.conditions or ()
     rows = [
         (name, worded(run.model.conditions[name]) or "the model as it is") for name in named if name in run.model.conditions
     ]
-    return [Table(("condition", "what changes"), rows, "Conditions of the mission").html] if rows else []
+    return [Table(("condition", "what changes"), rows, "Conditions of the mission")]
 
 
 def _label(run: MissionRun) -> str:
@@ -154,13 +131,6 @@ def findings(run: MissionRun) -> dict[str, str]:
     """Findings by pair, without what the motion alone did not check of motors, since the mission does."""
     entries = {label: checked_words(words, run.trains is not None) for label, words in run.findings.items()}
     return {label: words for label, words in entries.items() if words}
-
-
-def _methods(pair: RunResult) -> list[Markup]:
-    return [
-        element("p", element("b", f"{name}. "), words, element("cite", f" {source}.") if source else None)
-        for name, words, source in methods(pair)
-    ]
 
 
 def _provenance(run: MissionRun) -> dict[str, Any]:

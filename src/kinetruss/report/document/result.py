@@ -7,15 +7,16 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, Table, counted, element, instant, number, quantity
+from kinetruss.display import Markup, counted, element, instant, number, quantity
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
-from kinetruss.report.document.demands import cased, is_over, is_single, share_of, used_of
-from kinetruss.report.run_tables import exceeded, moment, poses_of
+from kinetruss.report.drive_data import exceeded
+from kinetruss.report.tables import cased, is_over, is_single, not_checked, share_of, used_of
 from kinetruss.runs import MissionRun
-from kinetruss.runs.doubts import not_unique, remarks
+from kinetruss.runs.doubts import moment, not_unique, poses_of, remarks
 
 if TYPE_CHECKING:
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
     from kinetruss.strength import Finding
 
@@ -86,19 +87,19 @@ NEVER = (
 """Subjects that the checks do not contain."""
 
 
-def assumptions(run: RunResult, record: dict[str, Any], finding: Finding, *, condition: bool = True) -> list[Markup]:
+def assumptions(run: RunResult, record: dict[str, Any], finding: Finding, *, condition: bool = True) -> list[Entry]:
     """What was assumed, and what was not checked, headed by the strength that was not checked.
 
     run, finding : that of a mission is the run of its governing pair, and what all pairs say. condition : with that of the run;
     a mission has several.
     """
-    found = [element("ul", [element("li", words) for words in _assumed(run, record, finding, condition=condition)])]
+    items = [element("li", words) for words in _assumed(run, record, finding, condition=condition)]
+    found: list[Entry] = [element("ul", items)]
     if finding.unchecked or not finding.parts:
         found.append(element("p", element("strong", f"{finding.lacking}."), class_="headline"))
     if finding.unchecked:
-        missing = record["not_checked"].items()
-        rows = [(checked_words(what, demands=False), str(len(parts)), ", ".join(parts)) for what, parts in missing]
-        found.append(Table(("rule, and what is missing", "count", "parts"), rows, "Strength that was not checked").html)
+        missing = ((checked_words(what, demands=False), parts) for what, parts in record["not_checked"].items())
+        found.append(not_checked(missing, "Strength that was not checked"))
     unlimited = sorted({row["rule"] for row in record["limits"] if row["utilisation"] is None})
     never = [*([f"drives: no limit is given for {', '.join(unlimited)}"] if unlimited else []), *NEVER]
     found.append(element("p", f"Not checked: {'; '.join(never)}."))

@@ -14,13 +14,16 @@ import numpy as np
 
 from kinetruss.display import Markup, element, quantity
 from kinetruss.report.document.diagram_pages import drawn, scales_of
+from kinetruss.report.entries import Figure
 from kinetruss.report.member_diagrams import governing_diagrams
-from kinetruss.report.pictures.specs import Drawing, Figure, Histories, Panel
+from kinetruss.report.pictures.specs import Drawing, Histories, Panel
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.report.entries import Entry
     from kinetruss.report.member_diagrams import Subject
+    from kinetruss.report.pictures.specs import Figure as Spec
     from kinetruss.runs import RunResult
 
 
@@ -41,7 +44,7 @@ COLOURS = {
 """Colours of text and background in the house style; the page replaces them for light and dark mode."""
 
 
-def picture(figure: Figure, number: int, caption: str) -> Markup:
+def picture(figure: Spec, number: int, caption: str) -> Figure:
     """A figure with its caption; `number` makes its element names unique in the page. Panels are drawn one by one, so that
     they can stand on different sheets of paper.
     """
@@ -51,18 +54,10 @@ def picture(figure: Figure, number: int, caption: str) -> Markup:
     if isinstance(bare, Histories):
         whole = thinned(bare)
         panels = [draw(replace(whole, panels=(panel,))) for panel in whole.panels]
-        return embedded([lines_of(drawn, f"{number}-{k}", caption) for k, drawn in enumerate(panels)], caption)
+        return Figure(panels=[lines_of(drawn, f"{number}-{k}", caption) for k, drawn in enumerate(panels)], caption=caption)
     drawn = draw(bare)
     heavy = isinstance(figure, Drawing) and len(figure.kinds) > MEMBERS
-    return embedded([_pixels(drawn, caption) if heavy else lines_of(drawn, f"{number}", caption)], caption)
-
-
-def embedded(panels: list[Markup], caption: str, *, rows: bool = False) -> Markup:
-    """Drawings above each other as one figure with its caption. rows : they have the same width."""
-    shown = [element("div", one, class_="scroll", tabindex="0") for one in panels]
-    kind = "picture panels" if len(panels) > 1 else "picture"
-    kind += " rows" if rows else ""
-    return element("figure", shown, element("figcaption", caption), class_=kind)
+    return Figure(panels=[_pixels(drawn, caption) if heavy else lines_of(drawn, f"{number}", caption)], caption=caption)
 
 
 def thinned(figure: Histories) -> Histories:
@@ -148,11 +143,11 @@ SIGNS = (
 ZERO = {"V2": "shear forces V₂", "V3": "V₃", "M2": "bending moments M₂", "M3": "M₃", "T_t": "torques"}
 
 
-def diagrams_of(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
+def diagrams_of(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
     """The diagrams of governing members and of beams, each as a figure that may stand on several sheets."""
     members, beams = governing_diagrams(run, record)
     count = sum(beam.kind == "elastic" for beam in run.model.beams.values())
-    found = []
+    found: list[Entry] = []
     if members:
         words = "Section forces along the governing members, each at the instant of its governing entry."
         found.append(_figure(members, f"{words} {SIGNS}", "members"))
@@ -164,7 +159,7 @@ def diagrams_of(run: RunResult, record: Mapping[str, Any]) -> list[Markup]:
     return found
 
 
-def _figure(subjects: Sequence[Subject], words: str, number: str) -> Markup:
+def _figure(subjects: Sequence[Subject], words: str, number: str) -> Figure:
     scales = scales_of(subjects)
     zero = [name for key, name in ZERO.items() if key not in scales and key in subjects[0].along.lines]
     caption = words
@@ -173,7 +168,7 @@ def _figure(subjects: Sequence[Subject], words: str, number: str) -> Markup:
     if zero:
         caption += f" Zero in all of them: {', '.join(zero)}."
     panels = [lines_of(drawn([one], scales=scales), f"{number}{k}", _described(one)) for k, one in enumerate(subjects)]
-    return embedded(panels, caption, rows=True)
+    return Figure(panels=panels, caption=caption, rows=True)
 
 
 def _described(one: Subject) -> str:

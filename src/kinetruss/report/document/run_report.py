@@ -5,23 +5,26 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, element
+from kinetruss.display import Table, element
 from kinetruss.model import TitleBlock
-from kinetruss.report.document import demands, sections as parts
+from kinetruss.report import tables
+from kinetruss.report.document import sections as parts
 from kinetruss.report.document.checks import recompute
-from kinetruss.report.document.data import document_record, plain
+from kinetruss.report.document.data import document_record
 from kinetruss.report.document.figure import deflected_figure, loaded_figure
-from kinetruss.report.document.frame import Part, framed, summary_parts
+from kinetruss.report.document.frame import framed, summary_parts
 from kinetruss.report.document.inputs import inputs, lists, section_constants
 from kinetruss.report.document.mission_report import mission_html, mission_lines
 from kinetruss.report.document.result import UNCHECKED, assumptions, not_whole, result_lines, span_of, tiles, warned
 from kinetruss.report.document.run_pictures import diagrams_of, picture
 from kinetruss.report.document.title_block import front_of
 from kinetruss.report.document.worked import shown, worked, worked_record
+from kinetruss.report.entries import Section
 from kinetruss.report.member_diagrams import diagrams_record, governing_diagrams
 from kinetruss.report.mission_tables import mission_record
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.specs import Histories
+from kinetruss.report.run_data import governing, plain
 from kinetruss.report.run_figures import specifications
 from kinetruss.runs import MissionRun
 
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
 
     from kinetruss.report.document.sheets import Sheet
     from kinetruss.report.document.title_block import Front
+    from kinetruss.report.entries import Entry
     from kinetruss.report.pictures.specs import Figure
     from kinetruss.runs import RunResult
 
@@ -131,7 +135,7 @@ def _html(run: RunResult, front: Front) -> str:
     )
 
 
-def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> list[Part]:
+def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> list[Section]:
     """The sections of a summary: result, figure, the governing calculation, assumptions."""
     # what was not checked is in the result and in the assumptions
     graver = [one for one in record["warnings"] if not one.startswith(UNCHECKED)]
@@ -139,51 +143,67 @@ def short_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet]) -> 
     return summary_parts(result, loaded_figure(run, record, small=True), sheets, assumptions(run, record, run.finding))
 
 
-def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Part]:
+def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view: str) -> list[Section]:
     """The sections of the report of a run, in their order."""
     drawn, assumed = _Drawn(run), assumptions(run, record, run.finding)
     changes = drawn.of("lengths") if _changes(run) else ()
     stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
     deflected = deflected_figure(run, record)
+    timed = not tables.is_single(record)
+    checks: list[Entry] = [
+        tables.strength(governing(record["strength"]), timed=timed),
+        *drawn.of("stresses"),
+        tables.skins(record["skins"], timed=timed),
+    ]
+    actuators: list[Entry] = [
+        tables.limits(record["limits"], timed=timed),
+        tables.motors(record["motors"]),
+        *tables.trains(record["trains"]),
+        tables.exceeded(record["exceeded"]),
+        *drawn.of("motors"),
+    ]
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
-        Part("result", "Result", "", [tiles(record), *warned(record)]),
-        Part("assumed", "Assumptions, and what was not checked", "What the results rest on", assumed),
-        Part(
+        Section("result", "Result", "", [tiles(record), *warned(record)]),
+        Section("assumed", "Assumptions, and what was not checked", "What the results rest on", assumed),
+        Section(
             "structure",
             "Structure and loads",
             "The structure with its supports and loads, and its shape along the run" if run.good > 1 else SHOWN,
             _shown(run, record, view, drawn),
         ),
-        Part("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
-        Part("worked", "Worked calculations", calculations, shown(sheets)),
-        Part("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
-        Part("strength", "Strength", stressed, [*demands.strength(record), *drawn.of("stresses"), *demands.skins(record)]),
-        Part("drives", "Actuators", "What motors, gears and screws deliver", [*demands.drives(record), *drawn.of("motors")]),
-        Part(
+        Section("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
+        Section("worked", "Worked calculations", calculations, shown(sheets)),
+        Section("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
+        Section("strength", "Strength", stressed, checks),
+        Section("drives", "Actuators", "What motors, gears and screws deliver", actuators),
+        Section(
             "forces",
             "Member forces",
             "Axial forces and supports",
             [*parts.forces(record), *drawn.of("forces"), *drawn.of("drives")],
         ),
-        Part("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
-        Part(
-            "simulation", "Simulation", "Integration, events, energies", [*parts.simulated(run, record), *drawn.of("energies")]
+        Section("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
+        Section(
+            "simulation",
+            "Simulation",
+            "Integration, events, energies",
+            [*tables.simulation(record["simulation"]), *drawn.of("energies")],
         ),
-        Part(
+        Section(
             "statics",
             "Displacements and stability",
             "The static analysis",
             [*parts.standing(run), *deflected],
         ),
-        Part("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
-        Part("checks", "Checks", "Checks that need no other program", parts.checked(run, record)),
-        Part("method", "Method and sources", "", parts.method(run)),
-        Part("again", "How to repeat the computation", "Versions and the model itself", recompute(run, record)),
+        Section("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
+        Section("checks", "Checks", "Checks that need no other program", [parts.checked(run, record)]),
+        Section("method", "Method and sources", "", parts.method(run)),
+        Section("again", "How to repeat the computation", "Versions and the model itself", recompute(run, record)),
     ]
 
 
-def basis(run: RunResult) -> list[Markup]:
+def basis(run: RunResult) -> list[Table]:
     """The tables of inputs, with the nodes, the members and the constants of sections."""
     return [*inputs(run), *lists(run.model), *section_constants(run.model)]
 
@@ -193,7 +213,7 @@ def _changes(run: RunResult) -> bool:
     return bool(run.model.all_drives) or any(bar.kind != "rigid" for bar in run.model.bars.values())
 
 
-def _shown(run: RunResult, record: dict[str, Any], view: str, drawn: _Drawn) -> list[Markup]:
+def _shown(run: RunResult, record: dict[str, Any], view: str, drawn: _Drawn) -> list[Entry]:
     """The view on a screen; the figure with loads, and the shape at several instants."""
     moved = drawn.of("shape") if run.good > 1 and _moves(run) else []
     figures = [*loaded_figure(run, record), *moved]
@@ -218,6 +238,6 @@ class _Drawn:
         self._figures: list[tuple[int, Figure]] = list(enumerate(specifications(run)))
         self._timed = run.good > 1 and "pose" not in run.motion.data.coords
 
-    def of(self, name: str) -> list[Markup]:
+    def of(self, name: str) -> list[Entry]:
         named = [(k, one) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]
         return [picture(one, k, one.title) for k, one in named if self._timed or not isinstance(one, Histories)]

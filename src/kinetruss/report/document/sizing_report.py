@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,21 +11,22 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from kinetruss import runs
-from kinetruss.display import Markup, element, instant, quantity
+from kinetruss.design.sizing_result import drive_table, group_tables
+from kinetruss.display import Markup, element, quantity
 from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
-from kinetruss.report.document.columns import Columns
-from kinetruss.report.document.data import plain
-from kinetruss.report.document.demands import cased
-from kinetruss.report.document.frame import Part, framed
+from kinetruss.report.document.frame import framed
 from kinetruss.report.document.run_report import run_parts, run_record, short_parts
 from kinetruss.report.document.title_block import front_of
 from kinetruss.report.document.worked import worked
+from kinetruss.report.entries import Section
 from kinetruss.report.page import Page
+from kinetruss.report.run_data import plain
 
 if TYPE_CHECKING:
     from kinetruss.report.document.sheets import Sheet
     from kinetruss.report.document.title_block import Front
+    from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
 
@@ -131,14 +132,17 @@ def _html(run: RunResult, sizing: Record, front: Front) -> str:
     title = run.model.title or sizing["title"] or "Sized structure"
     found = short_parts(run, record, sheets) if front.summary else run_parts(run, record, sheets, front.view)
     first, rest = found[0], found[1:]
-    tubes, drives = list(_groups(sizing["groups"])), list(_drives(sizing))
+    tubes: list[Entry] = [*group_tables(sizing["groups"])]
+    drives: list[Entry] = [drive_table(sizing)]
     if front.summary:  # what was chosen, without why nothing smaller is sufficient
-        tubes, drives = tubes[:1], drives[:1]
+        tubes = tubes[:1]
+    elif against := [f"{row['name']}: {row['against']}" for row in sizing["drives"] if row["against"]]:
+        drives.append(element("p", f"Why no smaller motor: {' '.join(against)}"))
     state = [] if front.summary else first.content
     parts = [
-        Part(first.key, first.name, first.words, [_masses(sizing), *state]),
-        Part("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", tubes),
-        Part("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", drives),
+        Section(first.key, first.name, first.words, [_masses(sizing), *state]),
+        Section("tubes", "Tubes", "What was chosen from the catalogue, and why nothing smaller", tubes),
+        Section("chosen", "Drives chosen", "Screws, gears and motors from the catalogues", drives),
         *rest,
     ]
     return framed(
@@ -153,54 +157,7 @@ def _html(run: RunResult, sizing: Record, front: Front) -> str:
     )
 
 
-NAMES = "Names of tubes are those of their catalogue; the constants of the sections, below, have their sizes in mm."
-
-
 def _masses(sizing: Record) -> Markup:
     before, after, saved = (quantity(sizing[key], "kg") for key in ("mass_before", "mass_after", "mass_saved"))
     words = f"Mass of all members: {before} before, {after} after sizing; saved {saved}. {' '.join(sizing['notes'])}"
     return element("p", words.strip())
-
-
-def _groups(rows: Sequence[Record]) -> Iterator[Markup]:
-    if not rows:
-        return
-    table = Columns().words("group", [row["name"] for row in rows]).words("members", [len(row["members"]) for row in rows])
-    table.words("tube before", [row["tube_before"] or "-" for row in rows]).words("tube", [row["tube"] for row in rows])
-    table.together(["mass before", "mass"], [[row[key] for row in rows] for key in ("mass_before", "mass")], "kg")
-    used = [[_percent(row[key]) for row in rows] for key in ("utilisation_before", "utilisation")]
-    table.together(["used before (%)", "used (%)"], used, "")
-    table.words(
-        "governed by", [f"{row['part']} {row['rule']} at {instant(row['time'])} ({cased(row['load_case'])})" for row in rows]
-    )
-    yield table.html("Groups of members: tubes before and after", f"Used: highest utilisation of the group's members. {NAMES}")
-    smaller = [row for row in rows if row["smaller"]]
-    if smaller:
-        proof = Columns().words("group", [row["name"] for row in smaller]).words("tube", [row["tube"] for row in smaller])
-        proof.words("one size smaller", [row["smaller"] for row in smaller])
-        proof.measured("would be used (%)", [_percent(row["smaller_utilisation"]) for row in smaller], "")
-        proof.words("by", [f"{row['smaller_part']} {row['smaller_rule']}" for row in smaller])
-        note = "Groups that are not listed have the smallest tube of the catalogue."
-        yield proof.html("Why no smaller tube is sufficient", note)
-
-
-def _drives(sizing: Record) -> Iterator[Markup]:
-    rows = sizing["drives"]
-    if not rows:
-        return
-    table = Columns().words("drives", [row["name"] for row in rows]).words("members", [len(row["members"]) for row in rows])
-    for what in ("screw", "gear", "motor"):
-        table.words(what, [row[what] or "-" for row in rows])
-    table.words("self-locking", ["yes" if row["self_locking"] else "no" for row in rows])
-    table.measured("used (%)", [_percent(row["utilisation"]) for row in rows], "")
-    table.words("governed by", [f"{row['member']} {row['quantity']}" if row["quantity"] else "-" for row in rows])
-    allowed = quantity(1 / float(sizing["drive_margin"]), "%")
-    note = f"With the margin of {sizing['drive_margin']:g} that is required, {allowed} may be used, strokes excepted."
-    against = [f"{row['name']}: {row['against']}" for row in rows if row["against"]]
-    yield table.html("Groups of drives", note)
-    if against:
-        yield element("p", f"Why no smaller motor: {' '.join(against)}")
-
-
-def _percent(share: float | None) -> float | None:
-    return None if share is None else 100 * share

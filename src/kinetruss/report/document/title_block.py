@@ -1,4 +1,4 @@
-"""What a reader asks of a report first: title block, logo, numbers of figures and tables."""
+"""What a reader asks of a report first: title block and logo."""
 
 from __future__ import annotations
 
@@ -7,11 +7,9 @@ import re
 import struct
 import xml.etree.ElementTree as ET
 import zlib
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinetruss.display import Markup, element, joined
 from kinetruss.errors import InputError
 from kinetruss.model import TitleBlock
 
@@ -52,48 +50,6 @@ def front_of(
         raise InputError(f"No paper called {paper!r}. Give one of {', '.join(PAPERS)}.")
     mark = "" if logo is None else read_logo(logo)
     return Front(block=filled(block, own, date), logo=mark, paper=paper, view="" if summary else view, summary=summary)
-
-
-# Numbers of figures and tables, and the sentence of a section that refers to them.
-
-FIGURE = re.compile(r'<figure class="(table|picture)([^"]*)">(.*?)</figure>', re.DOTALL)
-WORDS = {"table": "Table", "picture": "Figure"}
-
-
-class Numbers:
-    """Counts the figures and tables of a document in their order."""
-
-    def __init__(self) -> None:
-        self.count = {"table": 0, "picture": 0}
-
-    def numbered(self, inside: Markup) -> tuple[Markup, list[tuple[str, int]]]:
-        """The content with numbers before its captions, and the kinds and numbers in it."""
-        found: list[tuple[str, int]] = []
-
-        def marked(match: re.Match[str]) -> str:
-            kind, more, body = match.groups()
-            self.count[kind] += 1
-            found.append((kind, self.count[kind]))
-            label = f'<span class="label">{WORDS[kind]} {self.count[kind]}. </span>'
-            body = body.replace("<figcaption>", f"<figcaption>{label}", 1)
-            return f'<figure class="{kind}{more}" id="{kind}-{self.count[kind]}">{body}</figure>'
-
-        return Markup(FIGURE.sub(marked, inside)), found
-
-
-def referred(found: Sequence[tuple[str, int]]) -> Markup:
-    """Links to the figures and tables of a section: "Tables 2 to 4; Figure 1"; empty if there are none."""
-    groups = []
-    for kind, word in WORDS.items():
-        numbers = [number for one, number in found if one == kind]
-        if not numbers:
-            continue
-        first, last = (element("a", str(number), href=f"#{kind}-{number}") for number in (numbers[0], numbers[-1]))
-        if len(numbers) == 1:
-            groups.append(joined([f"{word} ", first]))
-        else:
-            groups.append(joined([f"{word}s ", first, " and " if len(numbers) == 2 else " to ", last]))
-    return Markup("; ".join(groups))
 
 
 # The logo of a title block: a PNG or SVG file, checked, as a data address that the page carries.
@@ -205,28 +161,9 @@ TITLE_WORDS = {"number": "document", "checked": "date of the check"}
 SIGNED = ("author", "checker")
 
 
-def title_block(block: TitleBlock) -> Markup:
-    """A table of two columns of entries; empty ones are lines to fill in, and author and checker sign."""
-    rows = [element("tr", *(_cells(block, name) for name in pair)) for pair in ROWS]
-    signed = [_line(f"signature of the {name}") for name in SIGNED]
-    return element("table", element("tbody", rows, element("tr", signed, class_="signed")), class_="block")
-
-
 def filled(block: TitleBlock | None, own: TitleBlock | None, date: str = "") -> TitleBlock:
     """A title block whose empty entries are those of a model, and its date that of the report."""
     fields = {"date": date}
     for given in (own, block):
         fields |= {} if given is None else {name: value for name, value in given.model_dump().items() if value}
     return TitleBlock(**fields)
-
-
-def _cells(block: TitleBlock, name: str) -> Markup:
-    said = getattr(block, name, "")
-    if not said:
-        return _line(TITLE_WORDS.get(name, name))
-    return Markup(f"{element('th', TITLE_WORDS.get(name, name), scope='row')}{element('td', said)}")
-
-
-def _line(name: str) -> Markup:
-    blank = element("td", element("span", class_="fill", role="img", aria_label="to fill in"))
-    return Markup(f"{element('th', name, scope='row')}{blank}")

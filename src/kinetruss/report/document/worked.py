@@ -10,17 +10,18 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss import runs
 from kinetruss.display import Markup, Table, element, instant, quantity
+from kinetruss.display.tables import Column, measured
 from kinetruss.errors import KinetrussError
-from kinetruss.report.document.columns import Columns
-from kinetruss.report.document.demands import cased
 from kinetruss.report.document.places import sample_of
 from kinetruss.report.document.sheets import Sheet, valued
 from kinetruss.report.document.worked_drives import drive_sheet
 from kinetruss.report.document.worked_members import beam_column_sheet, beam_yield_sheet, buckling_sheet, yield_sheet
 from kinetruss.report.member_diagrams import only
+from kinetruss.report.tables import cased
 from kinetruss.results.wide_tables import exceeds
 
 if TYPE_CHECKING:
+    from kinetruss.report.entries import Entry
     from kinetruss.results import Row
     from kinetruss.runs import MissionRun, RunResult
 
@@ -89,9 +90,9 @@ GIVEN, STEP = 44, 14
 """Characters of a source up to which it stands in the table of what is given, and of steps; longer ones are listed below."""
 
 
-def shown(sheets: Sequence[Sheet]) -> list[Markup]:
+def shown(sheets: Sequence[Sheet]) -> list[Entry]:
     """Every calculation: where and when, what is given, the steps, and the result beside what is allowed."""
-    found: list[Markup] = []
+    found: list[Entry] = []
     sources = _Sources()
     for k, sheet in enumerate(sheets, 1):
         name = element("h3", f"Calculation {k}. {sheet.title}")
@@ -165,44 +166,37 @@ def _where(sheet: Sheet) -> str:
     return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
-def _given(sheet: Sheet, sources: _Sources) -> Markup:
+def _given(sheet: Sheet, sources: _Sources) -> Table:
     rows = [
         (symbol(one.symbol), symbol(one.meaning), valued(one.value, one.unit, sheet.digits), sources.mark(one.source, GIVEN))
         for one in sheet.given
     ]
-    return _worked(Table(("symbol", "what is given", "value", "from"), rows, f"{sheet.title}: what is given").html, "given")
+    heads = ("symbol", "what is given", "value", "from")
+    return Table(heads, rows, f"{sheet.title}: what is given", style="worked given")
 
 
-def _samples(sheet: Sheet) -> list[Markup]:
+def _samples(sheet: Sheet) -> list[Table]:
     """The samples of an integral, in columns beside each other."""
     if not sheet.samples:
         return []
-    rows = -(-len(sheet.samples[0][2]) // BESIDE)
-    parts = []
-    for name, unit, values in sheet.samples:
-        pieces = [values[k : k + rows] for k in range(0, len(values), rows)]
-        full = [[*piece, *[None] * (rows - len(piece))] for piece in pieces]
-        parts.append(Columns().together([name] * len(full), full, unit))
-    table = Columns()
-    for k in range(len(parts[0].columns)):
-        for one in parts:
-            table.words(one.heads[k], one.columns[k])
-    return [table.html(f"{sheet.title}: the samples of the integral")]
+    count = len(sheet.samples[0][2])
+    rows = -(-count // BESIDE)
+
+    def column(name: str, unit: str, values: Sequence[float], begin: int) -> Column:
+        return measured(name, lambda k: values[begin + k] if begin + k < count else None, unit, group=name)
+
+    columns = [column(*one, begin) for begin in range(0, count, rows) for one in sheet.samples]
+    return [Table(columns, range(rows), f"{sheet.title}: the samples of the integral")]
 
 
-def _steps(sheet: Sheet, sources: _Sources) -> Markup:
+def _steps(sheet: Sheet, sources: _Sources) -> Table:
     rows = []
     for one in sheet.steps:
         numbers = "" if one.numbers == valued(one.value, one.unit, sheet.digits) else f" = {one.numbers}"
         line = symbol(f"{one.symbol} = {one.formula}{numbers}")
         rows.append((symbol(one.meaning), line, valued(one.value, one.unit, RESULT), sources.mark(one.source, STEP)))
     heads = ("step", "formula, and the numbers put in", "result", "source")
-    return _worked(Table(heads, rows, f"{sheet.title}: calculation").html, "steps")
-
-
-def _worked(table: Markup, kind: str) -> Markup:
-    """The table with a class of its own, for the widths of its columns."""
-    return Markup(table.replace('<figure class="table', f'<figure class="table worked {kind}', 1))
+    return Table(heads, rows, f"{sheet.title}: calculation", style="worked steps")
 
 
 def _notes(sheet: Sheet) -> list[Markup]:

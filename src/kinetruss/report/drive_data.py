@@ -1,0 +1,177 @@
+"""What a run asks of its drives, springs and motors: plain rows, SI, NaN for what is not known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss import actuators
+from kinetruss.model import turns
+from kinetruss.report.run_data import entry, peak, pose_at
+from kinetruss.strength.findings import demands
+
+if TYPE_CHECKING:
+    from kinetruss.runs import RunResult
+
+
+def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list[dict[str, Any]]:
+    """Largest force (N) or torque (N m), its time (s), rate (m/s, rad/s) and power (W) of every drive and load case.
+
+    shown : rows of the table of motors, whose drives are omitted.
+    """
+    found, elsewhere = [], {(row["active"], row["load_case"]) for row in shown}
+    for case, forces in run.forces.items():
+        if not forces.data.sizes["time"]:
+            continue
+        time, rates = forces.data["time"].values, run.motion.data["drive_velocity"].values
+        for k, name in enumerate(map(str, forces.data["drive"].values)):
+            drive, push, rate = run.model.all_drives[name], forces.data["drive_force"].values[:, k], rates[:, k]
+            if (getattr(drive, "bar", name) if drive.kind == "length" else name, case) in elsewhere or np.isnan(push).all():
+                continue
+            at = int(np.nanargmax(np.abs(push)))
+            found.append(
+                {
+                    "drive": name,
+                    "kind": drive.kind,
+                    "unit": "N m" if turns(drive) else "N",
+                    "load": float(push[at]),
+                    "time": float(time[at]),
+                    "pose": pose_at(forces, at),
+                    "rate": peak(rate),
+                    "power": peak(push * rate),
+                    "load_case": case,
+                }
+            )
+    return found
+
+
+def spring_loads(run: RunResult) -> list[dict[str, Any]]:
+    """Largest force (N) or moment (N m) of every spring and load case, its time (s) and the coordinate there (m or rad)."""
+    found = []
+    for case, forces in run.forces.items():
+        if "spring_force" not in forces.data or not forces.data.sizes["time"]:
+            continue
+        time, push, value = (forces.data[name].values for name in ("time", "spring_force", "spring_value"))
+        for k, name in enumerate(map(str, forces.data["spring"].values)):
+            at = int(np.argmax(np.abs(push[:, k])))
+            found.append(
+                {
+                    "spring": name,
+                    "angle": turns(run.model.springs[name].parts[0][0]),
+                    "load": float(push[at, k]),
+                    "value": float(value[at, k]),
+                    "time": float(time[at]),
+                    "load_case": case,
+                }
+            )
+    return found
+
+
+def drive_spans(run: RunResult) -> list[dict[str, Any]]:
+    """Smallest and largest position, largest rate and acceleration of every drive; m or rad, s; limits of travel."""
+    data = run.motion.data
+    if not data.sizes["time"] or "drive" not in data.sizes:
+        return []
+    found = []
+    for k, name in enumerate(map(str, data["drive"].values)):
+        drive = run.model.all_drives[name]
+        position, rate, acceleration = (data[f"drive_{one}"].values[:, k] for one in ("position", "velocity", "acceleration"))
+        member = run.model.active.get(getattr(drive, "bar", ""))
+        found.append(
+            {
+                "drive": name,
+                "kind": drive.kind,
+                "unit": "rad" if turns(drive) else "m",
+                "least": float(position.min()),
+                "largest": float(position.max()),
+                "rate": peak(rate),
+                "acceleration": peak(acceleration),
+                "travel": None if member is None or member.limits is None else [float(one) for one in member.limits],
+            }
+        )
+    return found
+
+
+# Motors and drive trains.
+
+HISTORIES = "thrust", "motor_speed", "motor_torque", "current", "voltage", "electrical_power"
+PEAKS = "motor_torque", "motor_torque_frictionless", "breakaway_torque", "holding_torque"
+TOTALS = (
+    "rms_torque", "rms_current", "drawn_energy", "returned_energy", "electrical_energy", "gear_ratio",
+    "largest_self_locking_lead",
+)  # fmt: skip
+
+
+def motors(run: RunResult) -> list[dict[str, Any]]:
+    """Peaks of every active member that has a screw, and of every angle that has a motor, by load case."""
+    found = []
+    for case, demand in run.demand.items():
+        if not demand.data.sizes["time"]:
+            continue
+        data = demand.data
+        nearest: dict[str, Any] = {}  # of each part its entry of highest utilisation
+        for row in demand.table() if "utilisation" in data else ():
+            if row.checked:
+                nearest.setdefault(row.part, {"quantity": row.rule, "utilisation": row.utilisation, "time": row.time})
+        for k, name in enumerate(map(str, data["active"].values)):
+            if all(np.isnan(data[history].values[:, k]).all() for history in ("screw_torque", "motor_torque")):
+                continue
+            turning = peak(data["drive_torque"].values[:, k]) if "drive_torque" in data else math.nan
+            found.append(
+                {
+                    "active": name,
+                    "load_case": case,
+                    **{key: peak(data[key].values[:, k]) for key in HISTORIES},
+                    "drive_torque": turning,
+                    "drawn_energy": float(data["drawn_energy"].values[k]) if "drawn_energy" in data else math.nan,
+                    "self_locking": bool(data["self_locking"].values[k]) if "self_locking" in data else None,
+                    "nearest_limit": nearest.get(name),
+                }
+            )
+    return found
+
+
+def trains(run: RunResult) -> list[dict[str, Any]]:
+    """Data of every motor and load case: largest torques (N m), root mean squares, energies (J), gear ratio, self-locking
+    lead.
+    """
+    found = []
+    for case, demand in run.demand.items():
+        data = demand.data
+        if not data.sizes["time"] or "gear_ratio" not in data:
+            continue
+        for k, name in enumerate(data["active"].values):
+            if np.isnan(data["motor_torque"].values[:, k]).all():
+                continue
+            peaks = {key: float(np.nanmax(np.abs(data[key].values[:, k]))) for key in PEAKS}
+            totals = {key: float(data[key].values[k]) for key in TOTALS}
+            screw = actuators.train_of(run.model, str(name)).screw
+            lead = math.nan if screw is None else screw.lead
+            found.append({"active": str(name), "load_case": case, **peaks, **totals, "lead": lead})
+    return found
+
+
+# Limits.
+
+
+def limits(run: RunResult) -> list[dict[str, Any]]:
+    """Largest demands on the drives compared with their limits, over all load cases, worst first."""
+    rows = demands(run.demand)
+    return [entry(row) for row in sorted(rows, key=lambda row: -row.utilisation if row.checked else math.inf)]
+
+
+def exceeded(run: RunResult) -> list[dict[str, Any]]:
+    """Every limit of a drive that the run exceeds, with its times: the worst of each quantity, then the rest, worst first."""
+    every = [
+        {"load_case": case, **{key: getattr(one, key) for key in one.__slots__}, "sentence": str(one)}
+        for case, demand in run.demand.items()
+        if demand.data.sizes["time"] and "limit" in demand.data
+        for one in actuators.exceeded(demand)
+    ]
+    every.sort(key=lambda one: -one["value"] / one["limit"])
+    # strokes are exceeded by a few percent, torques by multiples: show the worst of each quantity first
+    first = {one["quantity"]: k for k, one in reversed(list(enumerate(every)))}
+    return [every[k] for k in sorted(range(len(every)), key=lambda k: (first[every[k]["quantity"]] != k, k))]
