@@ -237,9 +237,9 @@ def checks(run: RunResult) -> dict[str, Any]:
     return {
         "singularity": singularity(run),
         "energy_balance": energy_balance(run),
+        "not_unique": not_unique(run),
         "not_held": list(run.finding.left_out),
         "motors": list(run.motion.attrs.get(MOTORS_UNCHECKED, ())) if run.demand else [],
-        "not_unique": not_unique(run),
     }
 
 
