@@ -62,7 +62,7 @@ def test_an_overload_is_red_and_what_was_not_checked_is_striped(show, tmp_path):
     assert shown.js("getComputedStyle(document.querySelector('.verdict')).backgroundColor") == f"rgb({red})"
     model = braced()
     shown = show(viewer.write(kt.statics.at_poses(model, [{}]), tmp_path / "braced.html", model=model))
-    assert "Strength not fully checked: 6 of 6 parts" in shown.page.locator(".verdict").inner_text()
+    assert "Strength not fully checked: 6 of 6 parts unchecked" in shown.page.locator(".verdict").inner_text()
     assert shown.page.locator("td.hatched", has_text="†").count() == 6
     assert shown.js("scene.members.every((_, k) => view.bars.hatchOf(k))")
     shown.page.get_by_label("colour by").select_option("utilisation")

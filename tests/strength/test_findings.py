@@ -65,12 +65,12 @@ def test_over_counts_the_others():
 def test_what_was_not_checked_is_no_ok():
     found = find(held(material=kt.Material(E=210e9, density=7850)))
     assert (found.state, len(found.unchecked), len(found.parts)) == ("open", 2, 2)
-    assert found.text == "Strength not fully checked: 2 of 2 parts"
+    assert found.text == "Strength not fully checked: 2 of 2 parts unchecked"
     assert found.governs.startswith("highest of what was checked: ")
     assert found.unchecked["left"] == ("yield: no yield strength", "beam-column: no yield strength")
     bars = {"left": ("A", "C"), "right": kt.Bar(ends=("B", "C"), section=kt.Tube(outer=0.02, inner=0.016), material="soft")}
     partly = held(bars=bars, materials={"soft": kt.Material(E=210e9, density=7850)})
-    assert find(partly).text == "Strength not fully checked: 1 of 2 parts"
+    assert find(partly).text == "Strength not fully checked: 1 of 2 parts unchecked"
     assert (find(None).state, find(None).text) == ("none", "Strength was not checked: no member has forces")
 
 

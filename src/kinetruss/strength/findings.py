@@ -85,7 +85,7 @@ class Finding:
         if not self.parts:
             return f"Strength was not checked{'' if self.partial else ': no member has forces'}"
         if self.unchecked:
-            return f"Strength not fully checked: {len(self.unchecked)} of {counted(len(self.parts), 'part')}"
+            return f"Strength not fully checked: {len(self.unchecked)} of {counted(len(self.parts), 'part')} unchecked"
         return "Strength not fully checked: not every action is included" if self.left_out else ""
 
     @property
