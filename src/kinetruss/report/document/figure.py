@@ -152,7 +152,9 @@ def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: 
         pressing = ", of pressure some of them and without values" * any(one.get("pressure") for one in header["loads"])
         words.append(f"arrows: forces on nodes{pressing}")
     there = {one["name"] for one in header["loads"]}
-    others = [name for name, load in model.loads.items() if name not in there and not isinstance(load, Pressure)]
+    chosen = None if case not in model.load_cases else model.load_cases[case].loads
+    acting = model.loads if chosen is None else [name for name, factor in chosen.items() if factor]
+    others = [name for name in acting if name not in there and not isinstance(model.loads[name], Pressure)]
     if others:
         words.append(f"not drawn: {', '.join(others)}")
     if any(header["gravity"]):
