@@ -29,7 +29,7 @@ NEEDED = (
     "verification/data/*.yaml",
     "library/examples/*.yaml",
     "library/examples/*.csv",
-    "report/document/style.css",
+    "report/style.css",
     "report/document/report.html.j2",
     "viewer/bundle.js",
     "viewer/*LICENSE*",

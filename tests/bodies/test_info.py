@@ -1,6 +1,8 @@
 """``kinetruss info`` tells every body in a line."""
 
 import json
+import re
+from itertools import pairwise
 
 from click.testing import CliRunner
 
@@ -12,8 +14,13 @@ def test_info(tmp_path):
     ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"])
     model = kt.library.bodies.box(ground, "crate", (1, 2, 3), mass=12.0, at=(0, 0, 1), nodes=["O"])
     path = str(kt.write(model, tmp_path / "m.yaml"))
-    line = "body crate: mass 12 kg, centre (0, 0, 1) m, principal moments 5, 10, 13 kg m^2, rigid, nodes "
-    assert line in CliRunner().invoke(main, ["info", path]).output
+    text = CliRunner().invoke(main, ["info", path]).output
+    head, row = next(pair for pair in pairwise(text.splitlines()) if pair[1].startswith("crate  "))
+    heads = ["body", "kind", "nodes", "mass", "centre (m)", "principal moments (kg m²)", "normalised volume"]
+    assert re.split(" {2,}", head) == heads
+    cells = dict(zip(heads, re.split(" {2,}", row), strict=True))
+    assert (cells["kind"], cells["mass"], cells["centre (m)"]) == ("rigid", "12 kg", "0, 0, 1")
+    assert cells["principal moments (kg m²)"] == "5, 10, 13"
     told = json.loads(CliRunner().invoke(main, ["info", path, "--json"]).output)["bodies"]
     assert told[0]["name"] == "crate"
     assert 0.5 < told[0]["normalised_volume"] <= 1

@@ -11,7 +11,7 @@ import kinetruss as kt
 from kinetruss import dynamics, kinematics
 from kinetruss.studio import Session
 from kinetruss.studio.files import Drafts, seen_now
-from kinetruss.studio.messages import SMALL
+from kinetruss.studio.session import SMALL
 from samples import fourbar, tripod
 
 

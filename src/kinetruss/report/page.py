@@ -10,6 +10,7 @@ from typing import Any
 
 from kinetruss.errors import InputError
 from kinetruss.report.entries import Entry, as_text
+from kinetruss.report.typesetting import bare_page
 from kinetruss.results.folder import whole_file
 
 
@@ -45,8 +46,6 @@ class Page:
             return self.as_html(self.found)
         if self.as_entries is None:
             return ""
-        from kinetruss.report.document.frame import bare_page
-
         return bare_page(list(self.as_entries(self.found)))
 
     def write(self, file: str | Path) -> Path:

@@ -4,8 +4,8 @@ load cases that no check includes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -13,8 +13,7 @@ from kinetruss.display import counted, instant, number
 from kinetruss.mechanics import not_unique_note
 
 if TYPE_CHECKING:
-    from kinetruss.results import Forces
-    from kinetruss.runs.results import RunResult
+    from kinetruss.results import Forces, Motion, Result, Simulation
 
 
 POOR_BALANCE = 1e-6
@@ -24,7 +23,26 @@ STILL = 1e-12
 """Displacement, as a fraction of the structure's size, below which a motion is round-off."""
 
 
-def poses_of(run: RunResult) -> list[str]:
+class Ran(Protocol):
+    """What of a run its doubts rest on."""
+
+    @property
+    def motion(self) -> Motion: ...  # noqa: D102
+
+    @property
+    def forces(self) -> Mapping[str, Forces]: ...  # noqa: D102
+
+    @property
+    def statics(self) -> Mapping[str, Result]: ...  # noqa: D102
+
+    @property
+    def simulation(self) -> Simulation | None: ...  # noqa: D102
+
+    @property
+    def message(self) -> str: ...  # noqa: D102
+
+
+def poses_of(run: Ran) -> list[str]:
     """Names of the poses of a run at rest; empty for a motion, whose samples have times."""
     data = run.motion.data
     return [str(name) for name in data["pose"].values] if "pose" in data.coords else []
@@ -39,7 +57,7 @@ def moment(time: float, poses: Sequence[str]) -> str:
     return f"pose {poses[round(time)]}" if poses and time == time else f"t = {instant(time)}"
 
 
-def doubts(run: RunResult) -> Iterator[str]:
+def doubts(run: Ran) -> Iterator[str]:
     """Sentences on what makes the numbers of a run unsure, most serious first."""
     balance, gauge = energy_balance(run), singularity(run)
     if balance is not None and balance["relative"] > POOR_BALANCE:
@@ -66,7 +84,7 @@ def doubts(run: RunResult) -> Iterator[str]:
             yield f"At the singular position passed at {one} the tolerance cannot distinguish the branches."
 
 
-def cases_left_out(run: RunResult) -> list[str]:
+def cases_left_out(run: Ran) -> list[str]:
     """A sentence on load cases with displacements and without section forces, so that no check includes them."""
     names = [case for case in run.statics if run.forces and case not in run.forces]
     return (
@@ -74,17 +92,17 @@ def cases_left_out(run: RunResult) -> list[str]:
     )
 
 
-def remarks(run: RunResult) -> str:
+def remarks(run: Ran) -> str:
     """The message of a run without what its doubts say."""
     return run.message.replace(not_unique_note(not_unique(run)), "").strip() if run.message else ""
 
 
-def not_unique(run: RunResult) -> list[str]:
+def not_unique(run: Ran) -> list[str]:
     """Members whose force is not unique in a load case."""
     return list(dict.fromkeys(name for forces in run.forces.values() for name in forces.attrs.get("not_unique", [])))
 
 
-def singularity(run: RunResult) -> dict[str, float] | None:
+def singularity(run: Ran) -> dict[str, float] | None:
     """The smallest measure of singularity and its time; None where it is not known."""
     gauge = run.motion.arrays["singularity"].values if "singularity" in run.motion.arrays else np.zeros(0)
     if not len(gauge) or np.isnan(gauge).all():
@@ -93,7 +111,7 @@ def singularity(run: RunResult) -> dict[str, float] | None:
     return {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
 
 
-def energy_balance(run: RunResult) -> dict[str, Any] | None:
+def energy_balance(run: Ran) -> dict[str, Any] | None:
     """The power balance of the load case that closes worst: its largest error and the largest power, W, and their ratio; None
     for poses at rest, which have no power.
     """
@@ -103,7 +121,7 @@ def energy_balance(run: RunResult) -> dict[str, Any] | None:
     return max(found, key=lambda entry: float(entry["relative"]), default=None)
 
 
-def _exchanged(run: RunResult) -> float:
+def _exchanged(run: Ran) -> float:
     """Largest power between kinetic and potential energy of a simulation, W; a free mechanism may have no other power."""
     if run.simulation is None or run.simulation.data.sizes["time"] < 2:
         return 0.0
@@ -111,7 +129,7 @@ def _exchanged(run: RunResult) -> float:
     return float(np.max(np.abs(np.diff(data["kinetic_energy"].values) / np.diff(data["time"].values))))
 
 
-def _stands_still(run: RunResult) -> bool:
+def _stands_still(run: Ran) -> bool:
     """True if all motion is round-off, so that fractions of the largest power have no meaning."""
     data = run.motion.data
     if not data["time"].size:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.studio.messages import Session as Session
     from kinetruss.studio.serving import serve as serve
-    from kinetruss.studio.session import Session as Session
 
 __getattr__, __dir__, __all__ = late(__name__)

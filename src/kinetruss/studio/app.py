@@ -16,8 +16,9 @@ from starlette.responses import HTMLResponse, PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kinetruss.errors import KinetrussError
+from kinetruss.studio.messages import Session
 from kinetruss.studio.requested_runs import Busy
-from kinetruss.studio.session import Answer, Session
+from kinetruss.studio.session import Answer
 from kinetruss.viewer import live_page
 
 PAGES = 16

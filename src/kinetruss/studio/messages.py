@@ -5,28 +5,22 @@ from __future__ import annotations
 import inspect
 import json
 from collections.abc import Callable
+from contextlib import nullcontext
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError, create_model
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
 from kinetruss.studio import drawing, edits, requested_runs
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
+from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
+from kinetruss.studio.session import LARGE, Answer, Desk
 from kinetruss.studio.shown import numbers
 
-if TYPE_CHECKING:
-    from kinetruss.studio.session import Answer, Session
-
-SMALL, LARGE = 262_144, 4_000_000
-"""Largest size of a message of a page with sliders and of a drawing page, bytes; a text of 20,000 bars has about a million."""
-
-Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e15, le=1e15)]
-Name = Annotated[str, Field(min_length=1, max_length=200)]
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
-Values = Annotated[dict[Name, Finite], Field(max_length=10_000)]
 Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
 Coordinate = Annotated[float, Field(allow_inf_nan=False, ge=-1e9, le=1e9)]
 Typed = Coordinate | Annotated[str, Field(max_length=100)]
@@ -43,29 +37,6 @@ Samples = Annotated[int, Field(ge=2, le=2001)]
 Number = Annotated[int, Field(ge=1)]
 Words = Annotated[str, Field(max_length=200)]
 Long = Annotated[str, Field(max_length=LARGE)]
-
-
-class KeyFrame(BaseModel):
-    """Drive values at a time, s."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-    time: Annotated[Finite, Field(ge=0, le=1e6)]
-    values: Values
-
-
-FrameList = Annotated[tuple[KeyFrame, ...], Field(max_length=500)]
-_FRAMES: TypeAdapter[tuple[KeyFrame, ...]] = TypeAdapter(FrameList)
-
-
-def frames_of(rows: Any) -> tuple[KeyFrame, ...]:
-    """Key frames from plain data.
-
-    Raises
-    ------
-    ValueError : they are none.
-    """
-    return _FRAMES.validate_python(rows)
 
 
 Act = Callable[..., "Answer"]
@@ -114,6 +85,21 @@ def message_of(text: str | bytes, most: int) -> tuple[str, Callable[[Session], A
 
 def _called(act: Act, given: dict[str, Any], session: Session) -> Answer:
     return act(session, **given)
+
+
+class Session(Desk):
+    """A model on the server: messages in, answers out."""
+
+    def answer(self, text: str | bytes) -> Answer:
+        """The answer to one message: bytes (a scene, a state) or a record for JSON; errors are records, and change nothing."""
+        try:
+            name, act = message_of(text, self.most)
+            with nullcontext() if name in BESIDE else self.lock:
+                return act(self)
+        except ModelError as error:
+            return {"kind": "error", "message": " ".join(str(fault) for fault in error.faults[:3])}
+        except KinetrussError as error:
+            return {"kind": "error", "message": str(error)}
 
 
 # Pose and history.

@@ -9,9 +9,10 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kinetruss import dynamics, kinematics, runs
 from kinetruss.errors import InputError, KinetrussError
@@ -27,7 +28,33 @@ from kinetruss.viewer import page, scene
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.studio.messages import KeyFrame
+
+Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e15, le=1e15)]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Values = Annotated[dict[Name, Finite], Field(max_length=10_000)]
+
+
+class KeyFrame(BaseModel):
+    """Drive values at a time, s."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    time: Annotated[Finite, Field(ge=0, le=1e6)]
+    values: Values
+
+
+FrameList = Annotated[tuple[KeyFrame, ...], Field(max_length=500)]
+_FRAMES: TypeAdapter[tuple[KeyFrame, ...]] = TypeAdapter(FrameList)
+
+
+def frames_of(rows: Any) -> tuple[KeyFrame, ...]:
+    """Key frames from plain data.
+
+    Raises
+    ------
+    ValueError : they are none.
+    """
+    return _FRAMES.validate_python(rows)
 
 
 SAMPLES = 181

@@ -57,8 +57,8 @@ def serve(
     model = None if file is None else read(file, max_size=max_size)
     text = "" if file is None or file.suffix.lower() == ".json" else file.read_text(encoding="utf-8-sig")
     uvicorn, application = _packages()
-    from kinetruss.studio.messages import LARGE
-    from kinetruss.studio.session import Session
+    from kinetruss.studio.messages import Session
+    from kinetruss.studio.session import LARGE
 
     drafts = Drafts(target, "untitled" if file is None else file.stem)
     drawing = Session(model, file, target, seen, text, dim=dim, draw=True, drafts=drafts)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import secrets
 import threading
 from collections.abc import Mapping, Sequence
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,21 +17,23 @@ from kinetruss.model import Model, nearest, turns
 from kinetruss.studio import shown
 from kinetruss.studio.drawing import Drawing, State, fresh, model_of, read_text
 from kinetruss.studio.files import Drafts, FileThereError, Seen, save, seen_now
-from kinetruss.studio.messages import BESIDE, LARGE, SMALL, KeyFrame, frames_of, message_of
 from kinetruss.studio.poses import Instant, Reached, instant, posed, present_values, range_of, reach, stand, start_of
-from kinetruss.studio.requested_runs import NAME, Results, travelled, way_of, with_way
+from kinetruss.studio.requested_runs import NAME, KeyFrame, Results, frames_of, travelled, way_of, with_way
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.studio.edits import Data
 
+SMALL, LARGE = 262_144, 4_000_000
+"""Largest size of a message of a page with sliders and of a drawing page, bytes; a text of 20,000 bars has about a million."""
+
 Record = dict[str, Any]
 Answer = bytes | Record
 
 
-class Session:
-    """A model on the server: messages in, answers out.
+class Desk:
+    """A model on the server, what changes it, and what pages see of it; a `Session` takes messages.
 
     model : the model, or None for an empty drawing of `dim` dimensions. file : its file, or None. folder : the only folder in
     which it can be saved. seen : stamp of the file when the model was read (default: its present stamp). text : YAML text of
@@ -83,17 +84,6 @@ class Session:
         """The answer to a page that has just connected."""
         with self.lock:
             return shown.first(self) if self.draw else shown.scene_of(self, self.remark)
-
-    def answer(self, text: str | bytes) -> Answer:
-        """The answer to one message: bytes (a scene, a state) or a record for JSON; errors are records, and change nothing."""
-        try:
-            name, act = message_of(text, self.most)
-            with nullcontext() if name in BESIDE else self.lock:
-                return act(self)
-        except ModelError as error:
-            return {"kind": "error", "message": " ".join(str(fault) for fault in error.faults[:3])}
-        except KinetrussError as error:
-            return {"kind": "error", "message": str(error)}
 
     def shown(self, note: str = "") -> Answer:
         """What pages see of the present state."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import time
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -23,22 +23,57 @@ from kinetruss.units import parse
 from kinetruss.viewer import pack, scene
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
     from numpy.typing import NDArray
 
+    from kinetruss.model import Model
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
-    from kinetruss.studio.drawing import Drawing
+    from kinetruss.studio.drawing import Drawing, State
+    from kinetruss.studio.files import Drafts
     from kinetruss.studio.judging import Judged
-    from kinetruss.studio.poses import Instant
-    from kinetruss.studio.session import Session
+    from kinetruss.studio.poses import Instant, Reached
+    from kinetruss.studio.requested_runs import KeyFrame, Results
 
 Record = dict[str, Any]
+
+
+class Shown(Protocol):
+    """What of a session pages see."""
+
+    file: Path | None
+    folder: Path | None
+    drafts: Drafts | None
+    drawing: Drawing
+    original: State
+    saved: State
+    case: str | None
+    frames: Sequence[KeyFrame]
+    key: str
+    unkept: str
+    offered: tuple[str, float] | None
+    results: Results
+
+    @property
+    def model(self) -> Model: ...  # noqa: D102
+
+    @property
+    def pose(self) -> Reached: ...  # noqa: D102
+
+    @property
+    def lost(self) -> list[str]: ...  # noqa: D102
+
+    def instant(self, fine: bool = True) -> Instant: ...  # noqa: D102
+
+    def limits(self, name: str) -> tuple[float, float, bool]: ...  # noqa: D102
 
 
 # A live model.
 
 
-def scene_of(session: Session, note: str = "") -> bytes:
+def scene_of(session: Shown, note: str = "") -> bytes:
     """The whole scene, and everything that can be changed."""
     now = session.instant()
     picture = scene(now.forces, model=session.model)
@@ -46,7 +81,7 @@ def scene_of(session: Session, note: str = "") -> bytes:
     return framed(header, pack(picture))
 
 
-def state_of(session: Session, note: str = "", fine: bool = False) -> bytes:
+def state_of(session: Shown, note: str = "", fine: bool = False) -> bytes:
     """The present pose: drive values in the header, positions and forces as float32 after it."""
     now = session.instant(fine)
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in now.arrays.items() if name != "time"}
@@ -61,7 +96,7 @@ def run_of(result: RunResult) -> bytes:
     return framed({"kind": "run", "worst": worst_rows(result), "note": note}, pack(scene(result)))
 
 
-def numbers(session: Session) -> Record:
+def numbers(session: Shown) -> Record:
     """All numbers of the present pose in double precision."""
     pose, data = session.pose, session.instant().forces.data
     names = [name for name in ("member_force", "reaction", "drive_force", "end_force", "joint_force") if name in data]
@@ -84,7 +119,7 @@ def framed(header: Record, *blocks: bytes) -> bytes:
     return b"".join([len(text).to_bytes(4, "little"), text, *blocks])
 
 
-def _pose_record(session: Session, now: Instant, note: str) -> Record:
+def _pose_record(session: Shown, now: Instant, note: str) -> Record:
     pose = session.pose
     return {
         "values": pose.values,
@@ -98,7 +133,7 @@ def _pose_record(session: Session, now: Instant, note: str) -> Record:
     }
 
 
-def _setup(session: Session) -> Record:
+def _setup(session: Shown) -> Record:
     """The data for the controls of the page."""
     model, first, drafts = session.model, session.original.model or session.model, session.drafts
     drives = []
@@ -141,7 +176,7 @@ def _history(drawing: Drawing) -> Record:
 # A drawing.
 
 
-def first(session: Session) -> Record:
+def first(session: Shown) -> Record:
     """The record of a drawing page that has just connected."""
     offered = session.offered
     offer = offered and {"when": offered[1], "ago": time.time() - offered[1], "lines": offered[0].count("\n")}
@@ -154,7 +189,7 @@ def first(session: Session) -> Record:
     }
 
 
-def drawing_of(session: Session, light: bool = False) -> Record:
+def drawing_of(session: Shown, light: bool = False) -> Record:
     """Everything that a drawing page shows. light : without text and records, and without the whole text of the mobility."""
     drawing = session.drawing
     data, found = drawing.state.data, drawing.found

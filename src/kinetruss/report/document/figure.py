@@ -36,7 +36,7 @@ NAMED, FEW = 40, 12
 """Number of nodes up to which their names are shown, above it those of supports and loads only; number of supports up to which
 all of them are named.
 """
-TALLEST, SMALL, LOW = 4.6, 2.2, 3.4
+TALLEST, SMALL, LOW = 4.6, 2.1, 3.4
 """Largest height of the structure, inches: at most half of a sheet; in a summary; of the deflected shape."""
 SHARE = 0.1
 """Size of the largest drawn displacement at most, of the structure."""
