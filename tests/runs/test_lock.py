@@ -284,6 +284,27 @@ def test_a_folder_replaced_in_the_middle_of_a_block_is_not_said_to_hold_it(tmp_p
     writer.release()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere no path leads to a folder that was renamed")
+def test_a_folder_that_is_renamed_between_check_and_write_takes_the_block_along(tmp_path, monkeypatch):
+    path, check = tmp_path / "run", _lock.Lock.check
+    writer = create(path, ledger(), '"old"')
+    writer.append(rows(0))
+
+    def replaced(self: _lock.Lock) -> None:
+        check(self)
+        path.rename(tmp_path / "moved")
+        create(path, ledger(), '"new"').release()
+
+    monkeypatch.setattr(_lock.Lock, "check", replaced)
+    writer.append(rows(2), state={"x": np.zeros(2)})
+    monkeypatch.undo()
+    assert not open_store(path).ledger.committed
+    assert not (path / "state").exists()
+    assert open_store(tmp_path / "moved").read("motion").q.values.tolist() == [0, 1, 2, 3]
+    with pytest.raises(StoreError, match="was removed or replaced"):
+        writer.close("COMPLETED")
+
+
 def test_a_link_is_as_good_as_its_folder(tmp_path):
     (tmp_path / "real").mkdir()
     link = tmp_path / "link"

@@ -47,17 +47,28 @@ def cannot_write(path: Path, error: OSError) -> StoreError:
 # folder. The file is removed when its writer ends.
 
 LOCK = "kinetruss.lock"
+_HANDLES = Path("/proc/self/fd")
 TRIES, PAUSE = 25, 0.02
 """How often a lock is tried, and seconds between: one who only asks for the writer holds it for some microseconds."""
 
 
 @dataclass(eq=False)
 class Lock:
-    """A folder held by this process."""
+    """A folder held by this process.
+
+    folder : a path that leads to the held folder even after it was renamed and another one took its name, where the system has
+    such a path (Linux); else `path`. So nothing that was checked before is written into somebody else's folder.
+    """
 
     path: Path
     handle: int | None
     process: int
+    place: int | None = None
+
+    @property
+    def folder(self) -> Path:
+        """See above."""
+        return self.path if self.place is None else _HANDLES / str(self.place)
 
     def check(self) -> None:
         """Raise an error if the folder is no longer the one that was locked.
@@ -80,7 +91,9 @@ class Lock:
             with suppress(OSError):
                 (self.path / LOCK).unlink()
         os.close(self.handle)
-        self.handle = None
+        if self.place is not None:
+            os.close(self.place)
+        self.handle = self.place = None
 
 
 def hold(path: Path) -> Lock:
@@ -102,7 +115,7 @@ def hold(path: Path) -> Lock:
             os.close(handle)
         else:
             _sign(path, handle)
-            return Lock(path, handle, os.getpid())
+            return Lock(path, handle, os.getpid(), _place(path, handle))
     raise StoreError(_refusal(path))
 
 
@@ -201,6 +214,20 @@ def _stands(path: Path, handle: int) -> bool:
         return os.path.samestat(os.fstat(handle), (path / LOCK).stat())
     except OSError:
         return False
+
+
+def _place(path: Path, handle: int) -> int | None:
+    """An open handle of the locked folder; None where the system has no path by a handle."""
+    if not _HANDLES.is_dir():
+        return None
+    try:
+        place = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+    except OSError:
+        return None
+    if _stands(_HANDLES / str(place), handle):
+        return place
+    os.close(place)  # the folder was replaced since it was locked, which `Lock.check` will tell
+    return None
 
 
 def _sign(path: Path, handle: int) -> None:

@@ -118,10 +118,10 @@ class Writer:
         try:
             self._archive.append(dict(encoded(datasets, self.ledger, self._attributes(datasets))))
             if state is not None:
-                write_state(self.path, count, state)
+                write_state(self._lock.folder, count, state)
             self._commit(committed=count, wall_time=wall_time)
             if state is not None:
-                drop_states(self.path, count)
+                drop_states(self._lock.folder, count)
         except OSError as error:
             raise self._failed(error) from error
 
@@ -144,7 +144,7 @@ class Writer:
             self._archive.seal()
             wall = self.ledger.wall_time if wall_time is None else wall_time
             self._commit(state="finished", status=status, message=message, wall_time=wall)
-            drop_states(self.path)
+            drop_states(self._lock.folder)
         except OSError as error:
             raise self._failed(error) from error
         finally:
@@ -170,7 +170,7 @@ class Writer:
 
     def _commit(self, **changes: Any) -> None:
         ledger = replace(self.ledger, length=self._archive.length, **changes)
-        write_ledger(self.path, ledger)
+        write_ledger(self._lock.folder, ledger)
         self.ledger = ledger
 
 
@@ -200,11 +200,11 @@ def create(path: Path, ledger: Ledger, model_text: str, *, overwrite: bool = Fal
     except OSError as error:
         raise cannot_write(path, error) from error
 
-    def begin() -> Ledger:
-        clear(path, keep=(LEDGER,))
-        write_ledger(path, ledger)
-        (path / ARCHIVE).touch()
-        atomic(path / MODEL, model_text)  # from here on the run can be read and continued
+    def begin(folder: Path) -> Ledger:
+        clear(folder, keep=(LEDGER,))
+        write_ledger(folder, ledger)
+        (folder / ARCHIVE).touch()
+        atomic(folder / MODEL, model_text)  # from here on the run can be read and continued
         return ledger
 
     return _opened(path, ledger, begin, held)
@@ -223,8 +223,9 @@ def store_whole(
     StoreError : the folder cannot be written, or another process writes it.
     """
     first = replace(ledger, committed=0, samples=ledger.committed, block=max(1, ledger.committed))
-    with claimed(path, overwrite):
-        draft = path / DRAFT
+    with claimed(path, overwrite) as held:
+        folder = held.folder
+        draft = folder / DRAFT
         try:
             remove(draft)
             archive = Archive(draft)
@@ -233,11 +234,11 @@ def store_whole(
                 archive.seal(durable=False)
             finally:
                 archive.close()
-            clear(path, keep=(DRAFT, LEDGER))
+            clear(folder, keep=(DRAFT, LEDGER))
             # the ledger first, by which the folder is known as this package's; without its model it is not yet a run
-            write_ledger(path, replace(ledger, length=archive.length), durable=False)
-            draft.rename(path / ARCHIVE)
-            atomic(path / MODEL, model_text, durable=False)
+            write_ledger(folder, replace(ledger, length=archive.length), durable=False)
+            draft.rename(folder / ARCHIVE)
+            atomic(folder / MODEL, model_text, durable=False)
         except OSError as error:
             raise StoreError(failure(path, replace(ledger, committed=0), error)) from error
         finally:
@@ -253,26 +254,26 @@ def reopen(path: Path, ledger: Ledger, held: Lock | None = None) -> Writer:
     StoreError : another process is writing it; its archive is damaged, or cannot be written.
     """
 
-    def begin() -> Ledger:
+    def begin(folder: Path) -> Ledger:
         same = replace(ledger, status="", message="")
-        found = _converted(path, same) if ledger.kinetruss_run < FORMAT else same
-        if (path / ARRAYS).exists():
+        found = _converted(folder, same) if ledger.kinetruss_run < FORMAT else same
+        if (folder / ARRAYS).exists():
             # the model is written again, so that those who read the files are told that they are gone
-            atomic(path / MODEL, (path / MODEL).read_text("utf-8"))
-            remove(path / ARRAYS)
+            atomic(folder / MODEL, (folder / MODEL).read_text("utf-8"))
+            remove(folder / ARRAYS)
         return found
 
     return _opened(path, ledger, begin, held)
 
 
-def _opened(path: Path, ledger: Ledger, begin: Callable[[], Ledger], held: Lock | None) -> Writer:
+def _opened(path: Path, ledger: Ledger, begin: Callable[[Path], Ledger], held: Lock | None) -> Writer:
     """A writer of a folder that `begin` has made ready; the lock is released if that fails."""
     with ExitStack() as undone:
         lock = held or hold(path)
         undone.callback(lock.release)
         try:
-            ready = begin()
-            archive = Archive(path / ARCHIVE, ready.length)
+            ready = begin(lock.folder)
+            archive = Archive(lock.folder / ARCHIVE, ready.length)
         except ValueError as error:
             raise StoreError(f"{path} is damaged: {error}. Run it again with --overwrite.") from error
         except OSError as error:
