@@ -143,7 +143,7 @@ def listed(file: BinaryIO) -> Members:
     try:
         with zipfile.ZipFile(file) as archive:
             return {one.filename: Member(one.header_offset, one.file_size, one.CRC) for one in archive.infolist()}
-    except (zipfile.BadZipFile, struct.error, NotImplementedError) as error:
+    except (zipfile.BadZipFile, struct.error, NotImplementedError) as error:  # the last: zipfile's, of a version it cannot read
         raise ValueError(f"its archive has no directory ({error})") from error
 
 

@@ -54,11 +54,7 @@ TRIES, PAUSE = 25, 0.02
 
 @dataclass(eq=False)
 class Lock:
-    """A folder held by this process.
-
-    folder : a path that leads to the held folder even after it was renamed and another one took its name, where the system has
-    such a path (Linux); else `path`. So nothing that was checked before is written into somebody else's folder.
-    """
+    """A folder held by this process. handle : of the lock file; place : of the folder, where the system has paths by handles."""
 
     path: Path
     handle: int | None
@@ -67,7 +63,10 @@ class Lock:
 
     @property
     def folder(self) -> Path:
-        """See above."""
+        """A path that leads to the held folder even after it was renamed and another one took its name; elsewhere `path`.
+
+        What is written there after a check lands in no other run's folder.
+        """
         return self.path if self.place is None else _HANDLES / str(self.place)
 
     def check(self) -> None:
