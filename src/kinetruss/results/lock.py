@@ -54,7 +54,7 @@ TRIES, PAUSE = 25, 0.02
 
 @dataclass(eq=False)
 class Lock:
-    """A folder held by this process. handle : of the lock file; place : of the folder, where the system has paths by handles."""
+    """A folder held by this process. handle : of the lock file. place : of the folder, on systems with paths by handles."""
 
     path: Path
     handle: int | None
