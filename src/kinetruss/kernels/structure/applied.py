@@ -25,7 +25,7 @@ from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.laws import add_law_forces, add_pin_forces
 from kinetruss.kernels.structure.mass import add_varying_forces
 from kinetruss.kernels.structure.springs import apply_springs
-from kinetruss.kernels.structure.terms import term_gradient
+from kinetruss.kernels.structure.terms import add_term, term_gradient
 
 # Loads on bodies: forces at points, couples, pressures, as nodal forces (mechanics.loads).
 FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
@@ -168,16 +168,11 @@ def _table(time: F1, value: F1, first: int, last: int, t: float) -> float:
 @kernel
 def _add_torque(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
     """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
-    kind, at, data = eq.term_kind, eq.term_at, eq.term_data
-    # T dq/dx: g at P, -w1 g and -w2 g at nodes 1 and 2
+    form, at, data = eq.term_form, eq.term_at, eq.term_data
+    # T dq/dx
     for k in range(first, last):
-        term_gradient(kind, at, data, k, x, scratch)
-        P, one, two = at[k, 0], at[k, 1], at[k, 2]
-        for c in range(3):
-            force = amount * scratch[c]
-            f[P + c] += force
-            f[one + c] -= scratch[3] * force
-            f[two + c] -= scratch[4] * force
+        term_gradient(form, at, data, k, x, scratch)
+        add_term(at, k, scratch, amount, f)
 
 
 @kernel_late(allocates=True)
@@ -189,7 +184,7 @@ def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
         eq.force_B,
         eq.force_ptr,
     )
-    time, value, scratch = eq.force_time, eq.force_value, np.empty(10)
+    time, value, scratch = eq.force_time, eq.force_value, np.empty(24)
     # torques on sums alone
     for g in range(kind.size):
         if kind[g] == e.SUM_FORCE:
@@ -241,7 +236,7 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
         apply_springs(eq, x, v, f)
     if eq.force_kind.size:
         _given(eq, t, x, f)
-        if eq.term_kind.size:
+        if eq.term_form.size:
             _couples(eq, t, x, f)
     if eq.follower_mode.size:
         followers(eq, t, x, f)

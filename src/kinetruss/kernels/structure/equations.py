@@ -127,7 +127,7 @@ class Equations(Structure):
     damp_eight: F2
     sum_row: I1
     sum_ptr: I1
-    term_kind: I1
+    term_form: I2
     term_at: I2
     sparse_sum_entry: I2
     sum_scale: F1

@@ -17,7 +17,7 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Ints, Vector
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.structure import ALONG, FIXED_AXIS, Structure
-from kinetruss.kernels.structure.terms import nearest_turn, term_along, term_gradient, term_rates, term_value
+from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_rates, term_value
 
 SMALL = 1e-6
 """Change of a deflection, as a fraction of it, below which the mean force over it is that in its middle."""
@@ -77,7 +77,7 @@ def _deflection(s: Structure, k: int, x: F1) -> float:
     """e of spring k at x."""
     value = 0.0
     for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-        value += term_value(s.spring_kind, s.spring_at, s.spring_data, t, x)
+        value += term_value(s.spring_form, s.spring_at, s.spring_data, t, x)
     return nearest_turn(value - s.spring[k, 1], s.spring[k, 7])
 
 
@@ -86,7 +86,7 @@ def _rate(s: Structure, k: int, x: F1, v: F1, scratch: F1) -> float:
     """c' of spring k; the increment of c to first order where v is one."""
     rate = 0.0
     for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-        term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
+        term_gradient(s.spring_form, s.spring_at, s.spring_data, t, x, scratch)
         rate += term_along(s.spring_at, t, scratch, v)
     return rate
 
@@ -94,14 +94,8 @@ def _rate(s: Structure, k: int, x: F1, v: F1, scratch: F1) -> float:
 @kernel_bare
 def _push_term(s: Structure, t: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
     """f += amount times the gradient of term t."""
-    term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
-    P, one, two = s.spring_at[t, 0], s.spring_at[t, 1], s.spring_at[t, 2]
-    # g at P, -w1 g and -w2 g at nodes 1 and 2
-    for c in range(3):
-        force = amount * scratch[c]
-        f[P + c] += force
-        f[one + c] -= scratch[3] * force
-        f[two + c] -= scratch[4] * force
+    term_gradient(s.spring_form, s.spring_at, s.spring_data, t, x, scratch)
+    add_term(s.spring_at, t, scratch, amount, f)
 
 
 @kernel_bare
@@ -113,7 +107,7 @@ def _push(s: Structure, k: int, amount: float, x: F1, f: F1, scratch: F1) -> Non
 
 @kernel
 def _add_forces(s: Structure, x: F1, v: F1, f: F1) -> None:
-    scratch = np.empty(10)
+    scratch = np.empty(24)
     # -F dc/dx
     for k in range(s.spring.shape[0]):
         force = _elastic(s, k, _deflection(s, k, x))[0] + _resisting(s, k, _rate(s, k, x, v, scratch))[0]
@@ -144,7 +138,7 @@ def spring_energies(s: Equations, x: F1) -> float:
 @kernel_late(allocates=True)
 def spring_balance(s: Structure, x: F1, v: F1, out: F1) -> None:
     """Energy (J) of all springs, its rate (W) and what their damping and friction take (W), added to out (3,)."""
-    scratch = np.empty(10)
+    scratch = np.empty(24)
     # V, V' c', R c'
     for k in range(s.spring.shape[0]):
         rate = _rate(s, k, x, v, scratch)
@@ -160,7 +154,7 @@ def spring_histories(s: Structure, x: F2, v: F2, out: Floats) -> None:
 
     v : or one row for all times.
     """
-    scratch = np.empty(10)
+    scratch = np.empty(24)
     for i in range(x.shape[0]):
         for k in range(s.spring.shape[0]):
             e = _deflection(s, k, x[i])
@@ -173,7 +167,7 @@ def spring_histories(s: Structure, x: F2, v: F2, out: Floats) -> None:
 @kernel
 def spring_slopes(s: Structure, x: F1, v: F1, out: F2) -> None:
     """F, dF/dc and dF/dc' of every spring at x, v (3 n,) into out (springs, 3)."""
-    scratch = np.empty(10)
+    scratch = np.empty(24)
     for k in range(s.spring.shape[0]):
         force, slope, _ = _elastic(s, k, _deflection(s, k, x))
         resisting, damping = _resisting(s, k, _rate(s, k, x, v, scratch))
@@ -184,13 +178,11 @@ def spring_slopes(s: Structure, x: F1, v: F1, out: F2) -> None:
 def _add_curvature(s: Structure, k: int, x: F1, v: F1, amount: float, column: F1, scratch: F1) -> None:
     """column += amount times the Hessian of spring k times v, in the order of the nodes of the spring."""
     for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-        term_rates(s.spring_kind, s.spring_at, s.spring_data, t, x, v, scratch)
-        P, one, two = 3 * s.spring_local[t, 0], 3 * s.spring_local[t, 1], 3 * s.spring_local[t, 2]
-        # the gradient is g at P, -w1 g and -w2 g at nodes 1 and 2: the rates of these
-        for c in range(3):
-            column[P + c] += amount * scratch[5 + c]
-            column[one + c] -= amount * (scratch[8] * scratch[c] + scratch[3] * scratch[5 + c])
-            column[two + c] -= amount * (scratch[9] * scratch[c] + scratch[4] * scratch[5 + c])
+        term_rates(s.spring_form, s.spring_at, s.spring_data, t, x, v, scratch)
+        for n in range(4):
+            at = 3 * s.spring_local[t, n]
+            for c in range(3):
+                column[at + c] += amount * scratch[12 + 3 * n + c]
 
 
 @kernel_bare
@@ -199,12 +191,11 @@ def _local_gradient(s: Structure, k: int, x: F1, g: F1, scratch: F1) -> None:
     for i in range(g.size):
         g[i] = 0.0
     for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-        term_gradient(s.spring_kind, s.spring_at, s.spring_data, t, x, scratch)
-        P, one, two = 3 * s.spring_local[t, 0], 3 * s.spring_local[t, 1], 3 * s.spring_local[t, 2]
-        for c in range(3):
-            g[P + c] += scratch[c]
-            g[one + c] -= scratch[3] * scratch[c]
-            g[two + c] -= scratch[4] * scratch[c]
+        term_gradient(s.spring_form, s.spring_at, s.spring_data, t, x, scratch)
+        for n in range(4):
+            at = 3 * s.spring_local[t, n]
+            for c in range(3):
+                g[at + c] += scratch[3 * n + c]
 
 
 @kernel
@@ -215,7 +206,7 @@ def spring_blocks(s: Structure, places: Ints, x: F1, v: F1, law: F2, stiff: Floa
     dF/dc'. With the Hessian H of c: dF/dc g g^T + F H + dF/dc' g (H v)^T, and dF/dc' g g^T.
     """
     w = places.shape[1]
-    scratch, g, bent, unit = np.empty(10), np.empty(w), np.empty(w), np.zeros(x.size)
+    scratch, g, bent, unit = np.empty(24), np.empty(w), np.empty(w), np.zeros(x.size)
     for k in range(places.shape[0]):
         force, slope, damping = law[k, 0], law[k, 1], law[k, 2]
         _local_gradient(s, k, x, g, scratch)
@@ -281,7 +272,7 @@ def swap_springs(s: Equations, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) 
     on angles about fixed axes (in the plane all), on lengths and coordinates. For others, on angles about moving axes and
     offsets, the gradient is that in the middle: they keep the momenta, and the energy to the order of the step.
     """
-    scratch = np.empty(10)
+    scratch = np.empty(24)
     for k in range(s.spring.shape[0]):
         kept = _elastic(s, k, _deflection(s, k, xe))[0] + _resisting(s, k, _rate(s, k, xe, ve, scratch))[0]
         e0 = _deflection(s, k, x0)
@@ -295,7 +286,7 @@ def swap_springs(s: Equations, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) 
 def _flat_of(s: Structure, k: int, j: int) -> int:
     """The coordinate that is the local one j of spring k; -1 if it has fewer."""
     for t in range(s.spring_ptr[k], s.spring_ptr[k + 1]):
-        for n in range(3):
+        for n in range(4):
             if s.spring_local[t, n] == j // 3:
                 return s.spring_at[t, n] + j % 3
     return -1
@@ -309,7 +300,7 @@ def add_springs(s: Equations, at: I2, x: F1, v: F1, beta: float, gamma: float, v
     spring_local.
     """
     w = int(math.sqrt(float(at.shape[1])) + 0.5)
-    scratch, g, column, unit = np.empty(10), np.empty(w), np.empty(w), np.zeros(x.size)
+    scratch, g, column, unit = np.empty(24), np.empty(w), np.empty(w), np.zeros(x.size)
     for k in range(s.spring.shape[0]):
         _local_gradient(s, k, x, g, scratch)
         rate = _rate(s, k, x, v, scratch)

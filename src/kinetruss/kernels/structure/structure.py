@@ -47,6 +47,7 @@ class Structure(Record):
     spring_ptr: I1
     spring_kind: I1
     spring_table_ptr: I1
+    spring_form: I2
     spring_at: I2
     spring_local: I2
     pair: F2
@@ -139,7 +140,7 @@ class Plan(Record):
     sum_scale: F1
     sum_period: F1
     term_ptr: I1
-    term_kind: I1
+    term_form: I2
     term_at: I2
     term_data: F2
     sum_entry_ptr: I1

@@ -11,18 +11,18 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.structure import Plan
-from kinetruss.kernels.structure.terms import nearest_turn, term_along, term_gradient, term_second, term_value
+from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_second, term_value
 
 
 @kernel_late
 def sum_terms(plan: Plan, b: int, x: F1, terms: F2) -> None:
-    """Gradients of the terms of block b (one behind the last: of redundant rows) at flat positions x into terms (t, 10)."""
+    """Gradients of the terms of block b (one behind the last: of redundant rows) at flat positions x into terms (t, 24)."""
     first, last = plan.sum_ptr[b], plan.sum_ptr[b + 1] if b + 1 < plan.sum_ptr.size else plan.sum_row.size
-    # gradient g and shares w1, w2 of each term, g times the scale of its constraint
+    # gradient of each term by its nodes, times the scale of its constraint
     for j in range(first, last):
         for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
-            term_gradient(plan.term_kind, plan.term_at, plan.term_data, t, x, terms[t])
-            for c in range(3):
+            term_gradient(plan.term_form, plan.term_at, plan.term_data, t, x, terms[t])
+            for c in range(12):
                 terms[t, c] *= plan.sum_scale[j]
 
 
@@ -34,18 +34,17 @@ def sum_residuals(plan: Plan, b: int, first: int, x: F1, target: F1, terms: F2, 
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         gap = -target[plan.sum_row[j]]
         for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
-            gap += term_value(plan.term_kind, plan.term_at, plan.term_data, t, x)
+            gap += term_value(plan.term_form, plan.term_at, plan.term_data, t, x)
         work[plan.sum_row[j] - first] = -plan.sum_scale[j] * nearest_turn(gap, plan.sum_period[j])
 
 
 @kernel_late
 def sum_jacobian(plan: Plan, b: int, terms: F2, lu: F2) -> None:
     """Rows of the sums of block b in its matrix."""
-    # J of the block: component of g, times 1 at P, -w1 at node 1, -w2 at node 2
+    # J of the block: entry c of the gradient of term t
     for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
-        k, t, place = plan.sum_entry[e, 0], plan.sum_entry[e, 1], plan.sum_entry[e, 2]
-        share = 1.0 if place == 0 else -terms[t, 2 + place]
-        lu[k, plan.sum_entry[e, 4]] += share * terms[t, plan.sum_entry[e, 3]]
+        k, t, c = plan.sum_entry[e, 0], plan.sum_entry[e, 1], plan.sum_entry[e, 2]
+        lu[k, plan.sum_entry[e, 3]] += terms[t, c]
 
 
 @kernel_inline
@@ -67,13 +66,13 @@ def sum_known(plan: Plan, b: int, first: int, y: F1, terms: F2, work: F1) -> Non
 
 @kernel_late
 def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F1, scratch: F1) -> None:
-    """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; scratch (10,)."""
+    """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; scratch (24,)."""
     # gamma = scale (q'' - J' v)
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         k = plan.sum_row[j]
         total = wanted[plan.drive[k]] if plan.drive[k] >= 0 else 0.0
         for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
-            total -= term_second(plan.term_kind, plan.term_at, plan.term_data, t, x, v, scratch)
+            total -= term_second(plan.term_form, plan.term_at, plan.term_data, t, x, v, scratch)
         work[k - first] = plan.sum_scale[j] * total
 
 
@@ -90,14 +89,9 @@ def sum_of(sum_row: I1, k: int) -> int:
 @kernel_late
 def add_sum_force(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> None:
     """rest -= J^T amount of sum j."""
-    # -J^T N of the terms: N g at P, shares w1, w2 back at nodes 1 and 2
+    # -J^T N of the terms
     for t in range(plan.term_ptr[j], plan.term_ptr[j + 1]):
-        P, one, two = plan.term_at[t, 0], plan.term_at[t, 1], plan.term_at[t, 2]
-        for c in range(3):
-            force = amount * terms[t, c]
-            rest[P + c] -= force
-            rest[one + c] += terms[t, 3] * force
-            rest[two + c] += terms[t, 4] * force
+        add_term(plan.term_at, t, terms[t], -amount, rest)
 
 
 # Rows of the equations of motion; structure.rows has those between two nodes.
@@ -110,12 +104,12 @@ def add_sum_force(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> Non
 def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
     """Gradients of all sums at x into ws.terms."""
     terms, ptr, scale = ws.terms, eq.sum_ptr, eq.sum_scale
-    kind, at, data = eq.term_kind, eq.term_at, eq.term_data
-    # gradient g and shares w1, w2 of each term, g times the scale of its constraint
+    form, at, data = eq.term_form, eq.term_at, eq.term_data
+    # gradient of each term by its nodes, times the scale of its constraint
     for j in range(scale.size):
         for t in range(ptr[j], ptr[j + 1]):
-            term_gradient(kind, at, data, t, x, terms[t])
-            for c in range(3):
+            term_gradient(form, at, data, t, x, terms[t])
+            for c in range(12):
                 terms[t, c] *= scale[j]
 
 
@@ -123,7 +117,7 @@ def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
 def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
     """J y of the sums into their places of out (r,)."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
-    # J y: sum over the terms of g . (y_P - w1 y_1 - w2 y_2)
+    # J y: sum over the terms of their gradients times y
     for j in range(row.size):
         total = 0.0
         for t in range(ptr[j], ptr[j + 1]):
@@ -135,15 +129,10 @@ def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
 def add_sum_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N of the sums."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
-    # -J^T N: N g at P, its shares w1, w2 with the opposite sign at nodes 1 and 2
+    # -J^T N
     for j in range(row.size):
         for t in range(ptr[j], ptr[j + 1]):
-            P, one, two = at[t, 0], at[t, 1], at[t, 2]
-            for c in range(3):
-                force = N[row[j]] * terms[t, c]
-                f[P + c] -= force
-                f[one + c] += terms[t, 3] * force
-                f[two + c] += terms[t, 4] * force
+            add_term(at, t, terms[t], -N[row[j]], f)
 
 
 @kernel_late(allocates=True)
@@ -155,13 +144,13 @@ def sum_gaps(eq: Equations, x: F1, target: F2, out: F1, largest: float) -> float
         eq.sum_scale,
         eq.sum_period,
     )
-    kind, at, data = eq.term_kind, eq.term_at, eq.term_data
+    form, at, data = eq.term_form, eq.term_at, eq.term_data
     size = eq.sum_size
     # Phi = scale (sum of the terms - target), by the shortest way round where the sum is periodic
     for j in range(row.size):
         gap = -target[0, row[j]]
         for t in range(ptr[j], ptr[j + 1]):
-            gap += term_value(kind, at, data, t, x)
+            gap += term_value(form, at, data, t, x)
         out[row[j]] = scale[j] * nearest_turn(gap, period[j])
         share = abs(out[row[j]]) / (size[j] * (1.0 + abs(target[0, row[j]])))
         largest = larger(largest, share)
@@ -189,7 +178,7 @@ def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     for j in range(row.size):
         total = gamma[row[j]]
         for t in range(ptr[j], ptr[j + 1]):
-            total -= term_second(kind, at, data, t, x, v, scratch)
+            total -= term_second(form, at, data, t, x, v, scratch)
         gamma[row[j]] = scale[j] * total
 
 
@@ -197,14 +186,13 @@ def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
 def sum_vector(eq: Equations, ws: Workspace, j: int, amount: float, out: F1) -> None:
     """out += J_j^T amount over the free coordinates, of sum j."""
     terms, ptr, at, local = ws.terms, eq.sum_ptr, eq.term_at, eq.local
-    # J_j^T times the amount: g at P, -w1 g at 1, -w2 g at 2
+    # J_j^T times the amount
     for t in range(ptr[j], ptr[j + 1]):
-        for place in range(3):
-            share = amount if place == 0 else -terms[t, 2 + place] * amount
+        for n in range(4):
             for c in range(3):
-                i = local[at[t, place] + c]
+                i = local[at[t, n] + c]
                 if i >= 0:
-                    out[i] += share * terms[t, c]
+                    out[i] += amount * terms[t, 3 * n + c]
 
 
 @kernel_late(allocates=True)
@@ -229,11 +217,9 @@ def sum_row_of(eq: Equations, k: int) -> int:
 
 @kernel_bare
 def sum_entries(ws: Workspace, entry: I2, value: F1) -> None:
-    """Gradients of the sums added to their places (t, 9) in the values of a sparse matrix."""
+    """Gradients of the sums added to their places (t, 12) in the values of a sparse matrix."""
     terms = ws.terms
-    # entries of J at the three nodes of each term: g, -w1 g, -w2 g
+    # entries of J at the four nodes of each term
     for t in range(entry.shape[0]):
-        for c in range(3):
+        for c in range(12):
             value[entry[t, c]] += terms[t, c]
-            value[entry[t, 3 + c]] -= terms[t, 3] * terms[t, c]
-            value[entry[t, 6 + c]] -= terms[t, 4] * terms[t, c]
