@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kinetruss.kernels.tasks import tape as kernel
-from kinetruss.kinematics.expressions import Program, angle, cross, dot, minus, root, size, unit
+from kinetruss.kernels.coordinates.programs import Program, angle, cross, dot, minus, root, size, unit
 
 
 def _made():
@@ -25,7 +25,7 @@ def _made():
         # the angle of a complex argument: by its logarithm
         return np.array([-1j * np.log((n[2] + 1j * n[0]) / np.sqrt(n[0] ** 2 + n[2] ** 2)) + n @ c / length * 0.3, two])
 
-    return program.tape(2), function
+    return kernel.tape_of(program, 2), function
 
 
 def _series(tape, X, P):

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.actions import Action, Bars, CarriedBy, Instants, NotOnBars, bars_of, couple_on_ends, cross
-from kinetruss.kernels.structure.structure import ANGLE, AROUND
+from kinetruss.kernels.coordinates.forms import AROUND, OFFSET
+from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.kernels.structure.terms import term_gradients
 from kinetruss.mechanics import cached
 from kinetruss.model.hub_expansion import Pivot, pivots_of
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 
 Found = Iterator[Action | NotOnBars]
+FIRST, LAST = 0, 3
+"""Places of P and B among the nodes of a term."""
 PARALLEL = 1e-9
 """Parts of a force below this fraction of it are round-off."""
 BALANCED = 1e-3
@@ -50,10 +53,13 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
                 pass  # of a scalar, which no bar turns with
             elif one.kind == "offset":
                 yield from _offset(system, bars, t, key)
+            elif one.kind == "hinge" and system.term_kind[t] == AROUND:
+                yield from _hinge(system, bars, t, FIRST, key)
+                yield from _hinge(system, bars, t, LAST, key)
             elif one.kind == "hinge":
-                yield from _hinge(system, bars, t, key)
+                yield from _hinge(system, bars, t, FIRST, key)
                 t += 1
-                yield from _hinge(system, bars, t, key)
+                yield from _hinge(system, bars, t, FIRST, key)
             else:
                 i = bars.index[one.bar]
                 yield _pair(system, bars, t, 0, i, bars.pivot(i), key)
@@ -70,18 +76,27 @@ def _measured(model: Model, name: str) -> tuple[str, list[Any]]:
     return "drive", [model.all_drives[name]]
 
 
-def term_weights(system: System, t: int, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Forces (times, 3, 3) of the amount 1 of term t on its nodes P, 1, 2, and the weight (times,) of 2; x (times, n, 3)."""
-    out = np.empty((len(x), 5))
+def term_weights(
+    system: System, t: int, x: NDArray[np.float64], end: int = FIRST
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Forces (times, 3, 3) of the amount 1 of term t on its nodes P, 1, 2, and the weight (times,) of 2; x (times, n, 3).
+
+    end : FIRST, or LAST for what an angle about an axis makes at its node B and, for that, at 1 and 2. The force g at a point
+    off the axis is taken off 1 and 2 in the shares 1 - s and s, the place of its foot on the axis.
+    """
+    out = np.empty((len(x), 12))
     flat = np.ascontiguousarray(x, dtype=float).reshape(len(x), -1)
-    term_gradients(system.term_kind, system.term_at, system.term_data, t, flat, out)
-    g = out[:, :3]
-    return np.stack([g, -out[:, 3, None] * g, -out[:, 4, None] * g], axis=1), out[:, 4]
+    term_gradients(system.term_form, system.term_at, system.term_data, t, flat, out)
+    P, one, two = (x[:, n] for n in _nodes(system, t, end))
+    g, b = out[:, 3 * end : 3 * end + 3], two - one
+    along = np.einsum("tc,tc->t", b, b)
+    s = np.einsum("tc,tc->t", P - one, b) / along if system.term_kind[t] in (AROUND, OFFSET) else np.zeros(len(x))
+    return np.stack([g, -(1.0 - s)[:, None] * g, -s[:, None] * g], axis=1), s
 
 
-def _nodes(system: System, t: int) -> tuple[int, int, int]:
-    """P, 1 and 2 of term t."""
-    P, one, two = (int(flat) // 3 for flat in system.term_at[t, :3])
+def _nodes(system: System, t: int, end: int = FIRST) -> tuple[int, int, int]:
+    """P or B, 1 and 2 of term t."""
+    P, one, two = (int(flat) // 3 for flat in system.term_at[t, [end, 1, 2]])
     return P, one, two
 
 
@@ -119,14 +134,14 @@ def _action(i: int, key: tuple[str, str], worth: Any, place: Any) -> Action:
     return Action(source=key[1], kind=key[0], member=i, worth=worth, place=place)
 
 
-def _pair(system: System, bars: Bars, t: int, which: int, i: int, end: int, key: tuple[str, str]) -> Action:
-    """The force on node 1 or 2 (which = 0, 1) of term t as two opposite forces on bar i from there to P; place: `end`."""
-    first = bars.ends(i)[0] == _nodes(system, t)[0]
-    return _action(i, key, partial(_opposite, t, which, first, key), float(end))
+def _pair(system: System, bars: Bars, t: int, which: int, i: int, place: int, key: tuple[str, str], end: int = FIRST) -> Action:
+    """The force on node 1 or 2 (which = 0, 1) of term t as two opposite forces on bar i from there to P (or B)."""
+    first = bars.ends(i)[0] == _nodes(system, t, end)[0]
+    return _action(i, key, partial(_opposite, t, end, which, first, key), float(place))
 
 
-def _opposite(t: int, which: int, first: bool, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
-    push = here.amounts[key][:, None] * term_weights(here.system, t, here.x)[0][:, 1 + which]
+def _opposite(t: int, end: int, which: int, first: bool, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
+    push = here.amounts[key][:, None] * term_weights(here.system, t, here.x, end)[0][:, 1 + which]
     return np.stack([-push, push] if first else [push, -push], axis=1)
 
 
@@ -137,15 +152,15 @@ def _on_no_bar(system: System, bars: Bars, key: tuple[str, str], nodes: tuple[in
         yield NotOnBars(source=key[1], kind=key[0], nodes=names, members=bars.touching(nodes))
 
 
-def _hinge(system: System, bars: Bars, t: int, key: tuple[str, str]) -> Found:
+def _hinge(system: System, bars: Bars, t: int, end: int, key: tuple[str, str]) -> Found:
     """One side of a hinge: the couple on the bar from each node of the axis to P, weighted by the foot of P on the axis."""
-    P, *axis = _nodes(system, t)
-    shares = term_weights(system, t, system.x0[None])[0][0]
+    P, *axis = _nodes(system, t, end)
+    shares = term_weights(system, t, system.x0[None], end)[0][0]
     largest = np.abs(shares[0]).max()
     for which in range(2 if system.term_kind[t] == AROUND else 1):
         i = bars.between(P, axis[which])
         if i >= 0:
-            yield _pair(system, bars, t, which, i, bars.ends(i).index(axis[which]), key)
+            yield _pair(system, bars, t, which, i, bars.ends(i).index(axis[which]), key, end)
         elif not np.abs(shares[1 + which]).max() <= PARALLEL * largest:
             yield from _on_no_bar(system, bars, key, (P, axis[which]))
 

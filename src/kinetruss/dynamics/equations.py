@@ -146,7 +146,7 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
     return {
         "sum_row": places,
         "sum_ptr": ends,
-        "term_kind": system.term_kind[terms],
+        "term_form": system.term_form[terms],
         "term_at": system.term_at[terms],
         "term_data": system.term_data[terms],
         "sum_scale": system.measure_scale[measures],

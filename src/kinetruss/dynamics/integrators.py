@@ -130,7 +130,7 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
     return {
         "pairs": 3 * np.stack([p, q], axis=1).astype(np.int64),
         "angle_ptr": np.cumsum([0, *map(len, terms)]).astype(np.int64),
-        "angle_kind": system.term_kind[chosen],
+        "angle_form": system.term_form[chosen],
         "angle_at": system.term_at[chosen],
         "angle_data": system.term_data[chosen],
     }

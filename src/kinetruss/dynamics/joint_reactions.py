@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.action_couples import term_weights
+from kinetruss.dynamics.action_couples import FIRST, LAST, term_weights
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.free_bodies import determined
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.structure import AROUND, FIXED_AXIS
+from kinetruss.kernels.coordinates.forms import AROUND, FIXED_AXIS
 from kinetruss.kinematics.joint_motion import shared_nodes
 from kinetruss.kinematics.poses import carried, nodes_of
 from kinetruss.mechanics import compile
@@ -211,10 +211,13 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
         kind = "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
         torque = forces.data[f"{kind}_force"].sel({kind: name}).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
-            nodes = [int(flat) // 3 for flat in system.term_at[t, : 2 if system.term_kind[t] == FIXED_AXIS else 3]]
-            names = tuple(system.nodes[k] for k in nodes)
-            if system.term_kind[t] in (FIXED_AXIS, AROUND) and own.issuperset(names):
-                yield names, torque[:, None, None] * term_weights(system, t, x)[0][:, : len(nodes)]
+            if (kind := system.term_kind[t]) not in (FIXED_AXIS, AROUND):
+                continue
+            for end in (FIRST, LAST) if kind == AROUND else (FIRST,):
+                flats = system.term_at[t, [end, 1, 2] if kind == AROUND else [end, 1]]
+                names = tuple(system.nodes[flat // 3] for flat in flats.tolist())
+                if own.issuperset(names):
+                    yield names, torque[:, None, None] * term_weights(system, t, x, end)[0][:, : len(names)]
 
 
 def _own_bars(model: Model, body: str) -> list[str]:

@@ -14,13 +14,13 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.tasks import reach as cold, track as warm
-from kinetruss.kernels.tasks.tape import Drives, TaskWork, workspace_of
+from kinetruss.kernels.tasks.tape import Drives, TaskWork, tape_of, workspace_of
 from kinetruss.kinematics.motions import Swept, sweep_path
 from kinetruss.kinematics.positions import own_start
 from kinetruss.kinematics.redundant import LEAST, Path
-from kinetruss.kinematics.task_programs import Tasks, measure_of, tasks_of
+from kinetruss.kinematics.task_programs import Tasks, tasks_of
 from kinetruss.kinematics.time_tables import support_history
-from kinetruss.mechanics import System, arrange
+from kinetruss.mechanics import System, arrange, measure_of
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.mobility import underdriven
 from kinetruss.mechanics.positions import drive_places, shortest
@@ -258,11 +258,17 @@ def problem(system: System, targets: Any, choice: Any) -> Problem:
     count = len(tasks.labels)
     for row in plan.sum_row:
         m = int(system.row_measure[plan.row[row]])
-        tasks.program.result(tasks.program.number(0.0) + measure_of(system, tasks.program, m))
+        tasks.program.result(measure_of(system, tasks.program, m))
     drives, reference = drives_of(system, plan, choice, q)
     begin = State(x=x.reshape(-1).copy(), q=q, s=np.zeros(count), miss=np.zeros(count))
     return Problem(
-        system=system, tasks=tasks, plan=plan, tape=tasks.program.tape(count), drives=drives, reference=reference, begin=begin
+        system=system,
+        tasks=tasks,
+        plan=plan,
+        tape=tape_of(tasks.program, count),
+        drives=drives,
+        reference=reference,
+        begin=begin,
     )
 
 

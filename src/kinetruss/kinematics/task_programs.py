@@ -16,11 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from kinetruss.errors import InputError
-from kinetruss.kernels.structure.structure import ALONG, COSINE, FIXED_AXIS, NODE, OFFSET
-from kinetruss.kinematics.expressions import Program, Scalar, Vector, angle, cross, dot, minus, root, size, total, unit
+from kinetruss.kernels.coordinates.programs import Program, Scalar, Vector, angle, cross, dot, minus, root, size, total, unit
+from kinetruss.kernels.tasks.tape import tape_of, values
 from kinetruss.kinematics.poses import start_frame
-from kinetruss.mechanics import System
+from kinetruss.mechanics import System, measure_of
 from kinetruss.mechanics.bays import POSE, bay_of
 from kinetruss.mechanics.coordinates import Coordinate, coordinates
 from kinetruss.mechanics.positions import shortest
@@ -89,7 +88,7 @@ class Tasks:
 
     def read(self, x: Any) -> Any:
         """Values (times, asked) of what is asked for at flat positions x (times, 3 n)."""
-        return self.readings.values(self.readings.tape(0), np.ascontiguousarray(x), np.zeros((len(x), 1)))
+        return values(tape_of(self.readings, 0), x, np.zeros((len(x), 1)))
 
     def start(self, x: Any) -> Any:
         """The same (asked,) at the start x (3 n,), from where moves and paths begin."""
@@ -349,39 +348,6 @@ def _coordinate(made: Tasks, program: Program, one: Coordinate) -> Any:
     p, q = (program.node(int(ends[one.index]), system.dim) for ends in (system.p, system.q))
     d = minus(q, p)
     return size(d) if one.kind == "length" else angle(d[1], d[0])
-
-
-def measure_of(system: System, program: Program, m: int) -> Any:
-    """A measure: the sum of its terms (kernels.structure.terms)."""
-    found: Any = program.number(0.0)
-    for t in range(int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])):
-        found = found + _term(system, program, t) * float(system.term_data[t, 0])
-    return found
-
-
-def _term(system: System, program: Program, t: int) -> Any:
-    """One term of a measure, without its factor."""
-    kind, data = int(system.term_kind[t]), [float(one) for one in system.term_data[t]]
-    if kind == COSINE:
-        raise InputError(
-            "Tasks cannot count a rigid beam with a rotation coordinate, or another coupling of a cosine. Leave rotation out."
-        )
-    P, one, two, begin = (None if flat < 0 else program.node(int(flat) // 3, 3) for flat in system.term_at[t])
-    first, second = (data[1], data[2], data[3]), (data[4], data[5], data[6])
-    if kind == NODE:
-        return dot(P, first)  # type: ignore[arg-type]
-    r = minus(P, one)  # type: ignore[arg-type]
-    if kind == ALONG:
-        return size(r)
-    if kind == FIXED_AXIS:
-        return angle(dot(r, second), dot(r, first))
-    b = minus(two, one)  # type: ignore[arg-type]
-    if kind == OFFSET:
-        return (b[0] * r[1] - b[1] * r[0]) / size(b)
-    if begin is None:
-        return 0.0
-    p, q = cross(b, minus(begin, one)), cross(b, r)  # type: ignore[arg-type]
-    return angle(dot(b, cross(p, q)) / size(b), dot(p, q))
 
 
 def _in_space(point: Any) -> Any:

@@ -29,7 +29,11 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.measures import (
         coordinate_derivatives as coordinate_derivatives,
         flats_of as flats_of,
+        measure_curvature as measure_curvature,
         measure_gradients as measure_gradients,
+        measure_hessian as measure_hessian,
+        measure_of as measure_of,
+        measure_turning as measure_turning,
         measured as measured,
     )
     from kinetruss.mechanics.members import DRIVEN as DRIVEN, ELASTIC as ELASTIC, FREE as FREE, RIGID as RIGID
@@ -41,9 +45,6 @@ if TYPE_CHECKING:
         direction_rates as direction_rates,
         ends_of as ends_of,
         jacobian as jacobian,
-        measure_curvature as measure_curvature,
-        measure_hessian as measure_hessian,
-        measure_turning as measure_turning,
         row_directions as row_directions,
         row_ends as row_ends,
         row_scales as row_scales,

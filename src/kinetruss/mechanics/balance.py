@@ -16,12 +16,11 @@ from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.elements import continua_energy, resting_forces, spring_forces, spring_laws, spring_motions
 from kinetruss.mechanics.loads import Follower, Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents, turning_inertia
-from kinetruss.mechanics.measures import measure_gradients, measured
+from kinetruss.mechanics.measures import measure_gradients, measure_hessian, measured
 from kinetruss.mechanics.row_gradients import (
     RANK_TOLERANCE,
     constraint_jacobian,
     ends_of,
-    measure_hessian,
     row_scales,
     turned,
 )

@@ -110,7 +110,7 @@ def _places(system: System) -> NDArray[np.int64]:
     """Coordinates (springs, w) of the nodes of springs, ascending; those that have fewer end with -1."""
     found = elements(system)
     ptr, at = found["spring_ptr"], found["spring_at"]
-    nodes = [np.unique(at[first:last, :3]) for first, last in pairwise(ptr)]
+    nodes = [np.unique(at[first:last]) for first, last in pairwise(ptr)]
     places = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
     for one, own in zip(places, nodes, strict=True):
         one[: len(own)] = own[:, None] + np.arange(3)

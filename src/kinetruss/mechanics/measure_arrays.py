@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.structure.structure import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.coordinates.forms import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.model import Model, turns
 
 if TYPE_CHECKING:
@@ -56,9 +56,10 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
 
 def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np.float64]) -> dict[str, Any]:
     """Scale, period and start value of every measure."""
+    from kinetruss.kernels.coordinates.straight_line import addresses_of
     from kinetruss.kernels.structure.terms import measure_gradient, measure_value, nearest_turn
 
-    arrays, ptr = (found["term_kind"], found["term_at"], found["term_data"]), found["measure_ptr"]
+    arrays, ptr = (addresses_of(found["term_kind"]), found["term_at"], found["term_data"]), found["measure_ptr"]
     driven = len(sums) - len(model.couplings) - len(model.springs)
     flat, period, start, scale = x0.reshape(-1), [], [], []
     for m, (_, parts, value) in enumerate(sums):
@@ -66,7 +67,7 @@ def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np
         here = measure_value(*arrays, ptr[m], ptr[m + 1], flat)
         start.append(float(value) if value is not None else here if m >= driven else nearest_turn(here, period[-1]))
         g = np.zeros(flat.size)
-        measure_gradient(*arrays, ptr[m], ptr[m + 1], flat, g, np.zeros(10))
+        measure_gradient(*arrays, ptr[m], ptr[m + 1], flat, g, np.zeros(24))
         size = float(np.linalg.norm(g))
         scale.append(math.sqrt(2.0) / size if 0.0 < size < math.inf else 1.0)
     return dict(zip(_OF_STARTS, (np.array(period), np.array(start), np.array(scale)), strict=True))
@@ -118,7 +119,7 @@ def terms_of(
 
     def at(*names: str) -> list[int]:
         places = [3 * index[name] for name in names]
-        return [*(places + [places[-1]] * 3)[:3], -1]
+        return (places + [places[-1]] * 3)[:4]
 
     plane = [factor, *X, *Y]
     if one.kind == "coordinate":
@@ -130,9 +131,7 @@ def terms_of(
     if one.kind == "hinge":
         if len(one.axis) == 1:
             return [(FIXED_AXIS, at(one.end, *one.axis), plane), (FIXED_AXIS, at(one.start, *one.axis), [-factor, *X, *Y])]
-        last = at(one.end, *one.axis)
-        last[3] = 3 * index[one.start]
-        return [(AROUND, last, plane), (AROUND, at(one.start, *one.axis), [-factor, *X, *Y])]
+        return [(AROUND, at(one.end, *one.axis, one.start), plane)]
     first, second = model.members[one.bar].ends
     if one.kind == "length":
         return [(ALONG, at(second, first), plane)]

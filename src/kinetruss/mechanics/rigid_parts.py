@@ -142,7 +142,7 @@ def _used(system: System, found: list[Grown]) -> list[set[int]]:
 def _touched(system: System, r: int) -> set[int]:
     if system.row_kind[r] == SUM:
         first, last = system.measure_ptr[system.row_measure[r] : system.row_measure[r] + 2]
-        return {int(flat) // 3 for flat in system.term_at[first:last, :3].ravel()}
+        return {int(flat) // 3 for flat in system.term_at[first:last].ravel()}
     return {int(system.p[system.row_member[r]]), int(system.q[system.row_member[r]])}
 
 

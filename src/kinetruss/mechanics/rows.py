@@ -12,12 +12,12 @@ from scipy.sparse import csc_array, csr_array
 from scipy.sparse.linalg import splu
 
 from kinetruss.kernels.structure.structure import ANGLE
+from kinetruss.mechanics.measures import measure_turning
 from kinetruss.mechanics.row_gradients import (
     RANK_TOLERANCE,
     assembled,
     constraint_jacobian,
     direction_rates,
-    measure_turning,
     row_ends,
     row_scales,
     turned,

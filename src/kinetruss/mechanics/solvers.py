@@ -141,7 +141,7 @@ def _nothing() -> dict[str, Any]:
     found: dict[str, Any] = {f"sweep_{name}": np.zeros(0, _WHOLE) for name in sweep.split()}
     found |= {f"sparse_{name}": np.zeros(0, _WHOLE) for name in sparse.split()}
     found |= {name: np.zeros((0, 36), _WHOLE) for name in ("sparse_block", "augmented_block", "sparse_bar_block")}
-    found["sparse_sum_entry"] = np.zeros((0, 9), _WHOLE)
+    found["sparse_sum_entry"] = np.zeros((0, 12), _WHOLE)
     found |= {name: np.zeros((0, 0)) for name in ("dense_pair", "dense_inverse", "dense_mass")}
     empty = np.zeros(0)
     return found | {"sparse_entry": np.zeros((0, 6), _WHOLE), "sweep_entry_sign": empty, "sparse_base": empty, "dense": empty}
@@ -186,7 +186,7 @@ def workspace_for(eq: Equations) -> Workspace:
     n, r, nf, d = eq.local.size, eq.row.size, eq.free.size, eq.motion_kind.size
     shapes: dict[str, tuple[int, ...]] = {"now": (3, d), "u": (3, r), "target": (3, r)}
     shapes |= dict.fromkeys(("gamma", "rhs", "multiplier"), (r,)) | dict.fromkeys(("f", "g", "h", "x", "y", "rest"), (n,))
-    shapes |= {"terms": (len(eq.term_kind), 10), "term_work": (10,), "pivot": (2,)}
+    shapes |= {"terms": (len(eq.term_form), 24), "term_work": (24,), "pivot": (2,)}
     if eq.solver == DENSE:
         shapes |= {"D": (nf, nf), "W": (nf, r), "S": (r, r), "states": (r, r), "matrix": (r, r), "b": (nf,), "c": (nf,)}
         shapes |= dict.fromkeys(("diagonal", "dependent", "order", "z"), (r,))

@@ -60,7 +60,7 @@ def sparse_arrays(
         "sparse_place": place[:nf],
         "sparse_row_place": place[nf:],
         "sparse_base": base,
-        "sparse_sum_entry": np.concatenate([*own, np.zeros((0, 9), np.int64)]).astype(np.int64),
+        "sparse_sum_entry": np.concatenate([*own, np.zeros((0, 12), np.int64)]).astype(np.int64),
     }
 
 
@@ -73,8 +73,8 @@ def _coordinates(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], 
     A, B = (3 * end[system.row_member].astype(np.int64) for end in (system.p, system.q))
     pairs = _six(local, A, B)
     pairs[system.sums] = -1
-    nodes = [system.term_at[range(*system.measure_ptr[m : m + 2]), :3] for m in system.row_measure[system.sums]]
-    return local, pairs, [local[(at[:, :, None] + np.arange(3)).reshape(-1, 9)] for at in nodes]
+    nodes = [system.term_at[range(*system.measure_ptr[m : m + 2])] for m in system.row_measure[system.sums]]
+    return local, pairs, [local[(at[:, :, None] + np.arange(3)).reshape(-1, 12)] for at in nodes]
 
 
 def _best_order(
@@ -257,8 +257,8 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     members.append(_springs(eq, where))
     pairs = [_tangent_pairs(m) for m in members]
     terms = int(eq.sum_ptr[-1]) if len(eq.sum_ptr) else 0
-    sums = where[(eq.term_at[:terms, :3, None] + np.arange(3)).reshape(-1, 9)]
-    sum_row = np.repeat(row_place[np.repeat(eq.sum_row, np.diff(eq.sum_ptr))], 9)
+    sums = where[(eq.term_at[:terms, :, None] + np.arange(3)).reshape(-1, 12)]
+    sum_row = np.repeat(row_place[np.repeat(eq.sum_row, np.diff(eq.sum_ptr))], 12)
     rows = np.repeat(row_place, 6)
     i = np.concatenate([place[mass.row], *(p[0] for p in pairs), rows, sum_row])
     j = np.concatenate([place[mass.col], *(p[1] for p in pairs), members[1].reshape(-1), sums.reshape(-1)])
@@ -280,7 +280,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         "row_place": row_place,
         "law_at": blocks[0],
         "row_at": blocks[1],
-        "sum_at": find(sum_row, sums.reshape(-1)).reshape(-1, 9),
+        "sum_at": find(sum_row, sums.reshape(-1)).reshape(-1, 12),
         "gradient_at": find(rows, members[1].reshape(-1)).reshape(-1, 6),
         "base": base,
         "values": np.zeros_like(base),
@@ -300,7 +300,7 @@ def _pins(eq: Any, where: Ints) -> Ints:
 
 def _springs(eq: Any, where: Ints) -> Ints:
     """Places (springs, w) of the coordinates of the nodes of springs, ascending; those that have fewer end with -1."""
-    nodes = [np.unique(eq.spring_at[eq.spring_ptr[k] : eq.spring_ptr[k + 1], :3]) for k in range(len(eq.spring))]
+    nodes = [np.unique(eq.spring_at[eq.spring_ptr[k] : eq.spring_ptr[k + 1]]) for k in range(len(eq.spring))]
     found = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
     for k, own in enumerate(nodes):
         found[k, : len(own)] = where[own[:, None] + np.arange(3)]
@@ -310,7 +310,7 @@ def _springs(eq: Any, where: Ints) -> Ints:
 def _tangent_order(eq: Any) -> tuple[Ints, Ints]:
     """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row after the later of its free nodes."""
     nodes = eq.local.size // 3
-    one, other = (eq.spring_at[:, [0, 0]].reshape(-1), eq.spring_at[:, 1:3].reshape(-1))
+    one, other = (eq.spring_at[:, [0, 0, 0]].reshape(-1), eq.spring_at[:, 1:].reshape(-1))
     A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A, one]) // 3
     B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B, other]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))
@@ -322,7 +322,7 @@ def _tangent_order(eq: Any) -> tuple[Ints, Ints]:
     seen = np.where(has, rank, -1)
     last = np.maximum(seen[eq.A // 3], seen[eq.B // 3])
     for j, r in enumerate(eq.sum_row):
-        last[r] = seen[eq.term_at[eq.sum_ptr[j] : eq.sum_ptr[j + 1], :3] // 3].max()
+        last[r] = seen[eq.term_at[eq.sum_ptr[j] : eq.sum_ptr[j + 1]] // 3].max()
     keys = np.concatenate([rank[eq.free // 3] * 2, last * 2 + 1])
     places = np.empty(keys.size, np.int64)
     places[np.argsort(keys, kind="stable")] = np.arange(keys.size)

@@ -134,6 +134,13 @@ class System:
         own = self.pair_p == self.pair_q
         return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
 
+    @property
+    def term_form(self) -> NDArray[np.int64]:
+        """Addresses of the code of the terms (t, 3), compiled when first asked for: of this process, so they are not kept."""
+        from kinetruss.kernels.coordinates.straight_line import addresses_of
+
+        return addresses_of(self.term_kind)
+
     @cached_property
     def sums(self) -> NDArray[np.int64]:
         """Indices of the rows that hold a sum of terms."""

@@ -202,14 +202,15 @@ def _pins(system: System) -> dict[str, NDArray[Any]]:
 def _springs(system: System) -> dict[str, NDArray[Any]]:
     spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in system.spring_measure]
     terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
-    local = [np.unique(system.term_at[span, :3], return_inverse=True)[1].reshape(-1, 3) for span in spans]
+    local = [np.unique(system.term_at[span], return_inverse=True)[1].reshape(-1, 4) for span in spans]
     return {
         "spring": np.column_stack([system.spring_law, system.measure_period[system.spring_measure]]),
         "spring_ptr": np.cumsum([0, *map(len, spans)]).astype(np.int64),
         "spring_kind": system.term_kind[terms],
+        "spring_form": system.term_form[terms],
         "spring_at": system.term_at[terms],
         "spring_data": system.term_data[terms],
-        "spring_local": np.concatenate([*local, np.zeros((0, 3))]).astype(np.int64),
+        "spring_local": np.concatenate([*local, np.zeros((0, 4))]).astype(np.int64),
         "spring_table_ptr": system.spring_table_ptr,
         "spring_table": system.spring_table,
     }

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 NODE_AT, PARAMETER, CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, ROOT, ANGLE_OF, SINE, COSINE = range(11)
+TWO = (ADD, SUBTRACT, MULTIPLY, DIVIDE, ANGLE_OF)
+"""Operations on two others."""
 
 
 class Operation(NamedTuple):
@@ -88,8 +90,8 @@ class Program:
 
     def node(self, i: int, dim: int) -> Vector:
         """Position of node i; z is 0 in the plane."""
-        x, y, *z = (self.coordinate(3 * i + c) for c in range(dim))
-        return (x, y, z[0] if z else self.number(0.0))
+        z = self.coordinate(3 * i + 2) if dim == 3 else self.number(0.0)
+        return (self.coordinate(3 * i), self.coordinate(3 * i + 1), z)
 
     def parameter(self) -> Scalar:
         """A new number that is given in time."""
@@ -137,16 +139,12 @@ class Program:
         """Flat coordinates on which a value depends, ascending."""
         if not isinstance(value, Scalar):
             return []
-        found, new, seen = set[int](), {value.index}, set[int]()
+        found, seen, new = set[int](), set[int](), {value.index}
         while new:
             seen |= new
-            ones, new = [self.operations[j] for j in new], set()
-            for one in ones:
-                if one.op == NODE_AT:
-                    found.add(one.a)
-                elif one.op > CONSTANT:
-                    new |= {one.a, *([one.b] if one.op in (ADD, SUBTRACT, MULTIPLY, DIVIDE, ANGLE_OF) else [])}
-            new -= seen
+            ones = [self.operations[j] for j in new]
+            found |= {one.a for one in ones if one.op == NODE_AT}
+            new = {j for one in ones if one.op > CONSTANT for j in ((one.a, one.b) if one.op in TWO else (one.a,))} - seen
         return sorted(found)
 
 

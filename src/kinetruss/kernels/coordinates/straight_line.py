@@ -13,7 +13,9 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+import numpy as np
 from numba import types
+from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel_entry
 from kinetruss.kernels.coordinates import forms
@@ -34,7 +36,8 @@ from kinetruss.kernels.coordinates.programs import (
     Program,
 )
 
-_INTS, _REALS = types.CPointer(types.int64), types.CPointer(types.float64)
+_INTS: Any = types.CPointer(types.int64)  # type: ignore[no-untyped-call]
+_REALS: Any = types.CPointer(types.float64)  # type: ignore[no-untyped-call]
 _STATE = ("x", "v", "a")
 VALUE = types.float64(_INTS, _REALS, _REALS)
 """at, data, x -> factor times the value."""
@@ -58,6 +61,14 @@ def address_of_second(kind: int) -> int:
     return _compiled(kind, 2, SECOND)
 
 
+def addresses_of(kinds: NDArray[np.int64]) -> NDArray[np.int64]:
+    """`addresses` of the kinds of terms, (terms, 3)."""
+    found = np.zeros((len(FORMS), 3), np.int64)
+    for kind in np.unique(kinds).tolist():
+        found[kind] = addresses(kind)
+    return found[kinds]
+
+
 def _compiled(kind: int, order: int, signature: Any) -> int:
     """The address of the compiled text of a kind; order : of the rates of the gradient, -1 for the value."""
     form = FORMS[kind]
@@ -75,7 +86,7 @@ def text(form: Form, name: str, order: int) -> str:
     nodes = [program.node(i, 3) for i in range(form.nodes)]
     value = form.make(nodes, [program.parameter() for _ in range(6)])
     lines = _Lines(program.operations, max(order, 0))
-    lines.forward(value.index)
+    lines.forward()
     if order < 0:
         lines.add(f"return data[0] * {lines.of(value.index, 0)}")
     else:
@@ -108,8 +119,8 @@ class _Lines:
         """Coefficient k of operation j; empty if it is zero."""
         return self._known.get((j, k), "")
 
-    def forward(self, last: int) -> None:
-        """All coefficients of the operations up to the last one."""
+    def forward(self) -> None:
+        """All coefficients of all operations."""
         for k in range(self.order + 1):
             for j, operation in enumerate(self.operations):
                 if found := self._coefficient(j, operation, k):

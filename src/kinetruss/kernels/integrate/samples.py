@@ -211,14 +211,14 @@ def turning(control: Control, work: Work) -> float:
         px, py, pz = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex
         if square > 0.0:
             fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
-    ptr, kind = control.angle_ptr, control.angle_kind
+    ptr, form = control.angle_ptr, control.angle_form
     at, data = control.angle_at, control.angle_data
-    scratch = view(work.pivots, 0, 10)
+    scratch = view(work.pivots, 0, 12)
     # J v of each angle about an axis
     for j in range(ptr.size - 1):
         rate = 0.0
         for t in range(ptr[j], ptr[j + 1]):
-            term_gradient(kind, at, data, t, x, scratch)
+            term_gradient(form, at, data, t, x, scratch)
             rate += term_along(at, t, scratch, v)
         if abs(rate) < math.inf:
             fastest = max(fastest, abs(rate))

@@ -119,7 +119,7 @@ PATTERN = (
     "sum_at",
 )
 """Fields of `Control` that hold the pattern of the matrix of an implicit method (kernels.integrate.tangent)."""
-_TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_kind": (0,), "angle_at": (0, 4), "angle_data": (0, 7)}
+_TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_form": (0, 3), "angle_at": (0, 4), "angle_data": (0, 7)}
 """Shapes of those that say what turns, where nothing does."""
 
 
@@ -180,7 +180,7 @@ class Control(Record):
     spring_at: I2
     pairs: I2
     angle_ptr: I1
-    angle_kind: I1
+    angle_form: I2
     angle_at: I2
     angle_data: F2
 

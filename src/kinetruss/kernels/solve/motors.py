@@ -56,12 +56,12 @@ class MotorPlaces(Record):
 @kernel_bare
 def _summed(eq: Equations, ws: Workspace, j: int, x: F1, v: F1) -> tuple[float, float, float, float]:
     """The same of sum j; its row is evaluated with the rates as they are."""
-    kind, at, data, scratch = eq.term_kind, eq.term_at, eq.term_data, ws.term_work
+    form, at, data, scratch = eq.term_form, eq.term_at, eq.term_data, ws.term_work
     ptr, value, rate = eq.sum_ptr, 0.0, 0.0
     # q and q' = J v of the sum
     for t in range(ptr[j], ptr[j + 1]):
-        value += term_value(kind, at, data, t, x)
-        term_gradient(kind, at, data, t, x, scratch)
+        value += term_value(form, at, data, t, x)
+        term_gradient(form, at, data, t, x, scratch)
         rate += term_along(at, t, scratch, v)
     return value, rate, eq.sum_scale[j], 0.0
 

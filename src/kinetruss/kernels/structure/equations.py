@@ -31,7 +31,7 @@ class Equations(Structure):
     of the value or -1; value (r,); weight (r,) of the least-squares share; redundant_row (r,) redundant at the start.
     Motions (structure.rows): motion_kind (d,), motion_data (d, 4), motion_ptr (d + 1,), piece_start (p,), piece (p, w).
     constant (3 n,) : weight of constant masses; gravity (3,), lump_gravity (n, 3).
-    Sums: sum_row (s,) the rows of kind SUM; terms sum_ptr[j]:sum_ptr[j+1] of sum j in term_kind (t,), term_at (t, 4),
+    Sums: sum_row (s,) the rows of kind SUM; terms sum_ptr[j]:sum_ptr[j+1] of sum j in term_form (t, 3), term_at (t, 4),
     term_data (t, 7) as in structure.terms, behind them those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
     Given forces: force_kind, force_A, force_B (g,) coordinates (of a SUM_FORCE first and last term), force_ptr (g + 1,),
     force_time, force_value; force_drive (g,) or -1.
@@ -148,7 +148,7 @@ class Workspace(Record):
     now (3, d) value, rate and acceleration of every motion. u (3, r) gradients at B; target (3, r) length or angle, its
     rate and its reciprocal length; gamma, rhs, multiplier (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r,
     r), diagonal (r,), b, c (nf,), dependent, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
-    R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 10) gradients of sums. pivot (2,) : the scaled one of the
+    R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 24) gradients of sums. pivot (2,) : the scaled one of the
     last factors, and the largest one along the motion (0: not known).
     """
 

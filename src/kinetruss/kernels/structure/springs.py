@@ -15,8 +15,9 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I2, Floats, Ints, Vector
+from kinetruss.kernels.coordinates.forms import ALONG, FIXED_AXIS
 from kinetruss.kernels.structure.equations import Equations
-from kinetruss.kernels.structure.structure import ALONG, FIXED_AXIS, Structure
+from kinetruss.kernels.structure.structure import Structure
 from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_rates, term_value
 
 SMALL = 1e-6

@@ -26,8 +26,8 @@ class Structure(Record):
     law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). pin_P, pin_A, pin_B (k,)
     the pin and the far ends of two bars (pin_B = pin_P: the ground), pin (k,) N m s. lump, share (n,) kg.
     spring (s, 8) : stiffness, rest, damping, friction, slip, play, preload, period; terms spring_ptr[k]:spring_ptr[k + 1] of
-    spring k in spring_kind (t,), spring_at (t, 4), spring_data (t, 7) (structure.terms), with their nodes P, 1, 2 as counted
-    among those of the spring in spring_local (t, 3); points spring_table_ptr[k]:spring_table_ptr[k + 1] of its table in
+    spring k in spring_kind (t,), spring_form (t, 3), spring_at (t, 4), spring_data (t, 7) (structure.terms), with their nodes
+    as counted among those of the spring in spring_local (t, 4); points spring_table_ptr[k]:spring_table_ptr[k + 1] of its table in
     spring_table (p, 4) : deflection, force, slope, energy.
     """
 
@@ -88,9 +88,6 @@ class EndForces(NamedTuple):
 LENGTH, ANGLE, SUM = 0, 1, 2
 NONE, ENGINEERING, GREEN, CABLE = 0, 1, 2, 3
 """Constitutive laws of bars."""
-ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE = 0, 1, 2, 3, 4, 5
-"""Terms of sums: length from 1 to P; angle of 1 -> P about a fixed axis; of P about the axis 1 -> 2; distance of P from the
-line 1 -> 2 in the plane, to its left; a coordinate of P; the cosine of that of a scalar (see structure.terms)."""
 
 RIGID_SHAPE, ALONE, SIZE = 0, 1, 2
 """How a row counts in the singularity measure: not, as a bar that keeps the shape of a rigid part; by itself; as one of the
@@ -109,9 +106,9 @@ class Plan(Record):
     Entries entry_ptr[b]:entry_ptr[b+1] of block b: component entry_axis of the gradient of row entry_row, times entry_sign
     (+1 at B, -1 at A), goes to column entry_col of that row of the block's matrix.
     Sums (kind SUM): sum_row (s,) their rows, of which sum_ptr[b]:sum_ptr[b+1] are in block b and the last ones redundant;
-    terms term_ptr[j]:term_ptr[j+1] of sum j, term_kind, term_at, term_data (structure.terms); sum_scale (s,) of the row,
-    sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: axis sum_entry[., 3] of what term sum_entry[., 1] has at its
-    node sum_entry[., 2] (P, 1, 2) is added to row sum_entry[., 0], column sum_entry[., 4].
+    terms term_ptr[j]:term_ptr[j+1] of sum j, term_form, term_at, term_data (structure.terms); sum_scale (s,) of the row,
+    sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: entry sum_entry[., 2] of the gradient of
+    term sum_entry[., 1] is added to row sum_entry[., 0], column sum_entry[., 3].
     Rigid parts (mechanics.rigid_parts): counts (rows,) RIGID_SHAPE, ALONE or SIZE; seen (cols,) 0 where nothing but
     its own part depends on a node, else 1. Parts sized_ptr[b]:sized_ptr[b+1] of block b have the rows size_row[., 0] from
     size_ptr[g] to size_ptr[g+1]; size_row[., 1] is 1 for those that may be the longest. hand[hand_ptr[b]:hand_ptr[b+1]]: flat

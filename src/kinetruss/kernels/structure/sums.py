@@ -173,7 +173,7 @@ def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, target: F2, out: F1, larg
 def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of the sums; what their motions ask stands in gamma already, unscaled."""
     ptr, row, scale = eq.sum_ptr, eq.sum_row, eq.sum_scale
-    kind, at, data, scratch = eq.term_kind, eq.term_at, eq.term_data, ws.term_work
+    form, at, data, scratch = eq.term_form, eq.term_at, eq.term_data, ws.term_work
     # gamma = scale (q'' - J' v): prescribed acceleration less the convective terms
     for j in range(row.size):
         total = gamma[row[j]]

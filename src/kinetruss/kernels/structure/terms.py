@@ -10,11 +10,11 @@ import math
 
 from kinetruss.kernels.compiled.calls import caller
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
-from kinetruss.kernels.compiled.record import F1, F2, I2
-from kinetruss.kernels.coordinates.straight_line import GRADIENT, RATES, VALUE
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2
+from kinetruss.kernels.coordinates.straight_line import GRADIENT, RATES, SECOND, VALUE
 from kinetruss.kernels.structure.structure import States
 
-_value, _gradient, _rates = caller(VALUE), caller(GRADIENT), caller(RATES)
+_value, _gradient, _rates, _second = (caller(one) for one in (VALUE, GRADIENT, RATES, SECOND))
 
 
 @kernel_inline
@@ -105,6 +105,16 @@ def measure_turning(form: I2, at: I2, data: F2, first: int, last: int, x: F1, v:
     for t in range(first, last):
         term_rates(form, at, data, t, x, v, scratch)
         add_term(at, t, scratch[12:], 1.0, out)
+
+
+@kernel
+def measure_second(second: I1, at: I2, data: F2, first: int, last: int, state: States, out: F2, scratch: F1) -> None:
+    """First and second rate of the gradient of terms first:last at x, v, a, added to out (2, 3 n); scratch (36,)."""
+    x, v, a = state
+    for t in range(first, last):
+        _second(second[t], (at[t], data[t], x, v, a, scratch))
+        add_term(at, t, scratch[12:], 1.0, out[0])
+        add_term(at, t, scratch[24:], 1.0, out[1])
 
 
 @kernel

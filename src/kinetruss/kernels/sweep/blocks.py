@@ -41,7 +41,7 @@ class Workspace(NamedTuple):
     """What the sweeps over the blocks of a plan write, by rows of the plan.
 
     target (rows,) m or rad: what rows are held to; inverse (rows,): its reciprocal for lengths.
-    gradient (rows, 3): of the residual by the position of B; terms (terms, 10): gradients in sums.
+    gradient (rows, 3): of the residual by the position of B; terms (terms, 24): gradients in sums.
     lu (rows, width), pivot (rows,): factors of the blocks; order, parity (blocks,), state (blocks,): of large ones.
     work, scratch : right-hand sides and solutions of one block. full (width, width), left (2, width): to look for an order.
     """
@@ -74,14 +74,14 @@ def workspace(plan: Plan) -> Workspace:
         target,
         inverse,
         np.empty((n, 3)),
-        np.empty((plan.term_kind.size, 10)),
+        np.empty((plan.term_form.shape[0], 24)),
         np.empty((n, width)),
         np.zeros(n + 1, np.int64),  # within bounds also where nothing was factored
         new_order(n if width > SMALL else 0, width),
         np.ones(plan.ptr.size),
         np.zeros(plan.ptr.size, np.int64),
         np.empty(n + 1),
-        np.empty(max(n, 10)),  # a term has ten numbers
+        np.empty(max(n, 24)),  # a term has so many numbers
         np.empty((width, width), np.bool_),
         np.empty((2, width), np.bool_),
     )
@@ -182,7 +182,7 @@ def _mark(plan: Plan, w: Workspace, b: int) -> None:
         w.full[plan.entry_row[e] - first, plan.entry_col[e]] = True
     # entries of sums
     for e in range(plan.sum_entry_ptr[b], plan.sum_entry_ptr[b + 1]):
-        w.full[plan.sum_entry[e, 0] - first, plan.sum_entry[e, 4]] = True
+        w.full[plan.sum_entry[e, 0] - first, plan.sum_entry[e, 3]] = True
 
 
 @kernel_inline

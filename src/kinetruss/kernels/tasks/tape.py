@@ -9,21 +9,35 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.compiled.record import F1, F2, I0, I1, Record, Vector, record
+from kinetruss.kernels.compiled.record import F1, F2, I0, I1, Floats, Record, Vector, record
+from kinetruss.kernels.coordinates.programs import (
+    ADD,
+    ANGLE_OF,
+    CONSTANT,
+    COSINE,
+    DIVIDE,
+    MULTIPLY,
+    NODE_AT,
+    PARAMETER,
+    ROOT,
+    SINE,
+    SUBTRACT,
+    Program,
+)
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM, Plan
 from kinetruss.kernels.structure.sums import add_sum_force, sum_known
 from kinetruss.kernels.sweep.blocks import Workspace, known, solve, solve_transposed
 
-NODE_AT, PARAMETER, CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, ROOT, ANGLE_OF = 0, 1, 2, 3, 4, 5, 6, 7, 8
-
 
 @record
 class Tape(Record):
-    """op (k,) what is done; a, b (k,) with what: earlier operations, or the flat coordinate of a node, or a parameter.
+    """op, a, b, c, number (k,) : see kernels.coordinates.programs.
 
-    number (k,) constants. out (r,) the operations that are results: `tasks` of them of tasks, then those of the sums of a plan.
+    out (r,) the operations that are results: `tasks` of them of tasks, then those of the sums of a plan.
     period (r,) after which results are the same (0: never).
     """
 
@@ -31,6 +45,7 @@ class Tape(Record):
     op: I1
     a: I1
     b: I1
+    c: I1
     number: F1
     out: I1
     period: F1
@@ -47,16 +62,29 @@ def _times(p: F2, a: int, q: F2, b: int, k: int) -> float:
 
 
 @kernel_inline
-def _angle(T: F2, s: int, c: int, j: int, k: int) -> float:
-    """Coefficient k of atan2(s, c)."""
+def _angle(T: F2, s: int, c: int, square: int, j: int, k: int) -> float:
+    """Coefficient k of atan2(s, c), operation j; square : the operation s^2 + c^2."""
     if k == 0:
         return math.atan2(T[0, s], T[0, c])
-    square = T[0, s] * T[0, s] + T[0, c] * T[0, c]
-    turn = T[0, c] * T[k, s] - T[0, s] * T[k, c]
+    turn = 0.0
     # (s^2 + c^2) q' = c s' - s c', coefficient by coefficient
-    if k == 2:
-        turn -= T[1, j] * (T[0, c] * T[1, c] + T[0, s] * T[1, s])
-    return turn / square
+    for i in range(1, k + 1):
+        turn += i * (T[k - i, c] * T[i, s] - T[k - i, s] * T[i, c])
+    for i in range(1, k):
+        turn -= i * T[i, j] * T[k - i, square]
+    return turn / (k * T[0, square])
+
+
+@kernel_inline
+def _wave(T: F2, op: int, a: int, other: int, k: int) -> float:
+    """Coefficient k of the sine or cosine of operation a; other : the operation that is the other of the two."""
+    if k == 0:
+        return math.sin(T[0, a]) if op == SINE else math.cos(T[0, a])
+    total = 0.0
+    # sine' = cosine a', cosine' = -sine a'
+    for i in range(1, k + 1):
+        total += i * T[i, a] * T[k - i, other]
+    return total / k if op == SINE else -total / k
 
 
 @kernel_inline
@@ -70,7 +98,9 @@ def _operation(tape: Tape, j: int, k: int, T: F2) -> float:
     if op == MULTIPLY:
         return _times(T, a, T, b, k)
     if op == ANGLE_OF:
-        return _angle(T, a, b, j, k)
+        return _angle(T, a, b, tape.c[j], j, k)
+    if op in (SINE, COSINE):
+        return _wave(T, op, a, tape.c[j], k)
     total = T[k, a]
     if op == DIVIDE:
         # c b = a: c_k b_0 = a_k - sum of c_i b_(k - i)
@@ -112,7 +142,7 @@ def _quotient(p: F2, a: int, q: F2, b: int, order: int, out: F2) -> None:
 
 @kernel_inline
 def _pass_back(tape: Tape, j: int, order: int, T: F2, B: F2, quotient: F2) -> None:
-    """Add what operation j does to the adjoints of its operands; quotient (3, 2) is scratch."""
+    """Add what operation j does to the adjoints of its operands; quotient (3, 1) is scratch."""
     op, a, b = tape.op[j], tape.a[j], tape.b[j]
     if op == MULTIPLY:
         # a += c' b, b += c' a, with c' the adjoint of c = a b; a = b counts twice
@@ -129,12 +159,14 @@ def _pass_back(tape: Tape, j: int, order: int, T: F2, B: F2, quotient: F2) -> No
         for k in range(order + 1):
             B[k, a] += 0.5 * quotient[k, 0]
     elif op == ANGLE_OF:
-        for k in range(order + 1):
-            quotient[k, 1] = _times(T, a, T, a, k) + _times(T, b, T, b, k)
-        _quotient(B, j, quotient, 1, order, quotient)
+        _quotient(B, j, T, tape.c[j], order, quotient)
         for k in range(order + 1):
             B[k, a] += _times(quotient, 0, T, b, k)
             B[k, b] -= _times(quotient, 0, T, a, k)
+    elif op in (SINE, COSINE):
+        for k in range(order + 1):
+            change = _times(B, j, T, tape.c[j], k)
+            B[k, a] += change if op == SINE else -change
     elif op in (ADD, SUBTRACT):
         for k in range(order + 1):
             B[k, a] += B[k, j]
@@ -145,7 +177,7 @@ def _pass_back(tape: Tape, j: int, order: int, T: F2, B: F2, quotient: F2) -> No
 def backward(tape: Tape, order: int, T: F2, B: F2, quotient: F2, G: F2) -> None:
     """Add the gradient of the sum of B[0] times operations, with its coefficients up to `order`, to G (3, 3 n).
 
-    T : from `forward`. B (3, k) : the factors of operations, series too; overwritten. quotient (3, 2) is scratch.
+    T : from `forward`. B (3, k) : the factors of operations, series too; overwritten. quotient (3, 1) is scratch.
     """
     for j in range(tape.op.size - 1, -1, -1):
         if tape.op[j] == NODE_AT:
@@ -162,6 +194,20 @@ def evaluate(tape: Tape, X: F2, P: F2, T: F2, out: F2) -> None:
         forward(tape, X[i : i + 1], P[i : i + 1], 0, T)
         for j in range(tape.out.size):
             out[i, j] = T[0, tape.out[j]]
+
+
+def tape_of(program: Program, tasks: int) -> Tape:
+    """The tape of a program; `tasks` of its results are of tasks."""
+    op, a, b, number, c = zip(*program.operations, strict=True)
+    out, period = zip(*((value.index, period) for value, period in program.results), strict=True)
+    return Tape.of({"tasks": tasks, "op": op, "a": a, "b": b, "c": c, "number": number, "out": out, "period": period})
+
+
+def values(tape: Tape, x: Floats, p: Floats) -> Floats:
+    """Results (times, r) at flat positions x (times, 3 n) and parameters p (times, parameters)."""
+    out = np.zeros((len(x), len(tape.out)))
+    evaluate(tape, np.ascontiguousarray(x), np.ascontiguousarray(p), np.zeros((3, len(tape.op))), out)
+    return out
 
 
 # Sweeps over the blocks in Taylor arithmetic: from drives to nodes, and from the gradient of tasks back to drives.
@@ -191,7 +237,7 @@ class TaskWork(Record):
     g (3, 3 n) of the gradient, mu of rows, s of the factors of tasks, q of drives, moving (3, k) of prescribed coordinates that
     move; scale (rows,) of a row over what it is the row of (1 of lengths, L of angles). K (d + m, d + m), pivot its factors;
     A (m, d); r, step (d + m,); ref (3, d) what drives are to be near to; kept (4, 3 n or d) states to go back to; sign
-    (blocks,) of determinants; rows (3, 3), out (3, d), quotient (3, 2) scratch.
+    (blocks,) of determinants; rows (3, 3), out (3, d), quotient (3, 1) scratch.
     """
 
     pivot: I1
@@ -242,7 +288,7 @@ def workspace_of(plan: Plan, tape: Tape, coordinates: int, drives: int, paramete
         "sign": (len(plan.ptr),),
         "rows": (3, 3),
         "out": (3, drives),
-        "quotient": (3, 2),
+        "quotient": (3, 1),
     }
     room = TaskWork.zeros(shapes)
     room.scale[:] = 1.0
