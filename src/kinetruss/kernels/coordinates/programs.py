@@ -7,7 +7,7 @@ kernels.coordinates.straight_line, as compiled code, for those that are known be
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 NODE_AT, PARAMETER, CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, ROOT, ANGLE_OF, SINE, COSINE = range(11)
@@ -54,7 +54,7 @@ class Scalar:
 
 
 Vector = tuple[Any, Any, Any]
-_FOLDED = {
+_FOLDED: dict[int, Callable[[float, float], float]] = {
     ADD: lambda a, b: a + b,
     SUBTRACT: lambda a, b: a - b,
     MULTIPLY: lambda a, b: a * b,

@@ -219,16 +219,15 @@ def _sums_of_solution(eq: Equations, ws: Workspace, gamma: F1, y: F1, rhs: F1) -
     """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
     local = eq.local
-    # J y - gamma with g, -w1 g, -w2 g of each term
+    # J y - gamma with the gradients of each term at its four nodes
     for j in range(row.size):
         total = -gamma[row[j]]
         for t in range(ptr[j], ptr[j + 1]):
-            for place in range(3):
-                share = 1.0 if place == 0 else -terms[t, 2 + place]
+            for n in range(4):
                 for c in range(3):
-                    i = local[at[t, place] + c]
+                    i = local[at[t, n] + c]
                     if i >= 0:
-                        total += share * terms[t, c] * y[i]
+                        total += terms[t, 3 * n + c] * y[i]
         rhs[row[j]] = total
 
 

@@ -27,8 +27,8 @@ class Structure(Record):
     the pin and the far ends of two bars (pin_B = pin_P: the ground), pin (k,) N m s. lump, share (n,) kg.
     spring (s, 8) : stiffness, rest, damping, friction, slip, play, preload, period; terms spring_ptr[k]:spring_ptr[k + 1] of
     spring k in spring_kind (t,), spring_form (t, 3), spring_at (t, 4), spring_data (t, 7) (structure.terms), with their nodes
-    as counted among those of the spring in spring_local (t, 4); points spring_table_ptr[k]:spring_table_ptr[k + 1] of its table in
-    spring_table (p, 4) : deflection, force, slope, energy.
+    as counted among those of the spring in spring_local (t, 4); points spring_table_ptr[k]:spring_table_ptr[k + 1] of its
+    table in spring_table (p, 4) : deflection, force, slope, energy.
     """
 
     pair_A: I1
