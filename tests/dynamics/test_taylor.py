@@ -10,6 +10,7 @@ from hypothesis import given, settings, strategies as st
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
+from hinge_models import Arm
 from kinetruss.errors import InputError
 from kinetruss.library import mechanisms
 from kinetruss.results import Status
@@ -199,6 +200,66 @@ def test_redundant_bars_share_their_force():
     np.testing.assert_allclose(2 * run.forces.member_force[:, 0], alone.forces.member_force[:, 0], atol=1e-8)
 
 
+ARM = Arm().model()
+SUMS = {
+    "a hinge that moves as wanted, one under a torque in time": (
+        ARM,
+        kt.Quintic(moves={"base": (0.0, 1.2)}, duration=1.0),
+        {"elbow": kt.GivenForce(times=(0.0, 0.4, 1.0), torques=(3.0, -2.0, 4.0))},
+    ),
+    "two free hinges with damped springs": (
+        ARM.with_(springs={
+            f"{name}-spring": kt.Spring(coordinate=ARM.drives[name], stiffness=9.0, rest=0.3, damping=0.2, preload=-1.0)
+            for name in ARM.drives
+        }),
+        None,
+        {name: kt.Free() for name in ARM.drives},
+    ),
+    "a chain with springs about its pins and a coupling of angles": (
+        kt.Model(
+            nodes={f"N{k}": kt.Node(at=(0.3 * k, 0.02 * k * k), mass=0.2) for k in range(5)},
+            fixed=["N0"],
+            bars={f"b{k}": (f"N{k}", f"N{k + 1}") for k in range(4)},
+            springs={
+                f"s{k}": kt.Spring(
+                    coordinate=kt.HingeDrive(axis=f"N{k}", start=f"N{k - 1}", end=f"N{k + 1}"), stiffness=8.0, damping=0.02
+                )
+                for k in range(1, 4)
+            },
+            couplings={"gear": kt.Coupling(terms=((kt.AngleDrive("b0"), 2.0), (kt.AngleDrive("b1"), -1.0)))},
+            gravity=(0, -9.81),
+        ),
+        None,
+        {},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("which", SUMS)
+def test_sums_of_terms_beside_dop853(which):
+    model, trajectory, tasks = SUMS[which]
+    method = kt.Taylor(rtol=1e-12, atol=1e-13)
+    one, two = (simulate(model, 1.0, samples=21, trajectory=trajectory, tasks=tasks, method=k) for k in (method, TIGHT))
+    np.testing.assert_allclose(one.motion.position, two.motion.position, atol=2e-10)
+    pulls = two.forces.member_force
+    np.testing.assert_allclose(one.forces.member_force, pulls, atol=2e-8 * float(np.abs(pulls).max()))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("order", "fewest"), [(4, 48), (6, 20), (8, 10)])
+def test_the_error_of_sums_falls_with_the_order_of_the_series(order, fewest):
+    model, trajectory, tasks = SUMS["two free hinges with damped springs"]
+    steps = fewest * np.array([1.0, 1.5, 2.0])
+
+    def end(method):
+        return simulate(model, 0.3, samples=2, trajectory=trajectory, tasks=tasks, method=method).motion.position[-1]
+
+    exact = end(kt.DOP853(rtol=1e-14, atol=1e-15))
+    errors = [float(np.abs(end(kt.Taylor(order=order, step=0.3 / n)) - exact).max()) for n in steps]
+    assert errors[-1] > 1e-12
+    assert -np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(order, abs=0.25)
+
+
 def test_events_are_found_on_the_series():
     events = {"low": kt.Event(coordinate="A.x", value=0.0, stop=False), "high": kt.Event(coordinate="A.y", value=-0.5)}
     one, two = (simulate(pendulum(), 1.0, samples=11, method=method, events=events) for method in (kt.Taylor(), TIGHT))
@@ -236,6 +297,13 @@ def test_numbers_that_overflow_end_the_run_before_they_are_shown():
             hanging(stiffness=100.0).with_(bars={"spring": kt.Bar(ends=("O", "A"), kind="cable", stiffness=100.0)}),
             {},
             "'spring'",
+        ),
+        (
+            SUMS["two free hinges with damped springs"][0].with_(
+                springs={"rub": kt.Spring(coordinate=ARM.drives["base"], stiffness=9.0, friction=0.3)}
+            ),
+            {},
+            "'rub' has friction",
         ),
         (pendulum(), {"user_force": lambda t, x, v: {"A": (0, 1.0)}}, "user force"),
     ],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from kinetruss.kernels.tasks import tape as kernel
+from kinetruss.kernels.coordinates import tape as kernel
 from kinetruss.kernels.coordinates.programs import Program, angle, cross, dot, minus, root, size, unit
 
 
@@ -62,7 +62,7 @@ def test_one_pass_back_gives_the_gradient_and_its_series(seed):
     T, B, G = _series(tape, X, P), np.zeros((3, len(tape.op))), np.zeros((3, 9))
     for j in range(2):
         B[:, tape.out[j]] += s[:, j]
-    kernel.backward(tape, 2, T, B, np.zeros((3, 2)), G)
+    kernel.backward(tape, 2, T, B, np.zeros_like(B), G)
     # coefficient k of the gradient of s . c by x is the derivative of coefficient 2 of s . c by coefficient 2 - k of x
     for c in range(9):
         for k in range(3):

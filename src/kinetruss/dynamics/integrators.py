@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.errors import InputError
+from kinetruss.kernels.coordinates.programs import Program
+from kinetruss.kernels.coordinates.tape import tape_of
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, Control, Memory, new_memory
-from kinetruss.kernels.structure.equations import DENSE
+from kinetruss.kernels.structure.equations import DENSE, SUM_FORCE
 from kinetruss.kernels.structure.rows import POLYNOMIAL
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
 from kinetruss.mechanics import System
+from kinetruss.mechanics.measures import measure_of
 from kinetruss.mechanics.sparse_plan import tangent_record
 from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
 
@@ -101,6 +104,7 @@ def control(
             "breaks": table,
             **_watches(eq, events),
             **(_turning(system) if turns else {}),
+            **(_tape(eq, system) if isinstance(method, Taylor) else {}),
         },
     )
 
@@ -134,6 +138,23 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
         "angle_at": system.term_at[chosen],
         "angle_data": system.term_data[chosen],
     }
+
+
+def _tape(eq: Any, system: System) -> dict[str, NDArray[Any]]:
+    """All sums of terms that rows hold, springs resist and given torques turn, as kernels.series.measured takes them."""
+    pushed = eq.force_A[eq.force_kind == SUM_FORCE] - eq.sum_ptr[-1]
+    measures = np.concatenate([
+        system.row_measure[eq.row[eq.sum_row]],
+        system.spring_measure,
+        np.searchsorted(system.measure_ptr, pushed, side="right") - 1,
+    ])  # fmt: skip
+    if not measures.size:
+        return {}
+    program = Program()
+    for k in measures.tolist():
+        program.result(measure_of(system, program, k))
+    tape = tape_of(program, 0)
+    return {"tape_ints": tape.ints, "tape_reals": tape.reals}
 
 
 def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.dynamics.simulation_problem import Problem
+    from kinetruss.kernels.compiled.record import Flags
+    from kinetruss.kernels.structure.equations import Equations
 
 
 GAP = 0.4
@@ -429,22 +431,29 @@ def without_series(problem: Problem) -> str | None:
     found = (
         (changing, "rods of {!r} change their inertia with its length"),
         (cables, "the cable {!r} may be taut or slack"),
-        (eq.sum_row, "hinges, angles in space or couplings stand between bodies"),
-        (np.flatnonzero(eq.force_kind == SUM_FORCE), "a torque is given between bodies"),
         (eq.follower_mode, "a load turns with its body"),
         (eq.edge_A, "membranes or solids resist"),
         (eq.pin, "there is friction about pins"),
-        (system.springs, "the spring {!r} acts on a coordinate"),
+        ([system.springs[k] for k in np.flatnonzero(_bends(eq))], "the spring {!r} has friction, play or a table"),
         ([problem.user] if problem.user.given else [], problem.user.words),
         ([problem.motors] if problem.motors is not None else [], "motors have inputs"),
     )
     return next((words.format(what[0]) for what, words in found if len(what)), None)
 
 
+def _bends(eq: Equations) -> Flags:
+    """Springs (s,) whose force is no linear function of the deflection and its rate."""
+    return np.asarray((eq.spring[:, 3] != 0.0) | (eq.spring[:, 5] != 0.0) | (np.diff(eq.spring_table_ptr) > 0))
+
+
 def by_default(problem: Problem) -> DOP853 | Taylor:
-    """The default method: power series if the motion has one and does not have many segments."""
-    few = len(jumps(problem.eq, all_pieces=True)) <= MANY
-    return Taylor() if few and without_series(problem) is None else DOP853()
+    """The default method: power series if the motion has one, does not have many segments, and no sums of terms (angles in
+    space, couplings, springs on coordinates), whose series cost as much time as they save.
+    """
+    eq = problem.eq
+    sums = eq.sum_row.size or len(eq.spring) or np.any(eq.force_kind == SUM_FORCE)
+    few = len(jumps(eq, all_pieces=True)) <= MANY
+    return Taylor() if few and not sums and without_series(problem) is None else DOP853()
 
 
 def refuse_series(problem: Problem) -> None:

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
+from kinetruss.kernels.coordinates.tape import tape_of
 from kinetruss.kernels.tasks import reach as cold, track as warm
-from kinetruss.kernels.tasks.tape import Drives, TaskWork, tape_of, workspace_of
+from kinetruss.kernels.tasks.sweeps import Drives, TaskWork, workspace_of
 from kinetruss.kinematics.motions import Swept, sweep_path
 from kinetruss.kinematics.positions import own_start
 from kinetruss.kinematics.redundant import LEAST, Path
@@ -29,8 +30,8 @@ from kinetruss.model import Active, LengthDrive
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.kernels.coordinates.tape import Tape
     from kinetruss.kernels.structure.structure import Plan
-    from kinetruss.kernels.tasks.tape import Tape
 
 
 STARTS = 16

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from kinetruss.kernels.coordinates.programs import Program, Scalar, Vector, angle, cross, dot, minus, root, size, total, unit
-from kinetruss.kernels.tasks.tape import tape_of, values
+from kinetruss.kernels.coordinates.tape import tape_of, values
 from kinetruss.kinematics.poses import start_frame
 from kinetruss.mechanics import System, measure_of
 from kinetruss.mechanics.bays import POSE, bay_of

@@ -14,7 +14,7 @@ import numpy as np
 
 from kinetruss.kernels.motion.profiles import spline
 from kinetruss.kernels.tasks import track as warm
-from kinetruss.kernels.tasks.tape import Drives
+from kinetruss.kernels.tasks.sweeps import Drives
 from kinetruss.kinematics.drive_limits import Limits, motion_uses
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ import xarray as xr
 
 from kinetruss.arrays import array_of
 from kinetruss.errors import InputError, shown
-from kinetruss.kernels.tasks.tape import Drives
+from kinetruss.kernels.tasks.sweeps import Drives
 from kinetruss.kinematics.inverse_motion import release, task_of
 from kinetruss.kinematics.jacobians import singularity_at
 from kinetruss.kinematics.motions import follow_path

@@ -143,9 +143,9 @@ class Taylor(Record):
     first series, found from the equations by default. step : s, all steps alike and no error control, to study convergence.
     solver : of accelerations and forces; the fastest by default.
 
-    Rigid, driven and elastic bars of constant mass, planar bodies, angle drives, supports that move, given forces. Not for
-    active members, cables, hinges, couplings and springs, loads that turn with bodies, membranes,
-    solids, friction about pins, user forces and motors: use `DOP853` for these.
+    Rigid, driven and elastic bars of constant mass, planar bodies, drives, hinges, couplings, linear springs on coordinates,
+    supports that move, given forces. Not for active members, cables, springs with friction, play or a table, loads that turn
+    with bodies, membranes, solids, friction about pins, user forces and motors: use `DOP853` for these.
 
     Source: A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117; J. D. Pryce, Numerical Algorithms 19 (1998) 195-211.
     """

@@ -1,6 +1,6 @@
 """Functions of node positions written as arithmetic: straight-line programs, an operation a line, each made once.
 
-Who runs them: kernels.tasks.tape, operation by operation, for series in time and for programs made at run time;
+Who runs them: kernels.coordinates.tape, operation by operation, for series in time and for programs made at run time;
 kernels.coordinates.straight_line, as compiled code, for those that are known beforehand.
 """
 

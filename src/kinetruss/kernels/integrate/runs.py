@@ -11,6 +11,7 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.record import F1, I1
+from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.dop853_step import begin_step, target
 from kinetruss.kernels.integrate.fixed_steps import Step, new_step, rattle_step, solve_step
@@ -66,7 +67,7 @@ def integrate_explicit(
     by_series = control.method == m.TAYLOR
     work = new_work(control, memory, samples, budget, m.BY_SERIES if by_series else 1)
     orders = int(control.orders) if by_series else 2
-    own = series_work(eq, control.stand, orders)
+    own = series_work(eq, control.stand, orders, Tape(control.tape_ints, control.tape_reals))
     x, v, tolerance = work.x, work.v, control.tolerance
     a, N = work.a, work.N
     work.factored = -1.0

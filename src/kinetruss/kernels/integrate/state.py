@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, I1, I2, Record, record
+from kinetruss.kernels.coordinates.tape import Tape
 
 __all__ = ["Control", "Memory", "Work", "Samples", "new_memory"]
 
@@ -131,6 +132,7 @@ class Control(Record):
     of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
     jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. pairs (k, 2) :
     flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
+    tape_ints, tape_reals : buffers of the tape of all sums, for power series.
     Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE; event_A, event_B (e,) flat coordinates, A of a force its row;
     event_value (e,) m or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run ends there;
     event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates of both
@@ -183,12 +185,17 @@ class Control(Record):
     angle_form: I2
     angle_at: I2
     angle_data: F2
+    tape_ints: I1
+    tape_reals: F1
 
     @classmethod
     def of_method(cls, pattern: Mapping[str, NDArray[Any]], given: Mapping[str, Any]) -> Control:
         """The record of named arrays; an explicit method has an empty pattern."""
         empty = {name: np.zeros((0, 0)[: field.axes]) for name, field in cls.FIELDS.items()}
-        return cls.of({**empty, **{name: np.zeros(shape) for name, shape in _TURNING.items()}, **pattern, **given})
+        nothing = Tape.zeros({})
+        at_rest = {name: np.zeros(shape) for name, shape in _TURNING.items()}
+        tape = {"tape_ints": nothing.ints, "tape_reals": nothing.reals}
+        return cls.of({**empty, **at_rest, **tape, **pattern, **given})
 
 
 class Samples(NamedTuple):

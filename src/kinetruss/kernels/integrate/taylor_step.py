@@ -11,6 +11,7 @@ import math
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1
+from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.dop853_step import LEAST, target
 from kinetruss.kernels.integrate.samples import state_within
@@ -326,7 +327,7 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
     if first < 0.0:
         first = factor(eq, ws, x)
     memory.pivot = first
-    series(eq, ws, own, memory.t, memory.h, x, v)
+    series(eq, ws, Tape(control.tape_ints, control.tape_reals), own, memory.t, memory.h, x, v)
     memory.evaluations += 1
     fixed = control.fixed_step
     most, last = _size(control, memory, own)

@@ -10,6 +10,7 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.record import F1, F2, I0, Record, record
+from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.rows import SINE, piece_at
@@ -24,7 +25,8 @@ class SeriesWork(Record):
     else empty (they are d); q (r,) force densities, of an angle row forces; squares (r,) of wanted lengths where some change in
     time. motions (d,) of drives and supports. Bars with a law: law_d (3 s,), law_w squares of lengths, law_l lengths, law_r
     quotients by them, law_q densities (s,). Given forces: force_d (3 g,), force_w what they are divided by, force_q (g,)
-    densities. sums (2, .), N (r,) : scratch. norms (2, orders) : how large each order is.
+    densities. sums (2, .), N (r,) : scratch. norms (2, orders) : how large each order is. Sums of terms: tape, adjoints,
+    quotients (k,) of the operations of the tape; pushes (p,) : forces on their values (series.measured).
     """
 
     axes: I0
@@ -45,6 +47,10 @@ class SeriesWork(Record):
     sums: F2
     N: F1
     norms: F2
+    tape: F2
+    adjoints: F2
+    quotients: F2
+    pushes: F2
 
 
 _, INTEGERS, REALS = SeriesWork.COUNT
@@ -70,7 +76,7 @@ def _axes(eq: Equations, stand: F1) -> int:
 
 
 @kernel
-def series_work(eq: Equations, stand: F1, orders: int) -> SeriesWork:
+def series_work(eq: Equations, stand: F1, orders: int, tape: Tape) -> SeriesWork:
     """Workspace of the orders 0 to `orders` of the places; stand (3 n,) : where prescribed coordinates are, m."""
     kind, motion = eq.kind, eq.motion
     r, s, g, n = kind.size, eq.law_A.size, eq.force_kind.size, stand.size
@@ -79,13 +85,14 @@ def series_work(eq: Equations, stand: F1, orders: int) -> SeriesWork:
     for k in range(r):
         turning = turning or kind[k] == ANGLE
         moving = moving or motion[k] >= 0
-    rows, widest = orders + 1, max(axes * r, 3 * s)
+    rows, widest, k, p = orders + 1, max(axes * r, 3 * s, n), tape.op.size, tape.out.size
     # in the order of the fields
     shapes = (
         (rows, n), (rows, axes * r), (rows if turning else 0, axes * r), (rows, r),
         (rows if moving else 0, r), (rows, eq.motion_kind.size),
         (rows, 3 * s), (rows, s), (rows, s), (rows, s), (rows, s),
         (rows, 3 * g), (rows, g), (rows, g), (2, widest), (r, 1), (2, rows),
+        (rows, k), (rows, k), (rows, k), (rows, p),
     )  # fmt: skip
     ints, reals = laid_out(shapes, INTEGERS, REALS)
     work = SeriesWork(ints, reals)
@@ -275,6 +282,13 @@ def _amount(time: F1, value: F1, first: int, last: int, t: float) -> tuple[float
 
 
 @kernel_bare
+def table_order(eq: Equations, g: int, t: float, s: float, j: int) -> float:
+    """Order j of the amount of the given force g; t (s) is where the series begins."""
+    value, slope = _amount(eq.force_time, eq.force_value, eq.force_ptr[g], eq.force_ptr[g + 1], t)
+    return value if j == 0 else slope * s if j == 1 else 0.0
+
+
+@kernel_bare
 def _divisor(D: F2, W: F2, g: int, count: int, j: int, angle: bool) -> float:
     """Order j of what the force g is divided by: the square of the length (a torque), or the length."""
     total = 0.0
@@ -295,7 +309,7 @@ def _divisor(D: F2, W: F2, g: int, count: int, j: int, angle: bool) -> float:
 @kernel_bare
 def given_order(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
     """f += order j of given forces; t (s) is where the series begins."""
-    kind, A, B, ptr = eq.force_kind, eq.force_A, eq.force_B, eq.force_ptr
+    kind, A, B = eq.force_kind, eq.force_A, eq.force_B
     X, D, W, Q, count = (
         work.x,
         work.force_d,
@@ -305,11 +319,11 @@ def given_order(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: 
     )
     # order j of F d/L of a thrust, of T n/L^2 of a torque, by quotient and product of series
     for g in range(count):
-        value, slope = _amount(eq.force_time, eq.force_value, ptr[g], ptr[g + 1], t)
-        amount = value if j == 0 else slope * s if j == 1 else 0.0
-        a, b = A[g], B[g]
+        amount, a, b = table_order(eq, g, t, s, j), A[g], B[g]
         if kind[g] == e.COORDINATE_FORCE:
             f[a] += amount
+            continue
+        if kind[g] == e.SUM_FORCE:
             continue
         angle = kind[g] == e.ANGLE_FORCE
         for c in range(3):

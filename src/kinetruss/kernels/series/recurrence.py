@@ -12,11 +12,13 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
+from kinetruss.kernels.coordinates.tape import Tape
+from kinetruss.kernels.series.measured import measured_order, sum_orders, take_multipliers, take_places
 from kinetruss.kernels.series.orders import SeriesWork, given_order, law_lengths, law_order, motion_series, row_series
 from kinetruss.kernels.solve.kkt import row_along, solve_refined
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import mass_times
-from kinetruss.kernels.structure.structure import LENGTH
+from kinetruss.kernels.structure.structure import LENGTH, SUM
 
 __all__ = ["series"]
 
@@ -71,6 +73,8 @@ def _row_terms(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rate: flo
         _squares(D, j, sums)
     # d . d = L^2 (or n . d = 0) at order j + 2, solved for J a
     for k in range(r):
+        if kind[k] == SUM:
+            continue
         total = sums[k]
         for c in range(1, axes):
             total += sums[c * r + k]
@@ -127,7 +131,7 @@ def _take_prescribed(eq: Equations, ws: Workspace, work: SeriesWork, j: int, rat
 
 
 @kernel_bare
-def _begin(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
+def _begin(eq: Equations, ws: Workspace, tape: Tape, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
     """Orders 0 and 1 of places, differences, lengths; all orders of motions."""
     X = work.x
     # X_0 = x, X_1 = s v
@@ -142,10 +146,12 @@ def _begin(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x
         _differences(eq, work, j)
         if eq.law_A.size:
             law_lengths(eq, work, j)
+        if tape.op.size:
+            take_places(tape, work, j)
 
 
 @kernel_bare
-def _forces(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
+def _forces(eq: Equations, tape: Tape, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
     """Order j of all forces but the unknown part of the constraint forces, into f (3 n,)."""
     constant = eq.constant
     # constant forces have order 0 alone
@@ -157,32 +163,40 @@ def _forces(eq: Equations, work: SeriesWork, t: float, s: float, j: int, f: F1) 
         law_order(eq, work, j, s, f)
     if eq.force_kind.size:
         given_order(eq, work, t, s, j, f)
+    if tape.op.size:
+        measured_order(eq, tape, work, t, s, j, f)
     if j:
         _row_forces(eq, work, j, f)
 
 
 @kernel_bare
-def series(eq: Equations, ws: Workspace, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
+def series(eq: Equations, ws: Workspace, tape: Tape, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the arrays of `work`.
 
-    Rows must be prepared for t and the matrix factored at x. Equations with varying inertia, sums, continua, followers, slack
-    cables or user forces have other series.
+    Rows must be prepared for t and the matrix factored at x. tape : of all sums (see series.measured). Equations with varying
+    inertia, continua, followers, slack cables or user forces have other series.
     """
     X, Q, target, kind = work.x, work.q, ws.target, eq.kind
     f, gamma, a, N, free = ws.f, ws.gamma, ws.g, work.N, eq.free
-    moved = eq.held.size > 0
-    _begin(eq, ws, work, t, s, x, v)
+    moved, measured = eq.held.size > 0, tape.op.size > 0
+    _begin(eq, ws, tape, work, t, s, x, v)
     # order by order: right-hand side, one solution with the same factors, X_(j+2) = s^2 A_j/((j + 1)(j + 2))
     for j in range(X.shape[0] - 2):
         rate = (j + 1.0) * (j + 2.0) / (s * s)
-        _forces(eq, work, t, s, j, f)
+        _forces(eq, tape, work, t, s, j, f)
         _row_terms(eq, ws, work, j, rate, gamma)
+        if measured:
+            sum_orders(eq, tape, work, j, rate, gamma)
         if moved:
             _take_prescribed(eq, ws, work, j, rate, f, gamma, a)
         solve_refined(eq, ws, x, f, gamma, a, N)
+        # the force of a sum is no density along a line
         for k in range(kind.size):
-            Q[j, k] = N[k] * target[2, k]
+            Q[j, k] = 0.0 if kind[k] == SUM else N[k] * target[2, k]
         back = 1.0 / rate
         for i in range(free.size):
             X[j + 2, free[i]] = a[free[i]] * back
         _differences(eq, work, j + 2)
+        if measured:
+            take_multipliers(eq, work, j, N)
+            take_places(tape, work, j + 2)

@@ -11,11 +11,12 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.coordinates.tape import Tape, forward
 from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, factor, set_targets
 from kinetruss.kernels.sweep.follow import chord, closed_block, faces, righted
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
-from kinetruss.kernels.tasks.tape import Drives, Tape, TaskWork, carry, forward, gradient, scales
+from kinetruss.kernels.tasks.sweeps import Drives, TaskWork, carry, gradient, scales
 
 __all__ = ["closed", "corrected", "matrix", "rates", "residual", "task_rows"]
 

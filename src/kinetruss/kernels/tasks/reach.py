@@ -10,11 +10,12 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
+from kinetruss.kernels.coordinates.tape import Tape, forward
 from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 from kinetruss.kernels.tasks.kkt import closed, matrix, residual, task_rows
-from kinetruss.kernels.tasks.tape import Drives, Tape, TaskWork, carry, forward, let_go
+from kinetruss.kernels.tasks.sweeps import Drives, TaskWork, carry, let_go
 
 __all__ = ["MET", "NEAREST", "SLOW", "linear", "reach"]
 

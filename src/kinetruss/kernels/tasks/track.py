@@ -8,10 +8,11 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.record import F1, Floats
+from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.structure.structure import Plan
 from kinetruss.kernels.sweep.blocks import Workspace, workspace
 from kinetruss.kernels.tasks.kkt import corrected, matrix, rates
-from kinetruss.kernels.tasks.tape import Drives, Tape, TaskWork, gradient, let_go
+from kinetruss.kernels.tasks.sweeps import Drives, TaskWork, gradient, let_go
 
 __all__ = ["DONE", "FAST", "STUCK", "Given", "Tracked", "track"]
 

@@ -1,220 +1,21 @@
-"""Functions of node positions in truncated Taylor arithmetic: straight-line programs, and sweeps from drives to nodes and back.
+"""Sweeps over the blocks in Taylor arithmetic: from drives to nodes, and from the gradient of tasks back to drives.
 
-An operation c of a and b is a series c0 + c1 t + c2 t^2 of the time since now. Its coefficients follow from those of a and b;
-backwards, the derivatives of the results by a and b (adjoints, series too) follow from those by c (Griewank & Walther,
-Evaluating derivatives, 2008, chapters 3 and 13). One pass back gives the gradient of any sum of results, with its rates.
+With coordinates x(q) that meet all rows, the derivative of s . c(x) by the drives q is mu of the rows that they drive, from
+J^T mu = gradient of s . c: one sweep from the tip down. As series in time, order by order: the factors of J are those of the
+present state, and what lower orders of mu make of higher ones of J goes to the right-hand side.
 """
 
 from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.compiled.record import F1, F2, I0, I1, Floats, Record, Vector, record
-from kinetruss.kernels.coordinates.programs import (
-    ADD,
-    ANGLE_OF,
-    CONSTANT,
-    COSINE,
-    DIVIDE,
-    MULTIPLY,
-    NODE_AT,
-    PARAMETER,
-    ROOT,
-    SINE,
-    SUBTRACT,
-    Program,
-)
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
+from kinetruss.kernels.coordinates.tape import Tape, backward, forward
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM, Plan
 from kinetruss.kernels.structure.sums import add_sum_force, sum_known
 from kinetruss.kernels.sweep.blocks import Workspace, known, solve, solve_transposed
-
-
-@record
-class Tape(Record):
-    """op, a, b, c, number (k,) : see kernels.coordinates.programs.
-
-    out (r,) the operations that are results: `tasks` of them of tasks, then those of the sums of a plan.
-    period (r,) after which results are the same (0: never).
-    """
-
-    tasks: I0
-    op: I1
-    a: I1
-    b: I1
-    c: I1
-    number: F1
-    out: I1
-    period: F1
-
-
-@kernel_inline
-def _times(p: F2, a: int, q: F2, b: int, k: int) -> float:
-    """Coefficient k of the product of the series p[:, a] and q[:, b]."""
-    total = 0.0
-    # sum of p_i q_(k - i)
-    for i in range(k + 1):
-        total += p[i, a] * q[k - i, b]
-    return total
-
-
-@kernel_inline
-def _angle(T: F2, s: int, c: int, square: int, j: int, k: int) -> float:
-    """Coefficient k of atan2(s, c), operation j; square : the operation s^2 + c^2."""
-    if k == 0:
-        return math.atan2(T[0, s], T[0, c])
-    turn = 0.0
-    # (s^2 + c^2) q' = c s' - s c', coefficient by coefficient
-    for i in range(1, k + 1):
-        turn += i * (T[k - i, c] * T[i, s] - T[k - i, s] * T[i, c])
-    for i in range(1, k):
-        turn -= i * T[i, j] * T[k - i, square]
-    return turn / (k * T[0, square])
-
-
-@kernel_inline
-def _wave(T: F2, op: int, a: int, other: int, k: int) -> float:
-    """Coefficient k of the sine or cosine of operation a; other : the operation that is the other of the two."""
-    if k == 0:
-        return math.sin(T[0, a]) if op == SINE else math.cos(T[0, a])
-    total = 0.0
-    # sine' = cosine a', cosine' = -sine a'
-    for i in range(1, k + 1):
-        total += i * T[i, a] * T[k - i, other]
-    return total / k if op == SINE else -total / k
-
-
-@kernel_inline
-def _operation(tape: Tape, j: int, k: int, T: F2) -> float:
-    """Coefficient k of operation j, one of those on earlier operations."""
-    op, a, b = tape.op[j], tape.a[j], tape.b[j]
-    if op == ADD:
-        return T[k, a] + T[k, b]
-    if op == SUBTRACT:
-        return T[k, a] - T[k, b]
-    if op == MULTIPLY:
-        return _times(T, a, T, b, k)
-    if op == ANGLE_OF:
-        return _angle(T, a, b, tape.c[j], j, k)
-    if op in (SINE, COSINE):
-        return _wave(T, op, a, tape.c[j], k)
-    total = T[k, a]
-    if op == DIVIDE:
-        # c b = a: c_k b_0 = a_k - sum of c_i b_(k - i)
-        for i in range(k):
-            total -= T[i, j] * T[k - i, b]
-        return total / T[0, b]
-    if k == 0:
-        return math.sqrt(total)
-    # c c = a
-    for i in range(1, k):
-        total -= T[i, j] * T[k - i, j]
-    return total / (2.0 * T[0, j])
-
-
-@kernel
-def forward(tape: Tape, X: F2, P: F2, k: int, T: F2) -> None:
-    """Coefficient k of all operations into T[k], from those of coordinates X (3, 3 n), of parameters P (3, p), and T[:k]."""
-    for j in range(tape.op.size):
-        op = tape.op[j]
-        if op == NODE_AT:
-            T[k, j] = X[k, tape.a[j]]
-        elif op == PARAMETER:
-            T[k, j] = P[k, tape.a[j]]
-        elif op == CONSTANT:
-            T[k, j] = tape.number[j] if k == 0 else 0.0
-        else:
-            T[k, j] = _operation(tape, j, k, T)
-
-
-@kernel_inline
-def _quotient(p: F2, a: int, q: F2, b: int, order: int, out: F2) -> None:
-    """Series p[:, a]/q[:, b] into out[:, 0]."""
-    for k in range(order + 1):
-        total = p[k, a]
-        for i in range(k):
-            total -= out[i, 0] * q[k - i, b]
-        out[k, 0] = total / q[0, b]
-
-
-@kernel_inline
-def _pass_back(tape: Tape, j: int, order: int, T: F2, B: F2, quotient: F2) -> None:
-    """Add what operation j does to the adjoints of its operands; quotient (3, 1) is scratch."""
-    op, a, b = tape.op[j], tape.a[j], tape.b[j]
-    if op == MULTIPLY:
-        # a += c' b, b += c' a, with c' the adjoint of c = a b; a = b counts twice
-        for k in range(order + 1):
-            B[k, a] += _times(B, j, T, b, k)
-            B[k, b] += _times(B, j, T, a, k)
-    elif op == DIVIDE:
-        _quotient(B, j, T, b, order, quotient)
-        for k in range(order + 1):
-            B[k, a] += quotient[k, 0]
-            B[k, b] -= _times(quotient, 0, T, j, k)
-    elif op == ROOT:
-        _quotient(B, j, T, j, order, quotient)
-        for k in range(order + 1):
-            B[k, a] += 0.5 * quotient[k, 0]
-    elif op == ANGLE_OF:
-        _quotient(B, j, T, tape.c[j], order, quotient)
-        for k in range(order + 1):
-            B[k, a] += _times(quotient, 0, T, b, k)
-            B[k, b] -= _times(quotient, 0, T, a, k)
-    elif op in (SINE, COSINE):
-        for k in range(order + 1):
-            change = _times(B, j, T, tape.c[j], k)
-            B[k, a] += change if op == SINE else -change
-    elif op in (ADD, SUBTRACT):
-        for k in range(order + 1):
-            B[k, a] += B[k, j]
-            B[k, b] += B[k, j] if op == ADD else -B[k, j]
-
-
-@kernel
-def backward(tape: Tape, order: int, T: F2, B: F2, quotient: F2, G: F2) -> None:
-    """Add the gradient of the sum of B[0] times operations, with its coefficients up to `order`, to G (3, 3 n).
-
-    T : from `forward`. B (3, k) : the factors of operations, series too; overwritten. quotient (3, 1) is scratch.
-    """
-    for j in range(tape.op.size - 1, -1, -1):
-        if tape.op[j] == NODE_AT:
-            for k in range(order + 1):
-                G[k, tape.a[j]] += B[k, j]
-        elif tape.op[j] > CONSTANT:
-            _pass_back(tape, j, order, T, B, quotient)
-
-
-@kernel
-def evaluate(tape: Tape, X: F2, P: F2, T: F2, out: F2) -> None:
-    """Results (times, r) at positions X (times, 3 n) and parameters P (times, p); T (3, k) is scratch."""
-    for i in range(X.shape[0]):
-        forward(tape, X[i : i + 1], P[i : i + 1], 0, T)
-        for j in range(tape.out.size):
-            out[i, j] = T[0, tape.out[j]]
-
-
-def tape_of(program: Program, tasks: int) -> Tape:
-    """The tape of a program; `tasks` of its results are of tasks."""
-    op, a, b, number, c = zip(*program.operations, strict=True)
-    out, period = zip(*((value.index, period) for value, period in program.results), strict=True)
-    return Tape.of({"tasks": tasks, "op": op, "a": a, "b": b, "c": c, "number": number, "out": out, "period": period})
-
-
-def values(tape: Tape, x: Floats, p: Floats) -> Floats:
-    """Results (times, r) at flat positions x (times, 3 n) and parameters p (times, parameters)."""
-    out = np.zeros((len(x), len(tape.out)))
-    evaluate(tape, np.ascontiguousarray(x), np.ascontiguousarray(p), np.zeros((3, len(tape.op))), out)
-    return out
-
-
-# Sweeps over the blocks in Taylor arithmetic: from drives to nodes, and from the gradient of tasks back to drives.
-#
-# With coordinates x(q) that meet all rows, the derivative of s . c(x) by the drives q is mu of the rows that they drive, from
-# J^T mu = gradient of s . c: one sweep from the tip down. As series in time, order by order: the factors of J are those of the
-# present state, and what lower orders of mu make of higher ones of J goes to the right-hand side.
 
 
 @record
@@ -237,7 +38,7 @@ class TaskWork(Record):
     g (3, 3 n) of the gradient, mu of rows, s of the factors of tasks, q of drives, moving (3, k) of prescribed coordinates that
     move; scale (rows,) of a row over what it is the row of (1 of lengths, L of angles). K (d + m, d + m), pivot its factors;
     A (m, d); r, step (d + m,); ref (3, d) what drives are to be near to; kept (4, 3 n or d) states to go back to; sign
-    (blocks,) of determinants; rows (3, 3), out (3, d), quotient (3, 1) scratch.
+    (blocks,) of determinants; rows (3, 3), out (3, d), quotient (3, k) scratch.
     """
 
     pivot: I1
@@ -288,7 +89,7 @@ def workspace_of(plan: Plan, tape: Tape, coordinates: int, drives: int, paramete
         "sign": (len(plan.ptr),),
         "rows": (3, 3),
         "out": (3, drives),
-        "quotient": (3, 1),
+        "quotient": (3, k),
     }
     room = TaskWork.zeros(shapes)
     room.scale[:] = 1.0
