@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -47,6 +48,7 @@ BASE = "94b83080178fa5411196bbf58848631d7b999b22"
 NOT_CHECKED = 3
 MOST = 60
 """Differences that are listed."""
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 Side = tuple[str, Path, Path]
 
 
@@ -237,7 +239,15 @@ def _differences(name: str, old: list[str], new: list[str]) -> Iterator[Differen
         for line, (one, two) in enumerate(both, begin + 1):
             at = max(next(k for k, pair in enumerate(zip_longest(one, two)) if len({*pair}) > 1) - 40, 0)
             here = slice(at, at + 160)
-            yield Difference(0, name, "shown", f"line {line}", one[here], two[here], np.inf)
+            yield Difference(0, name, "shown", f"line {line}", one[here], two[here], _apart(one, two))
+
+
+def _apart(one: str, two: str) -> float:
+    """Largest relative difference of the numbers of two lines; infinite where other words stand between."""
+    if NUMBER.split(one) != NUMBER.split(two):
+        return np.inf
+    pairs = [(float(a), float(b)) for a, b in zip(NUMBER.findall(one), NUMBER.findall(two), strict=True)]
+    return max((abs(a - b) / max(abs(a), abs(b)) for a, b in pairs if a != b), default=np.inf)
 
 
 def told(found: Found, missing: list[str]) -> None:

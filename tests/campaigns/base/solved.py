@@ -77,9 +77,11 @@ def _scaled(part: Part, shifted: Any, allowed: float | None, loose: float = 0.0)
     """The part with its scale; counts are compared exactly."""
     if allowed is None:
         return Part(part.value, part.places, 1.0, 0.0)
-    scale = float(np.abs(part.value).max(initial=0.0)) + NOTHING
+    known = np.isfinite(part.value)
+    scale = float(np.abs(part.value[known]).max(initial=0.0)) + NOTHING
     if isinstance(shifted, Part) and shifted.value.shape == part.value.shape:
-        scale += float(np.abs(shifted.value - part.value).max(initial=0.0)) / SHIFT
+        known &= np.isfinite(shifted.value)
+        scale += float(np.abs(shifted.value[known] - part.value[known]).max(initial=0.0)) / SHIFT
     return Part(part.value, part.places, scale, allowed + loose)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from kinetruss.kernels.coordinates.programs import Vector, angle, cosine, cross, dot, minus, size
+from kinetruss.kernels.coordinates.programs import Vector, angle, cosine, cross, dot, minus, root, size
 
 Numbers = Sequence[Any]
 
@@ -46,7 +46,7 @@ def offset(nodes: Sequence[Vector], numbers: Numbers) -> Any:  # noqa: ARG001
     """Distance of P from the line from node 1 to node 2 in the plane, to its left."""
     P, one, two = nodes
     b, r = minus(two, one), minus(P, one)
-    return (b[0] * r[1] - b[1] * r[0]) / size(b)
+    return (b[0] * r[1] - b[1] * r[0]) / root(b[0] * b[0] + b[1] * b[1])
 
 
 def place(nodes: Sequence[Vector], numbers: Numbers) -> Any:
