@@ -8,6 +8,7 @@ to be zero is left out.
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Callable
 from functools import cache
@@ -73,8 +74,9 @@ def _compiled(kind: int, order: int, signature: Any) -> int:
     """The address of the compiled text of a kind; order : of the rates of the gradient, -1 for the value."""
     form = FORMS[kind]
     name = f"{form.make.__name__}_{('value', 'gradient', 'rates', 'second')[order + 1]}"
+    # machine code is kept by the name, which says what the text is: it depends on this file, on `programs` and on `forms`
+    name += "_" + hashlib.sha256(text(form, name, order).encode()).hexdigest()[:12]
     made: dict[str, Any] = {"math": math, "__name__": forms.__name__}
-    # as a text of the file of the kinds, on which kept machine code depends
     exec(compile(text(form, name, order), forms.__file__, "exec"), made)  # noqa: S102
     function: Callable[..., Any] = made[name]
     return int(kernel_entry(signature)(function).address)
