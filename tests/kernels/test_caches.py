@@ -129,7 +129,7 @@ def test_the_state_is_that_of_the_contents_of_a_file_and_of_all_that_it_imports(
     def write(files: dict[str, str]) -> None:
         for name, text in files.items():
             file = tmp_path / (name.replace("-", "/") + ".py")
-            file.parent.mkdir(exist_ok=True)
+            file.parent.mkdir(exist_ok=True, parents=True)
             file.write_text(text)
 
     def changed(name: str, text: str) -> set[str]:
@@ -141,21 +141,21 @@ def test_the_state_is_that_of_the_contents_of_a_file_and_of_all_that_it_imports(
     late = "def f():\n    from kinetruss.kernels.b import (\n        four as another,\n        two,\n    )\n"
     write(
         {
-            "compiled-jit": "",
-            "a-one": "a = 1\n",
-            "b-two": "from kinetruss.kernels.a.one import a\n",
-            "b-four": "b = 4\n",
-            "c": late,
+            "kernels-compiled-jit": "",
+            "kernels-a-one": "a = 1\n",
+            "kernels-b-two": "from kinetruss.kernels.a.one import a\n",
+            "kernels-b-four": "b = 4\n",
+            "kernels-c": late,
         }
     )
-    assert changed("a-one", "a = 2\n") == {"a-one", "b-two", "c"}
-    assert changed("b-four", "b = 5\n") == {"b-four", "c"}
-    assert changed("c", "from kinetruss.kernels.compiled.jit import kernel\n") == {"c"}
-    assert changed("a-one", "from kinetruss.kernels.b.two import f\n") == {"a-one", "b-two"}  # in a circle
-    assert changed("compiled-jit", "# how all are compiled\n") == set(states_of(tmp_path))
-    assert changed("d-one", "") == {"d-one"}
+    assert changed("kernels-a-one", "a = 2\n") == {"kernels-a-one", "kernels-b-two", "kernels-c"}
+    assert changed("kernels-b-four", "b = 5\n") == {"kernels-b-four", "kernels-c"}
+    assert changed("kernels-c", "from kinetruss.kernels.compiled.jit import kernel\n") == {"kernels-c"}
+    assert changed("kernels-a-one", "from kinetruss.kernels.b.two import f\n") == {"kernels-a-one", "kernels-b-two"}  # in a circle
+    assert changed("kernels-compiled-jit", "# how all are compiled\n") == set(states_of(tmp_path))
+    assert changed("elements-d-one", "") == {"elements-d-one"}
     before = states_of(tmp_path)
-    os.utime(tmp_path / "a" / "one.py", (1, 1))  # unpacked again, or checked out again
+    os.utime(tmp_path / "kernels" / "a" / "one.py", (1, 1))  # unpacked again, or checked out again
     assert states_of(tmp_path) == before
 
 

@@ -5,7 +5,7 @@ error where no folder can be written, and where a file is damaged. So kernels ar
 
     PLACE/kernels-PYTHON/MODULE.FUNCTION-LINE.STATE.KEY.kernel     a checksum, and what Numba makes of the compiled kernel
 
-MODULE is the path of the kernel's file below the folder of all kernels, with '-' between its parts.
+MODULE is the path of the kernel's file below the package, with '-' between its parts.
 STATE is a hash of the kernel's file, of all kernel files that it imports, directly or not, and of the versions that compile;
 KEY is one of signature and processor. A file takes its name when it is whole, so that several first starts at once do not
 disturb each other. What is missing, unreadable or damaged is compiled anew. Places are read in this order, and written to
@@ -48,8 +48,10 @@ log = logging.getLogger("kinetruss.kernels")
 CHECK = 16
 """Bytes of a checksum."""
 FOLDER = f"kernels-{sys.version_info[0]}{sys.version_info[1]}"
-IMPORT = re.compile(r"^[ \t]*from kinetruss\.kernels([.\w]*) import ([^(\n]+|\([^)]*\))", re.MULTILINE)
-JIT = "compiled-jit"
+IMPORT = re.compile(r"^[ \t]*from kinetruss\.([.\w]*) import ([^(\n]+|\([^)]*\))", re.MULTILINE)
+PACKAGES = ("kernels", "elements")
+"""Folders whose files have kernels."""
+JIT = "kernels-compiled-jit"
 """The module that says how all are compiled."""
 
 
@@ -59,9 +61,10 @@ def module_of(file: Path, folder: Path) -> str | None:
 
 
 def states_of(folder: Path) -> dict[str, str]:
-    """Module -> hash of the contents of its file and of all that it imports, below this folder, and of what compiles them."""
+    """Module -> hash of the contents of its file and of all that it imports of `PACKAGES`, and of what compiles them."""
     # this file keeps kernels and compiles none
-    files = [file for file in sorted(folder.rglob("*.py")) if file.name != Path(__file__).name]
+    every = [file for package in PACKAGES for file in sorted((folder / package).rglob("*.py"))]
+    files = [file for file in every if file.name != Path(__file__).name]
     texts = {str(module_of(file, folder)): file.read_bytes() for file in files}
     imports = {name: {*_imported(text.decode())} & texts.keys() for name, text in texts.items()}
     versions = f"{numba.__version__} {llvmlite.__version__}".encode()

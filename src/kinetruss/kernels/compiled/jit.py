@@ -19,8 +19,8 @@ from kinetruss.kernels.compiled.drafts import DraftCompiler
 
 __all__ = ["DRAFT", "HOT", "as_called", "folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline"]
 
-folder = Path(__file__).parents[1]
-keeper = Keeper(states_of(folder), places_of(folder), folder)
+folder = Path(__file__).parents[2]
+keeper = Keeper(states_of(folder), places_of(folder / "kernels"), folder)
 
 # every option is stated for every kernel: Numba takes one that is not from the kernel that compiles it first
 HOT: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False, "forceinline": False}

@@ -25,11 +25,10 @@ import llvmlite.binding
 import numba
 from llvmlite import ir
 from numba import types
-from numba.core.ccallback import CFunc
 from numba.core.errors import TypingError
 
-from kinetruss.kernels.compiled.caches import Kept
-from kinetruss.kernels.compiled.jit import DRAFT, HOT, as_called, keeper, kernel, kernel_bare
+from kinetruss.kernels.compiled.calls import entry_of, function_of, words_of
+from kinetruss.kernels.compiled.jit import DRAFT, HOT, as_called, kernel, kernel_bare
 from kinetruss.kernels.compiled.words import Kind, intrinsic, kind_of, number_of
 
 __all__ = ["compile_late", "kernel_late"]
@@ -49,9 +48,9 @@ def kernel_late(function: Callable[..., Any] | None = None, *, allocates: bool =
     inner = (kernel if allocates else kernel_bare)(function)
     if inner is function:  # compiling is switched off
         return function
-    cell = _Cell(function, inner, HOT | {"_nrt": allocates})
+    cell = _Cell(function, inner, {"_nrt": allocates})
     given = ", ".join(cell.kinds)
-    caller = _made(f"def {function.__name__}({given}): return call(({given},))", {"call": cell.call()}, function)
+    caller = function_of(f"def {function.__name__}({given}): return call(({given},))", {"call": cell.call()}, function)
     made: Any = numba.njit(nogil=True, **(HOT | {"forceinline": True}), **DRAFT)(caller)
     made.get_call_template = partial(as_called, made.get_call_template)
     made._insert = inner._insert  # nothing: it has no address that Python could call
@@ -68,12 +67,6 @@ def compile_late() -> None:
 
 
 _CELLS: list[_Cell] = []
-
-
-def _made(text: str, names: dict[str, Any], function: Callable[..., Any]) -> Any:
-    names["__name__"] = function.__module__
-    exec(text, names)  # noqa: S102 - Numba folds no *arguments
-    return names[function.__name__]
 
 
 class _Cell:
@@ -115,16 +108,7 @@ class _Cell:
 
     def _compile(self) -> Any:
         """The kernel with a C address."""
-        words = [f"w{k}" for k in range(len(self.words))]
-        names: Iterator[str] = iter(words)
-        parts: dict[str, Any] = {"kernel": self.inner}
-        call = ", ".join(one.text(names, parts) for one in self.kinds.values())
-        entry = _made(f"def {self.function.__name__}({', '.join(words)}): return kernel({call})", parts, self.function)
-        signature = tuple(in_numba for in_numba, _ in self.words), self.result
-        found: Any = CFunc(entry, signature, locals={}, options=self.options)
-        found._cache = Kept(keeper, self.function, "late")
-        found.compile()
-        return found
+        return entry_of(self.function, self.inner, list(self.kinds.values()), self.result, "late", **self.options)
 
     def call(self) -> Any:
         """What kernels call, with a tuple of the arguments."""
@@ -137,9 +121,7 @@ class _Cell:
                     raise TypingError(f"{symbol} takes {kind}, not {one}.")
 
             def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-                words: list[Any] = []
-                for k, (kind, one) in enumerate(zip(kinds, signature.args[0].types, strict=True)):
-                    words += kind.values(context, builder, one, builder.extract_value(args[0], k))
+                words = words_of(context, builder, kinds, signature.args[0], args[0])
                 nothing = result == types.void
                 form = ir.FunctionType(
                     ir.VoidType() if nothing else context.get_value_type(result), [one.type for one in words]

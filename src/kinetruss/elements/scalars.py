@@ -1,0 +1,305 @@
+"""Elements that resist a coordinate: a sum of terms (kernels.structure.terms), and a law of its value and rate.
+
+With the value q of the coordinate and e = q - rest, taken the shortest way where q is the same after a period, an element resists
+with F = V'(e) + R(e, q') and pushes the nodes with -F dq/dx. The law is a kernel of its own for each kind, reached by its
+address; all the rest is compiled once.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from kinetruss.kernels.compiled.calls import Interface
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Record, record
+from kinetruss.kernels.coordinates.forms import ALONG, FIXED_AXIS
+from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_rates, term_value
+
+SMALL = 1e-6
+"""Change of e, as a fraction of it, below which the mean force over it is that in its middle."""
+KEPT, STORED, TAKEN, STIFF, DAMPED = range(5)
+"""What a law gives: V' (N or N m), V (J), R, dF/de, dF/dq'."""
+SCRATCH = 24 + 5
+
+
+@Interface
+def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, out: F1) -> None:
+    """KEPT ... DAMPED of an element at e and rate into out (5,).
+
+    numbers (w,) : of the element. table[first:last] : its points, where it has such.
+    """
+
+
+_law_at = law.call
+
+
+@record
+class Scalars(Record):
+    """Elements on coordinates. law (k,) address; linear (k,) 1 where V' is linear in e and R proportional to the rate; rest,
+    period (k,); numbers (k, w), table[table_ptr[k]:table_ptr[k + 1]] (p, 4) of the law.
+
+    Terms ptr[k]:ptr[k + 1] of element k: kind, form, at, data (kernels.structure.terms); local (t, 4) their nodes as counted
+    among those of the element.
+    """
+
+    law: I1
+    linear: I1
+    ptr: I1
+    kind: I1
+    table_ptr: I1
+    form: I2
+    at: I2
+    local: I2
+    rest: F1
+    period: F1
+    numbers: F2
+    data: F2
+    table: F2
+
+
+@kernel_bare
+def _law(s: Scalars, k: int, e: float, rate: float, scratch: F1) -> None:
+    """The law of element k at e and rate into scratch[24:]."""
+    _law_at(s.law[k], (s.numbers[k], s.table, s.table_ptr[k], s.table_ptr[k + 1], e, rate, scratch[24:29]))
+
+
+@kernel_bare
+def _deflection(s: Scalars, k: int, x: F1) -> float:
+    """e of element k at x."""
+    value = 0.0
+    for t in range(s.ptr[k], s.ptr[k + 1]):
+        value += term_value(s.form, s.at, s.data, t, x)
+    return nearest_turn(value - s.rest[k], s.period[k])
+
+
+@kernel_bare
+def _rate(s: Scalars, k: int, x: F1, v: F1, scratch: F1) -> float:
+    """q' of element k; the increment of q to first order where v is one."""
+    rate = 0.0
+    for t in range(s.ptr[k], s.ptr[k + 1]):
+        term_gradient(s.form, s.at, s.data, t, x, scratch)
+        rate += term_along(s.at, t, scratch, v)
+    return rate
+
+
+@kernel_bare
+def _push_term(s: Scalars, t: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
+    """f += amount times the gradient of term t."""
+    term_gradient(s.form, s.at, s.data, t, x, scratch)
+    add_term(s.at, t, scratch, amount, f)
+
+
+@kernel
+def force(s: Scalars, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.force."""
+    scratch = np.empty(SCRATCH)
+    # -F dq/dx
+    for k in range(s.law.size):
+        _law(s, k, _deflection(s, k, x), _rate(s, k, x, v, scratch), scratch)
+        amount = -(scratch[24 + KEPT] + scratch[24 + TAKEN])
+        for j in range(s.ptr[k], s.ptr[k + 1]):
+            _push_term(s, j, amount, x, f, scratch)
+
+
+@kernel
+def energy(s: Scalars, t: float, x: F1) -> float:  # noqa: ARG001
+    """As kernels.structure.element_table.energy."""
+    scratch, total = np.empty(SCRATCH), 0.0
+    for k in range(s.law.size):
+        _law(s, k, _deflection(s, k, x), 0.0, scratch)
+        total += scratch[24 + STORED]
+    return total
+
+
+@kernel
+def balance(s: Scalars, t: float, x: F1, v: F1, out: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.balance."""
+    scratch = np.empty(SCRATCH)
+    # V, V' q', R q'
+    for k in range(s.law.size):
+        rate = _rate(s, k, x, v, scratch)
+        _law(s, k, _deflection(s, k, x), rate, scratch)
+        out[0] += scratch[24 + STORED]
+        out[1] += scratch[24 + KEPT] * rate
+        out[2] += scratch[24 + TAKEN] * rate
+
+
+@kernel
+def histories(s: Scalars, x: F2, v: F2, out: Floats) -> None:
+    """e, q', the generalised force -F on the coordinate (N or N m) and V (J) along x, v (times, 3 n) into out (4, times, k).
+
+    v : or one row for all times.
+    """
+    scratch = np.empty(SCRATCH)
+    for i in range(x.shape[0]):
+        for k in range(s.law.size):
+            e, rate = _deflection(s, k, x[i]), _rate(s, k, x[i], v[min(i, v.shape[0] - 1)], scratch)
+            _law(s, k, e, rate, scratch)
+            out[0, i, k], out[1, i, k] = e, rate
+            out[2, i, k], out[3, i, k] = -scratch[24 + KEPT] - scratch[24 + TAKEN], scratch[24 + STORED]
+
+
+@kernel
+def slopes(s: Scalars, x: F1, v: F1, out: F2) -> None:
+    """F, dF/dq and dF/dq' of every element at x, v (3 n,) into out (k, 3)."""
+    scratch = np.empty(SCRATCH)
+    for k in range(s.law.size):
+        _law(s, k, _deflection(s, k, x), _rate(s, k, x, v, scratch), scratch)
+        out[k, 0] = scratch[24 + KEPT] + scratch[24 + TAKEN]
+        out[k, 1], out[k, 2] = scratch[24 + STIFF], scratch[24 + DAMPED]
+
+
+@kernel_bare
+def _add_curvature(s: Scalars, k: int, x: F1, v: F1, amount: float, column: F1, scratch: F1) -> None:
+    """column += amount times the Hessian of element k times v, in the order of the nodes of the element."""
+    for t in range(s.ptr[k], s.ptr[k + 1]):
+        term_rates(s.form, s.at, s.data, t, x, v, scratch)
+        for n in range(4):
+            at = 3 * s.local[t, n]
+            for c in range(3):
+                column[at + c] += amount * scratch[12 + 3 * n + c]
+
+
+@kernel_bare
+def _local_gradient(s: Scalars, k: int, x: F1, g: F1, scratch: F1) -> None:
+    """dq/dx of element k into g (w,), in the order of its nodes."""
+    for i in range(g.size):
+        g[i] = 0.0
+    for t in range(s.ptr[k], s.ptr[k + 1]):
+        term_gradient(s.form, s.at, s.data, t, x, scratch)
+        for n in range(4):
+            at = 3 * s.local[t, n]
+            for c in range(3):
+                g[at + c] += scratch[3 * n + c]
+
+
+@kernel
+def blocks(s: Scalars, places: Ints, x: F1, v: F1, resistance: F2, stiff: Floats, damp: Floats) -> None:
+    """Minus the derivatives of the forces -F g by x and by v of every element into stiff and damp (elements, w, w).
+
+    places (elements, w) : coordinates of the nodes of each element, ascending, -1 behind the last. resistance (elements, 3) : F, dF/dq,
+    dF/dq'. With the Hessian H of c: dF/dq g g^T + F H + dF/dq' g (H v)^T, and dF/dq' g g^T.
+    """
+    w = places.shape[1]
+    scratch, g, bent, unit = np.empty(SCRATCH), np.empty(w), np.empty(w), np.zeros(x.size)
+    for k in range(places.shape[0]):
+        force, slope, damping = resistance[k, 0], resistance[k, 1], resistance[k, 2]
+        _local_gradient(s, k, x, g, scratch)
+        for i in range(w):
+            bent[i] = 0.0
+        if damping != 0.0:
+            _add_curvature(s, k, x, v, damping, bent, scratch)
+        for j in range(w):
+            for i in range(w):
+                stiff[k, j, i] = slope * g[j] * g[i]
+                damp[k, j, i] = damping * g[j] * g[i]
+            # F H: column j as row j, as H is symmetric
+            if force != 0.0 and places[k, j] >= 0:
+                unit[places[k, j]] = 1.0
+                _add_curvature(s, k, x, unit, force, stiff[k, j], scratch)
+                unit[places[k, j]] = 0.0
+        for j in range(w):
+            for i in range(w):
+                stiff[k, j, i] += g[j] * bent[i]
+
+
+@kernel_bare
+def _mean_force(s: Scalars, k: int, e0: float, e1: float, rate: float, scratch: F1) -> float:
+    """(V(e1) - V(e0))/(e1 - e0), and R in the middle at the mean rate."""
+    _law(s, k, 0.5 * (e0 + e1), rate, scratch)
+    kept, taken = scratch[24 + KEPT], scratch[24 + TAKEN]
+    if s.linear[k] == 0 and abs(e1 - e0) > SMALL * (abs(e0) + abs(e1)):
+        _law(s, k, e0, rate, scratch)
+        stored = scratch[24 + STORED]
+        _law(s, k, e1, rate, scratch)
+        kept = (scratch[24 + STORED] - stored) / (e1 - e0)
+    return kept + taken
+
+
+@kernel_bare
+def _stretch(s: Scalars, t: int, x0: F1, x1: F1) -> float:
+    """Change of term t from x0 to x1 over that to first order from their middle; 1 where it is not known."""
+    P, one = s.at[t, 0], s.at[t, 1]
+    kind, data = s.kind[t], s.data
+    if kind != ALONG and kind != FIXED_AXIS:
+        return 1.0
+    ax, ay, az = x0[P] - x0[one], x0[P + 1] - x0[one + 1], x0[P + 2] - x0[one + 2]
+    bx, by, bz = x1[P] - x1[one], x1[P + 1] - x1[one + 1], x1[P + 2] - x1[one + 2]
+    if kind == ALONG:
+        # length in the middle over the mean length: L_1 - L_0 = (L_1^2 - L_0^2)/(L_0 + L_1)
+        L0, L1 = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
+        mx, my, mz = ax + bx, ay + by, az + bz
+        return math.sqrt(mx * mx + my * my + mz * mz) / (L0 + L1)
+    c0 = data[t, 1] * ax + data[t, 2] * ay + data[t, 3] * az
+    s0 = data[t, 4] * ax + data[t, 5] * ay + data[t, 6] * az
+    c1 = data[t, 1] * bx + data[t, 2] * by + data[t, 3] * bz
+    s1 = data[t, 4] * bx + data[t, 5] * by + data[t, 6] * bz
+    cross, dot = c0 * s1 - s0 * c1, c0 * c1 + s0 * s1
+    size, angle = math.sqrt(cross * cross + dot * dot), math.atan2(cross, dot)
+    # angle times the square of the radius in the middle over the cross product of the ends
+    over = 1.0 + angle * angle / 6.0 if abs(angle) < 1e-4 else angle * size / cross
+    return 0.25 * ((c0 + c1) ** 2 + (s0 + s1) ** 2) / size * over
+
+
+@kernel
+def swap(s: Scalars, t: float, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.swap.
+
+    A discrete gradient (Gonzalez, J. Nonlinear Sci. 6 (1996) 449): the mean force over the step times dq/dx in its middle,
+    that of every term stretched so that its product with x1 - x0 is the change of the term. So it keeps the energy of elements
+    on angles about fixed axes (in the plane all), on lengths and coordinates. For others, on angles about moving axes and
+    offsets, the gradient is that in the middle: they keep the momenta, and the energy to the order of the step.
+    """
+    scratch = np.empty(SCRATCH)
+    for k in range(s.law.size):
+        _law(s, k, _deflection(s, k, xe), _rate(s, k, xe, ve, scratch), scratch)
+        there = scratch[24 + KEPT] + scratch[24 + TAKEN]
+        e0 = _deflection(s, k, x0)
+        change = nearest_turn(_deflection(s, k, x1) - e0, s.period[k])
+        mean = _mean_force(s, k, e0, e0 + change, change / h, scratch)
+        for j in range(s.ptr[k], s.ptr[k + 1]):
+            _push_term(s, j, there - _stretch(s, j, x0, x1) * mean, xe, f, scratch)
+
+
+@kernel_bare
+def _flat_of(s: Scalars, k: int, j: int) -> int:
+    """The coordinate that is the local one j of element k; -1 if it has fewer."""
+    for t in range(s.ptr[k], s.ptr[k + 1]):
+        for n in range(4):
+            if s.local[t, n] == j // 3:
+                return s.at[t, n] + j % 3
+    return -1
+
+
+@kernel
+def tangent(s: Scalars, t: float, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.tangent: (beta dF/dq + gamma dF/dq') g g^T + beta F H, g and H gradient and Hessian
+    of q, in the order of `local`.
+    """
+    w = int(math.sqrt(float(at.shape[1])) + 0.5)
+    scratch, g, column, unit = np.empty(SCRATCH), np.empty(w), np.empty(w), np.zeros(x.size)
+    for k in range(s.law.size):
+        _local_gradient(s, k, x, g, scratch)
+        rate = _rate(s, k, x, v, scratch)
+        _law(s, k, _deflection(s, k, x), rate, scratch)
+        size = beta * scratch[24 + STIFF] + gamma * scratch[24 + DAMPED]
+        turning = beta * (scratch[24 + KEPT] + scratch[24 + TAKEN])
+        for i in range(w):
+            for j in range(i + 1):
+                value[at[k, w * i + j]] += size * g[i] * g[j]
+        if turning == 0.0:
+            continue
+        # F H, column by column: local coordinate j belongs to the node of the terms that have it
+        for j in range(w):
+            for i in range(w):
+                column[i] = 0.0
+            flat = _flat_of(s, k, j)
+            if flat < 0:
+                continue
+            unit[flat] = 1.0
+            _add_curvature(s, k, x, unit, turning, column, scratch)
+            unit[flat] = 0.0
+            for i in range(j, w):
+                value[at[k, w * i + j]] += column[i]
