@@ -8,11 +8,9 @@ from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.dynamics import newton_euler
-from kinetruss.kernels.structure.laws import add_pin_forces
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.matrices import friction_tangents
-from kinetruss.mechanics.tables import structure_of
+from kinetruss.mechanics.elements import scalar_forces, scalar_laws, scalar_tangents
 
 METHODS = [kt.DOP853(), kt.Radau(), kt.GeneralizedAlpha(step=1e-3), kt.EnergyMomentum(step=1e-3)]
 
@@ -135,16 +133,14 @@ def test_the_bar_is_bent_by_the_couple_at_its_pin():
 
 def test_stiffness_and_damping_are_the_derivatives_of_the_forces():
     system = compile(rubbing_four_bar())
-    structure, rng = structure_of(system), np.random.default_rng(3)
+    rng = np.random.default_rng(3)
     x = system.x0 + 0.01 * rng.standard_normal(system.x0.shape) * [1, 1, 0]
     v = rng.standard_normal(x.shape) * [1, 1, 0]
 
     def force(x, v):
-        f = np.zeros(x.size)
-        add_pin_forces(structure, x.reshape(-1), v.reshape(-1), f)
-        return f
+        return scalar_forces(system, x, v)
 
-    K, C = friction_tangents(system, x, v)
+    K, C = scalar_tangents(system, x, v, scalar_laws(system, x, v))
     for matrix, of in ((K, 0), (C, 1)):
         for k in range(x.size):
             if k % 3 == 2:
@@ -174,6 +170,10 @@ def test_what_takes_nothing_across_has_none(kind):
         kt.Model(nodes={"O": (0, 0), "P": (1, 0)}, bars={"rod": kt.Bar(ends=("O", "P"), kind=kind, friction=0.1, **law)})
 
 
-def test_series_are_refused_by_name():
-    with pytest.raises(kt.InputError, match="friction about pins"):
-        kt.dynamics.simulate(pendulum(0.3), 0.1, method=kt.Taylor())
+def test_series_and_samples_agree():
+    model, tasks = rubbing_four_bar(), {"motor": kt.GivenForce(torque=2.0)}
+    one, two = (
+        kt.dynamics.simulate(model, 0.5, samples=6, tasks=tasks, method=k(rtol=1e-12, atol=1e-13))
+        for k in (kt.Taylor, kt.DOP853)
+    )
+    np.testing.assert_allclose(one.motion.position, two.motion.position, atol=1e-10)

@@ -87,10 +87,12 @@ def term_weights(
     out = np.empty((len(x), 12))
     flat = np.ascontiguousarray(x, dtype=float).reshape(len(x), -1)
     term_gradients(system.term_form, system.term_at, system.term_data, t, flat, out)
+    g = out[:, 3 * end : 3 * end + 3]
+    if system.term_kind[t] not in (AROUND, OFFSET):
+        return np.stack([g, -g, np.zeros_like(g)], axis=1), np.zeros(len(x))
     P, one, two = (x[:, n] for n in _nodes(system, t, end))
-    g, b = out[:, 3 * end : 3 * end + 3], two - one
-    along = np.einsum("tc,tc->t", b, b)
-    s = np.einsum("tc,tc->t", P - one, b) / along if system.term_kind[t] in (AROUND, OFFSET) else np.zeros(len(x))
+    b = two - one
+    s = np.einsum("tc,tc->t", P - one, b) / np.einsum("tc,tc->t", b, b)
     return np.stack([g, -(1.0 - s)[:, None] * g, -s[:, None] * g], axis=1), s
 
 

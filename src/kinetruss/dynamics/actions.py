@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.kernels.structure.laws import pin_torques
+from kinetruss.elements.kinds import span_of
 from kinetruss.mechanics import CABLE, FREE, System, cached
-from kinetruss.mechanics.tables import pins_of, structure_of
+from kinetruss.mechanics.elements import scalar_motions
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -71,9 +71,8 @@ class Instants:
     @cached_property
     def pin_torque(self) -> NDArray[np.float64]:
         """Torques of friction about pins (t, pairs), N m, of the pairs of `pins_of`."""
-        found = np.empty((len(self.x), len(pins_of(self.system).node)))
         x, v = (np.array(np.broadcast_to(y, self.x.shape)).reshape(len(self.x), -1) for y in (self.x, self.v))
-        pin_torques(structure_of(self.system), x, v, found)
+        found: NDArray[np.float64] = -scalar_motions(self.system, x, v).force[:, span_of(self.system, "friction")]
         return found
 
 

@@ -18,6 +18,7 @@ from kinetruss.dynamics.bar_actions import (
     mean_tension,
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
+from kinetruss.elements.kinds import on_coordinates
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.records import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
@@ -61,12 +62,12 @@ def solved_in_space(
 ) -> dict[str, Any]:
     """What `solve` finds with states in space; the states relative to the base are its ``relative``.
 
-    Friction about pins on the ground and springs resist relative velocities: the difference acts as forces on nodes.
+    Elements on coordinates resist relative velocities: the difference acts as forces on nodes.
     """
     if loads.base is None:
         return solve(loads, states)
     space = in_space(loads, states)
-    if len(system.springs) or system.friction.any():
+    if on_coordinates(system) is not None:
         whole = structure_of(system)
         change = _nodal(whole, system, states) - _nodal(whole, system, space) + fictitious_forces(system, states, space)
         loads = _with(loads, change.reshape(len(change), -1, 3))
@@ -84,16 +85,16 @@ def fictitious_forces(system: System, states: States, space: States) -> NDArray[
 
 @cached()
 def _masses(system: System) -> Structure:
-    """The element tables without laws, pins and springs."""
+    """The element tables of masses alone."""
     table = elements(system)
-    none = {name: values[:0] for name, values in table.items() if name.startswith(("law", "pin", "spring"))}
-    return Structure.of(table | none | {name: np.zeros(1, np.int64) for name in ("spring_ptr", "spring_table_ptr")})
+    return Structure.of(table | {name: values[:0] for name, values in table.items() if name.startswith(("law", "element"))})
 
 
 def _nodal(structure: Structure, system: System, states: States) -> NDArray[np.float64]:
     """f - M a of the elements at the nodes (times, 3 n), N, without gravity and loads."""
     joint, rest = np.zeros((len(states.x), len(system.members), 2, 3)), np.zeros_like(states.x)
-    nothing = NodalLoads(np.zeros(3), np.zeros_like(system.x0), np.zeros(0, np.int64), np.zeros((len(states.x), 0, 3)))
+    none, force = np.zeros(0, np.int64), np.zeros((len(states.x), 0, 3))
+    nothing = NodalLoads(np.zeros(3), np.zeros_like(system.x0), none, force, np.zeros(1))
     applied(structure, nothing, states, EndForces(joint, rest))
     return rest
 

@@ -16,8 +16,8 @@ import numpy as np
 from kinetruss.dynamics.action_couples import bars_of_hinges, hinge_bodies, hinges_of
 from kinetruss.dynamics.actions import Action, Bars, Instants, NotOnBars, bars_of, couple_on_ends
 from kinetruss.dynamics.bearing_friction import friction_on_hub
+from kinetruss.elements.pin_friction import pins_of
 from kinetruss.mechanics import cached, ends_of, turned
-from kinetruss.mechanics.tables import pins_of
 from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure, body_mass
 from kinetruss.model.bodies import barycentric, placed
 from kinetruss.model.hub_arms import arm_through, arms_of, clamped_at, is_grounded, loops

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.elements.kinds import on_coordinates
+from kinetruss.elements.scalars import linear_laws
 from kinetruss.errors import InputError
 from kinetruss.kernels.coordinates.programs import Program
 from kinetruss.kernels.coordinates.tape import tape_of
@@ -17,7 +20,7 @@ from kinetruss.kernels.structure.equations import DENSE, SUM_FORCE
 from kinetruss.kernels.structure.rows import POLYNOMIAL
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
 from kinetruss.mechanics import System
-from kinetruss.mechanics.measures import measure_of
+from kinetruss.mechanics.measures import measure_of, terms_sum
 from kinetruss.mechanics.sparse_plan import tangent_record
 from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
 
@@ -91,7 +94,7 @@ def control(
     table[1, 1:] = np.nextafter(times[1:], np.inf)
     table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
     length = _member_lengths(system)[eq.free]
-    stiff = eq.law_A.size or eq.edge_A.size or eq.pin.size or eq.spring.size
+    stiff = eq.law_A.size or eq.edge_A.size or eq.element.size
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha | Radau) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
     return Control.of_method(
@@ -141,20 +144,24 @@ def _turning(system: System) -> dict[str, NDArray[Any]]:
 
 
 def _tape(eq: Any, system: System) -> dict[str, NDArray[Any]]:
-    """All sums of terms that rows hold, springs resist and given torques turn, as kernels.series.measured takes them."""
+    """All sums of terms that rows hold, elements resist and given torques turn, as kernels.series.measured takes them."""
     pushed = eq.force_A[eq.force_kind == SUM_FORCE] - eq.sum_ptr[-1]
-    measures = np.concatenate([
-        system.row_measure[eq.row[eq.sum_row]],
-        system.spring_measure,
-        np.searchsorted(system.measure_ptr, pushed, side="right") - 1,
-    ])  # fmt: skip
-    if not measures.size:
+    program, laws = Program(), np.zeros((0, 5))
+    for one in system.row_measure[eq.row[eq.sum_row]].tolist():
+        program.result(measure_of(system, program, one))
+    if (resisting := on_coordinates(system)) is not None:
+        for first, last in pairwise(resisting.ptr):
+            part = slice(first, last)
+            program.result(terms_sum(program, system.dim, resisting.kind[part], resisting.at[part], resisting.data[part]))
+        found = np.empty((len(resisting.law), 3))
+        linear_laws(resisting, found)
+        laws = np.column_stack([resisting.rest, resisting.period, found])
+    for one in (np.searchsorted(system.measure_ptr, pushed, side="right") - 1).tolist():
+        program.result(measure_of(system, program, one))
+    if not program.results:
         return {}
-    program = Program()
-    for k in measures.tolist():
-        program.result(measure_of(system, program, k))
     tape = tape_of(program, 0)
-    return {"tape_ints": tape.ints, "tape_reals": tape.reals}
+    return {"tape_ints": tape.ints, "tape_reals": tape.reals, "tape_laws": laws}
 
 
 def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:

@@ -296,7 +296,8 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
         return solved
     loads = with_continua_forces(system, loads, x, states.v)
     for part, used in _pieces(system, arrangement, x, values):
-        given = nodal_loads(loads)._replace(force=loads.force[part])
+        given = nodal_loads(loads)
+        given = given._replace(force=given.force[part], t=given.t[part] if len(given.t) > 1 else given.t)
         plan: Any = used.plan
         sweep(
             plan,

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.integrators import described
+from kinetruss.elements.kinds import present
 from kinetruss.errors import AnalysisError, few
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import NEAR
@@ -223,9 +224,8 @@ def _conserved(problem: Problem) -> bool:
         and problem.motors is None
         and not len(problem.z0)
         and not np.any(problem.eq.law[:, 2])
-        and not problem.eq.pin.size
         and not problem.eq.damp_six.size + problem.eq.damp_eight.size
-        and not np.any(problem.eq.spring[:, 2:4])
+        and not any(one.loses(record) for one, record in present(problem.system))
     )
 
 

@@ -20,6 +20,7 @@ from numpy.polynomial import chebyshev
 from kinetruss.dynamics.equations import not_prescribed
 from kinetruss.dynamics.integrators import jumps
 from kinetruss.dynamics.starting import EXACTLY, SINGULAR, Singular
+from kinetruss.elements.kinds import ELEMENTS, on_coordinates
 from kinetruss.errors import InputError
 from kinetruss.kernels.integrate.dop853 import interpolate
 from kinetruss.kernels.integrate.state import Memory, Samples
@@ -34,8 +35,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.dynamics.simulation_problem import Problem
-    from kinetruss.kernels.compiled.record import Flags
-    from kinetruss.kernels.structure.equations import Equations
 
 
 GAP = 0.4
@@ -433,17 +432,11 @@ def without_series(problem: Problem) -> str | None:
         (cables, "the cable {!r} may be taut or slack"),
         (eq.follower_mode, "a load turns with its body"),
         (eq.edge_A, "membranes or solids resist"),
-        (eq.pin, "there is friction about pins"),
-        ([system.springs[k] for k in np.flatnonzero(_bends(eq))], "the spring {!r} has friction, play or a table"),
+        ([why for one in ELEMENTS if (why := one.without_series(system))], "{}"),
         ([problem.user] if problem.user.given else [], problem.user.words),
         ([problem.motors] if problem.motors is not None else [], "motors have inputs"),
     )
     return next((words.format(what[0]) for what, words in found if len(what)), None)
-
-
-def _bends(eq: Equations) -> Flags:
-    """Springs (s,) whose force is no linear function of the deflection and its rate."""
-    return np.asarray((eq.spring[:, 3] != 0.0) | (eq.spring[:, 5] != 0.0) | (np.diff(eq.spring_table_ptr) > 0))
 
 
 def by_default(problem: Problem) -> DOP853 | Taylor:
@@ -451,7 +444,7 @@ def by_default(problem: Problem) -> DOP853 | Taylor:
     space, couplings, springs on coordinates), whose series cost as much time as they save.
     """
     eq = problem.eq
-    sums = eq.sum_row.size or len(eq.spring) or np.any(eq.force_kind == SUM_FORCE)
+    sums = eq.sum_row.size or on_coordinates(problem.system) is not None or np.any(eq.force_kind == SUM_FORCE)
     few = len(jumps(eq, all_pieces=True)) <= MANY
     return Taylor() if few and not sums and without_series(problem) is None else DOP853()
 

@@ -1,20 +1,26 @@
 """Elements that resist a coordinate: a sum of terms (kernels.structure.terms), and a law of its value and rate.
 
-With the value q of the coordinate and e = q - rest, taken the shortest way where q is the same after a period, an element resists
-with F = V'(e) + R(e, q') and pushes the nodes with -F dq/dx. The law is a kernel of its own for each kind, reached by its
-address; all the rest is compiled once.
+With the value q of the coordinate and e = q - rest, taken the shortest way where q is the same after a period, an element
+resists with F = V'(e) + R(e, q') and pushes the nodes with -F dq/dx. The law is a kernel of its own for each kind, reached by
+its address; all the rest is compiled once.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.calls import Interface
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
-from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, I0, I1, I2, Floats, Ints, Record, record
 from kinetruss.kernels.coordinates.forms import ALONG, FIXED_AXIS
+from kinetruss.kernels.coordinates.straight_line import addresses_of
+from kinetruss.kernels.structure import element_table
 from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_rates, term_value
 
 SMALL = 1e-6
@@ -22,6 +28,7 @@ SMALL = 1e-6
 KEPT, STORED, TAKEN, STIFF, DAMPED = range(5)
 """What a law gives: V' (N or N m), V (J), R, dF/de, dF/dq'."""
 SCRATCH = 24 + 5
+"""Numbers of scratch: gradient and rates of a term, and what its law gives."""
 
 
 @Interface
@@ -35,17 +42,40 @@ def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, ou
 _law_at = law.call
 
 
-@record
-class Scalars(Record):
-    """Elements on coordinates. law (k,) address; linear (k,) 1 where V' is linear in e and R proportional to the rate; rest,
-    period (k,); numbers (k, w), table[table_ptr[k]:table_ptr[k + 1]] (p, 4) of the law.
-
-    Terms ptr[k]:ptr[k + 1] of element k: kind, form, at, data (kernels.structure.terms); local (t, 4) their nodes as counted
-    among those of the element.
+class Part(NamedTuple):
+    """The elements of one kind: names, of those that a person knows; the law; why there is no power series of a law that is
+    not linear, with {!r} for the name; and the other fields of `Scalars`, `kind` of the terms in place of their code.
     """
 
+    names: tuple[str, ...]
+    law: Any
+    bent: str
+    linear: NDArray[Any]
+    loses: NDArray[Any]
+    ptr: NDArray[Any]
+    kind: NDArray[Any]
+    at: NDArray[Any]
+    data: NDArray[Any]
+    rest: NDArray[Any]
+    period: NDArray[Any]
+    numbers: NDArray[Any]
+    table_ptr: NDArray[Any]
+    table: NDArray[Any]
+
+
+@record
+class Scalars(Record):
+    """Elements on coordinates. law (k,) address; linear (k,) 1 where V' is linear in e and R proportional to the rate; loses
+    (k,) 1 where R is not 0; rest, period (k,); numbers (k, w), table[table_ptr[k]:table_ptr[k + 1]] (p, 4) of the law.
+
+    Terms ptr[k]:ptr[k + 1] of element k, at most `longest`: kind, form, at, data (kernels.structure.terms); local (t, 4) their
+    nodes as counted among those of the element.
+    """
+
+    longest: I0
     law: I1
     linear: I1
+    loses: I1
     ptr: I1
     kind: I1
     table_ptr: I1
@@ -94,13 +124,18 @@ def _push_term(s: Scalars, t: int, amount: float, x: F1, f: F1, scratch: F1) -> 
 @kernel
 def force(s: Scalars, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
     """As kernels.structure.element_table.force."""
-    scratch = np.empty(SCRATCH)
-    # -F dq/dx
+    scratch, gradients = np.empty(SCRATCH), np.empty((s.longest, 12))
     for k in range(s.law.size):
-        _law(s, k, _deflection(s, k, x), _rate(s, k, x, v, scratch), scratch)
-        amount = -(scratch[24 + KEPT] + scratch[24 + TAKEN])
-        for j in range(s.ptr[k], s.ptr[k + 1]):
-            _push_term(s, j, amount, x, f, scratch)
+        first, last, value, rate = s.ptr[k], s.ptr[k + 1], -s.rest[k], 0.0
+        # q and q' = dq/dx . v
+        for j in range(first, last):
+            value += term_value(s.form, s.at, s.data, j, x)
+            term_gradient(s.form, s.at, s.data, j, x, gradients[j - first])
+            rate += term_along(s.at, j, gradients[j - first], v)
+        _law(s, k, nearest_turn(value, s.period[k]), rate, scratch)
+        # -F dq/dx
+        for j in range(first, last):
+            add_term(s.at, j, gradients[j - first], -(scratch[24 + KEPT] + scratch[24 + TAKEN]), f)
 
 
 @kernel
@@ -179,8 +214,8 @@ def _local_gradient(s: Scalars, k: int, x: F1, g: F1, scratch: F1) -> None:
 def blocks(s: Scalars, places: Ints, x: F1, v: F1, resistance: F2, stiff: Floats, damp: Floats) -> None:
     """Minus the derivatives of the forces -F g by x and by v of every element into stiff and damp (elements, w, w).
 
-    places (elements, w) : coordinates of the nodes of each element, ascending, -1 behind the last. resistance (elements, 3) : F, dF/dq,
-    dF/dq'. With the Hessian H of c: dF/dq g g^T + F H + dF/dq' g (H v)^T, and dF/dq' g g^T.
+    places (elements, w) : coordinates of the nodes of each element, ascending, -1 behind the last. resistance (elements, 3) :
+    F, dF/dq, dF/dq'. With the Hessian H of q: dF/dq g g^T + F H + dF/dq' g (H v)^T, and dF/dq' g g^T.
     """
     w = places.shape[1]
     scratch, g, bent, unit = np.empty(SCRATCH), np.empty(w), np.empty(w), np.zeros(x.size)
@@ -303,3 +338,52 @@ def tangent(s: Scalars, t: float, at: I2, x: F1, v: F1, beta: float, gamma: floa
             unit[flat] = 0.0
             for i in range(j, w):
                 value[at[k, w * i + j]] += column[i]
+
+
+@kernel
+def linear_laws(s: Scalars, out: F2) -> None:
+    """V', dF/de and dF/dq' of every element at e = 0 and rest, into out (k, 3): all of a linear law."""
+    scratch = np.empty(SCRATCH)
+    for k in range(s.law.size):
+        _law(s, k, 0.0, 0.0, scratch)
+        out[k, 0], out[k, 1], out[k, 2] = scratch[24 + KEPT], scratch[24 + STIFF], scratch[24 + DAMPED]
+
+
+def scalars(parts: Sequence[Part]) -> Scalars:
+    """All elements on coordinates, the kinds one behind the other."""
+    found = {name: np.concatenate([getattr(one, name) for one in parts]) for name in ("linear", "loses", "kind", "at", "data")}
+    found |= {name: np.concatenate([getattr(one, name) for one in parts]) for name in ("rest", "period", "table")}
+    ends = ([np.diff(one.ptr) for one in parts], [np.diff(one.table_ptr) for one in parts])
+    ptr, table_ptr = (np.concatenate([[0], *counts]).cumsum().astype(np.int64) for counts in ends)
+    width = max(one.numbers.shape[1] for one in parts)
+    nodes = [np.unique(found["at"][first:last], return_inverse=True)[1].reshape(-1, 4) for first, last in pairwise(ptr)]
+    return Scalars.of(
+        found
+        | {
+            "law": np.concatenate([np.full(len(one.rest), law.address(one.law) if len(one.rest) else 0) for one in parts]),
+            "longest": int(np.diff(ptr).max(initial=0)),
+            "ptr": ptr,
+            "table_ptr": table_ptr,
+            "form": addresses_of(found["kind"]),
+            "local": np.concatenate([*nodes, np.zeros((0, 4))]),
+            "numbers": np.concatenate([np.pad(one.numbers, ((0, 0), (0, width - one.numbers.shape[1]))) for one in parts]),
+        }
+    )
+
+
+def coordinates(s: Scalars) -> NDArray[np.int64]:
+    """Coordinates (elements, w) of the nodes of elements, ascending; those that have fewer end with -1."""
+    nodes = [np.unique(s.at[first:last]) for first, last in pairwise(s.ptr)]
+    places = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
+    for one, own in zip(places, nodes, strict=True):
+        one[: len(own)] = own[:, None] + np.arange(3)
+    return places.reshape(len(nodes), places.shape[1] * 3)
+
+
+KERNELS = {
+    element_table.FORCE: (element_table.force, force),
+    element_table.ENERGY: (element_table.energy, energy),
+    element_table.BALANCE: (element_table.balance, balance),
+    element_table.TANGENT: (element_table.tangent, tangent),
+    element_table.SWAP: (element_table.swap, swap),
+}

@@ -1,16 +1,22 @@
 """Springs on coordinates: stiffness or a table, play, preload, damping, friction.
 
-V' is preload + k s with s = e less what the play takes of it, or a table (s, V', V'', V) of piecewise cubics; R(q') = damping q'
-+ friction tanh(q'/slip).
+V' is preload + k s with s = e less what the play takes of it, or a table (s, V', V'', V) of piecewise cubics;
+R(q') = damping q' + friction tanh(q'/slip).
 """
 
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN
+import numpy as np
+
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, Vector
+
+if TYPE_CHECKING:
+    from kinetruss.mechanics.system import System
 
 STIFFNESS, DAMPING, FRICTION, SLIP, PLAY, PRELOAD = range(6)
 """Numbers of a spring."""
@@ -42,6 +48,16 @@ def _cubic(table: F2, first: int, last: int, s: float) -> Vector:
 
 
 @kernel_bare
+def _resisting(numbers: F1, rate: float) -> tuple[float, float]:
+    """R and dR/dq'."""
+    c, friction = numbers[DAMPING], numbers[FRICTION]
+    if friction == 0.0:
+        return c * rate, c
+    share = math.tanh(rate / numbers[SLIP])
+    return c * rate + friction * share, c + friction * (1.0 - share * share) / numbers[SLIP]
+
+
+@kernel_bare
 def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, out: F1) -> None:
     """As elements.scalars.law."""
     play = numbers[PLAY]
@@ -53,10 +69,28 @@ def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, ou
         force, energy = slope * deflection, 0.5 * slope * deflection * deflection
     out[KEPT], out[STIFF] = numbers[PRELOAD] + force, 0.0 if free else slope
     out[STORED] = numbers[PRELOAD] * e + energy
-    c, friction = numbers[DAMPING], numbers[FRICTION]
-    if friction == 0.0:
-        out[TAKEN], out[DAMPED] = c * rate, c
-        return
-    share = math.tanh(rate / numbers[SLIP])
-    out[TAKEN] = c * rate + friction * share
-    out[DAMPED] = c + friction * (1.0 - share * share) / numbers[SLIP]
+    out[TAKEN], out[DAMPED] = _resisting(numbers, rate)
+
+
+def springs(system: System) -> Part:
+    """The springs of a model."""
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in system.spring_measure]
+    terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
+    stiffness, rest, *others = system.spring_law.T
+    damping, friction, _, play, _ = others
+    return Part(
+        names=system.springs,
+        law=law,
+        bent="the spring {!r} has friction, play or a table",
+        loses=(damping != 0.0) | (friction != 0.0),
+        linear=(friction == 0.0) & (play == 0.0) & (np.diff(system.spring_table_ptr) == 0),
+        ptr=np.cumsum([0, *map(len, spans)]),
+        kind=system.term_kind[terms],
+        at=system.term_at[terms],
+        data=system.term_data[terms],
+        rest=rest,
+        period=system.measure_period[system.spring_measure],
+        numbers=np.column_stack([stiffness, *others]),
+        table_ptr=system.spring_table_ptr,
+        table=system.spring_table,
+    )

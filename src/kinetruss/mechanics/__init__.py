@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.elements.caching import cached as cached
     from kinetruss.kernels.structure.structure import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
     from kinetruss.mechanics.arrangement import (
         Arrangement as Arrangement,
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
         rearrange as rearrange,
     )
     from kinetruss.mechanics.beam_elements import BeamElements as BeamElements
-    from kinetruss.mechanics.caching import cached as cached
     from kinetruss.mechanics.continua import (
         Continua as Continua,
         Patch as Patch,

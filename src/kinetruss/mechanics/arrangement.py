@@ -13,9 +13,9 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
+from kinetruss.elements.caching import cached
 from kinetruss.errors import few
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM, Plan
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import flats_of, sum_arrays
 from kinetruss.mechanics.rigid_parts import part_arrays, rigid_parts
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_gradients, jacobian

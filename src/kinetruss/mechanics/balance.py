@@ -13,7 +13,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics.arrangement import rearrange
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.elements import continua_energy, resting_forces, spring_forces, spring_laws, spring_motions
+from kinetruss.mechanics.elements import continua_energy, resting_forces, scalar_forces, spring_laws, spring_motions
 from kinetruss.mechanics.loads import Follower, Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.measures import measure_gradients, measure_hessian, measured
@@ -81,7 +81,7 @@ class Balance:
         # T dq/dx of torques on measures
         for m in np.flatnonzero(self.turn):
             flat += self.turn[m] * measure_gradients(system, m, x[None])[0]
-        flat += spring_forces(system, x)
+        flat += scalar_forces(system, x)
         return flat + self.following(x)
 
     def pushing(self, x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
+from kinetruss.elements.caching import cached
 from kinetruss.errors import Fault, ModelError
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.positions import gimbal_angles, normalised, size, vector_area
 from kinetruss.mechanics.system import System
 from kinetruss.model import LengthDrive

@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.caching import cached
 from kinetruss.mechanics.arrangement import arrange
 from kinetruss.mechanics.beam_elements import pairs_of
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.mobility import mobility_at
 from kinetruss.mechanics.row_gradients import row_directions
 from kinetruss.mechanics.system import System, compile

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 from scipy.sparse import csc_array, csr_array, vstack
 
+from kinetruss.elements.caching import cached
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE, pose_gradients, pose_values
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import measured
 from kinetruss.mechanics.members import DRIVEN, RIGID
 from kinetruss.mechanics.mobility import moves_text

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from kinetruss.elements import scalars
+from kinetruss.elements.caching import cached
+from kinetruss.elements.kinds import on_coordinates, span_of
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
-from kinetruss.kernels.structure.springs import add_spring_forces, spring_blocks, spring_histories, spring_slopes
 from kinetruss.mechanics.beam_elements import damping_forces, mode_rates
-from kinetruss.mechanics.caching import cached
-from kinetruss.mechanics.tables import elements, structure_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,14 +35,22 @@ class SpringHistories(NamedTuple):
     energy: NDArray[np.float64]
 
 
-def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
-    """The springs along x, v (times, n, 3) or flat; without v at rest. A positive force raises the coordinate."""
+def scalar_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
+    """Elements on coordinates along x, v (times, n, 3) or flat; without v at rest. A positive force raises the coordinate."""
     place, rate = (
         np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros(system.x0.size) if v is None else v)
     )
-    found = np.empty((4, len(place), len(system.springs)))
-    spring_histories(structure_of(system), place, rate, found)
-    return SpringHistories(found[0] + system.spring_law[:, 1], *found[1:])
+    if (every := on_coordinates(system)) is None:
+        return SpringHistories(*np.zeros((4, len(place), 0)))
+    found = np.empty((4, len(place), len(every.law)))
+    scalars.histories(every, place, rate, found)
+    return SpringHistories(found[0] + every.rest, *found[1:])
+
+
+def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
+    """`scalar_motions` of the springs."""
+    own = span_of(system, "spring")
+    return SpringHistories(*(one[:, own] for one in scalar_motions(system, x, v)))
 
 
 def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
@@ -68,36 +75,44 @@ def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64],
         )
 
 
-def spring_forces(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
-    """Forces of springs on the nodes (3 n,), N, at x, v (n, 3); without v at rest."""
+def scalar_forces(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Forces of elements on coordinates on the nodes (3 n,), N, at x, v (n, 3); without v at rest."""
     found = np.zeros(system.x0.size)
-    if system.springs:
+    if (every := on_coordinates(system)) is not None:
         place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros_like(found) if v is None else v))
-        add_spring_forces(structure_of(system), place, rate, found)
+        scalars.force(every, 0.0, place, rate, found)
+    return found
+
+
+def scalar_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """Resistance F, dF/dq and dF/dq' of each element on a coordinate (elements, 3) at x, v (n, 3)."""
+    if (every := on_coordinates(system)) is None:
+        return np.zeros((0, 3))
+    found = np.zeros((len(every.law), 3))
+    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(system.x0.size) if v is None else v))
+    scalars.slopes(every, place, rate, found)
     return found
 
 
 def spring_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
-    """Resistance F, dF/dc and dF/dc' of each spring (springs, 3) at x, v (n, 3)."""
-    found = np.zeros((len(system.springs), 3))
-    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(system.x0.size) if v is None else v))
-    spring_slopes(structure_of(system), place, rate, found)
-    return found
+    """`scalar_laws` of the springs."""
+    return scalar_laws(system, x, v)[span_of(system, "spring")]
 
 
-def spring_tangents(
-    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, law: NDArray[np.float64]
+def scalar_tangents(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, resistance: NDArray[np.float64]
 ) -> tuple[Any, Any]:
     """K and C (3 n, 3 n), N/m and N s/m: minus the derivatives of the forces -F g by x and by v, both (n, 3).
 
-    law (springs, 3) : F, dF/dc and dF/dc'. g, H : gradient and Hessian of c, so that C = dF/dc' g g^T and
-    K = dF/dc g g^T + F H + dF/dc' g (H v)^T.
+    resistance (elements, 3) : F, dF/dq and dF/dq'. g, H : gradient and Hessian of q, so that C = dF/dq' g g^T and
+    K = dF/dq g g^T + F H + dF/dq' g (H v)^T.
     """
+    every = _whole(system)
     places = _places(system)
     count, width = places.shape
     blocks = np.empty((2, count, width, width))
     place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(x.size) if v is None else v))
-    spring_blocks(structure_of(system), places, place, rate, law, *blocks)
+    scalars.blocks(every, places, place, rate, resistance, *blocks)
     rows, columns = np.repeat(places, width, axis=1).reshape(-1), np.tile(places, (1, width)).reshape(-1)
     own = (rows >= 0) & (columns >= 0)
     at, shape = (rows[own], columns[own]), (x.size, x.size)
@@ -107,14 +122,12 @@ def spring_tangents(
 
 @cached()
 def _places(system: System) -> NDArray[np.int64]:
-    """Coordinates (springs, w) of the nodes of springs, ascending; those that have fewer end with -1."""
-    found = elements(system)
-    ptr, at = found["spring_ptr"], found["spring_at"]
-    nodes = [np.unique(at[first:last]) for first, last in pairwise(ptr)]
-    places = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
-    for one, own in zip(places, nodes, strict=True):
-        one[: len(own)] = own[:, None] + np.arange(3)
-    return places.reshape(len(nodes), places.shape[1] * 3)
+    """`scalars.coordinates` of a system that has such."""
+    return scalars.coordinates(_whole(system))
+
+
+def _whole(system: System) -> scalars.Scalars:
+    return cast("scalars.Scalars", on_coordinates(system))
 
 
 # Membranes and solids in the equations: forces, energy and tangent stiffness at given positions, consistent masses.

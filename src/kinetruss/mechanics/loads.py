@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.caching import cached
 from kinetruss.errors import InputError
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.rotating_base import RotatingBase, base_of
 from kinetruss.mechanics.row_gradients import turned
 from kinetruss.mechanics.system import System

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.mechanics.caching import cached
+from kinetruss.elements.caching import cached
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

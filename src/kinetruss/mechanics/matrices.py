@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
+from kinetruss.elements.caching import cached
+from kinetruss.elements.kinds import on_coordinates
 from kinetruss.kernels.structure.laws import law_values
 from kinetruss.mechanics.beam_elements import damping_tangents
-from kinetruss.mechanics.caching import cached
-from kinetruss.mechanics.elements import continua_stiffness, spring_laws, spring_tangents
-from kinetruss.mechanics.row_gradients import angle_hessians, direction_rates, dot, ends_of, length_hessians, turned
-from kinetruss.mechanics.tables import elements, mass_of_pairs, pins_of
+from kinetruss.mechanics.elements import continua_stiffness, scalar_laws, scalar_tangents
+from kinetruss.mechanics.row_gradients import angle_hessians, direction_rates, dot, ends_of, length_hessians
+from kinetruss.mechanics.tables import elements, mass_of_pairs
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -41,50 +42,12 @@ def bar_laws(
     return BarLaws(*found)
 
 
-# Stiffness and damping of friction about pins (kernels.structure.laws), as sparse matrices.
-
-
-def friction_tangents(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None) -> tuple[Any, Any]:
-    """K and C (3 n, 3 n), N/m and N s/m: minus the derivatives of the forces -c (g . v) g by x and by v, both (n, 3).
-
-    g, H : gradient and Hessian of the angle between the two bars of a pair by the positions of its pin and its far ends. So
-    C = c g g^T and K = c (g (H v)^T + (g . v) H).
-    """
-    node, first, second, c = pins_of(system)
-    far = [system.p[m] + system.q[m] - node for m in (first, second)]
-    far[1] = np.where(second < 0, node, far[1])
-    by_node, H_by_node = np.zeros((len(c), 3, 3)), np.zeros((len(c), 3, 3, 3, 3))
-    # gradient g and Hessian H of the angle between the bars, by the pin and both far ends
-    for place, (end, sign) in enumerate(zip(far, (1.0, -1.0), strict=True), start=1):
-        moving = end != node
-        d = x[end[moving]] - x[node[moving]]
-        L = np.linalg.norm(d, axis=1)
-        u = d / L[:, None]
-        gradient, hessian = sign * turned(u) / L[:, None], sign * angle_hessians(u, L) / L[:, None, None]
-        by_node[moving, place] += gradient
-        by_node[moving, 0] -= gradient
-        for i, j, s in ((0, 0, 1.0), (0, place, -1.0), (place, 0, -1.0), (place, place, 1.0)):
-            H_by_node[moving, i, :, j] += s * hessian
-    nodes = np.stack([node, *far], axis=1)
-    g, H = by_node.reshape(-1, 9), H_by_node.reshape(-1, 9, 9)
-    # C = c g g^T
-    C = c[:, None, None] * g[:, :, None] * g[:, None, :]
-    rates = np.zeros_like(g) if v is None else v[nodes].reshape(-1, 9)
-    bent, rate = np.einsum("kij,kj->ki", H, rates), np.einsum("ki,ki->k", g, rates)
-    # K = c (g (H v)^T + (g . v) H)
-    K = c[:, None, None] * (g[:, :, None] * bent[:, None, :] + rate[:, None, None] * H)
-    flat = (3 * nodes[:, :, None] + np.arange(3)).reshape(-1, 9).astype(np.int64)
-    where = np.repeat(flat, 9, axis=1).reshape(-1), np.tile(flat, (1, 9)).reshape(-1)
-    shape = (system.x0.size, system.x0.size)
-    return csr_array((K.reshape(-1), where), shape=shape), csr_array((C.reshape(-1), where), shape=shape)
-
-
 # Mass, damping and stiffness of a structure as sparse matrices, assembled member by member.
 #
 #     M : uniform bar m/6 [[2, 1], [1, 2]], planar body, base rod and tube, lumped masses, bodies
-#     C : dN/dL' u u^T of dampers + c g g^T of friction about pins and of springs
+#     C : dN/dL' u u^T of dampers + dF/dq' g g^T of elements on coordinates
 #     K : dN/dL u u^T of laws + N/L P of every member that carries a force, rigid ones too, + T/L^2 (n u^T + u n^T) of torques,
-#         + the tangents of springs, of membranes and solids
+#         + the tangents of elements on coordinates, of membranes and solids
 #
 # All are by flat coordinates 3 node + axis; K is minus the derivative of the forces on the nodes at fixed multipliers. Members
 # whose inertia depends on where they point (base rod and tube, rotary inertia) are differentiated by complex steps, which is
@@ -142,12 +105,13 @@ def tangents(
     gravity: NDArray[np.float64],
     v: NDArray[np.float64] | None = None,
     a: NDArray[np.float64] | None = None,
-    springs: NDArray[np.float64] | None = None,
+    resistance: NDArray[np.float64] | None = None,
 ) -> tuple[Any, Any]:
     """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v.
 
     x, v, a (n, 3). tension (m,): total axial force of each member, N. torque (m,): the torque on it, N m. gravity (3,).
-    springs (springs, 3) : resistance, and its derivatives by the coordinate and its rate; by default those of their laws.
+    resistance (elements, 3) : of elements on coordinates, and its derivatives by the coordinate and its rate; by default those
+    of their laws.
     """
     d, L, u = ends_of(system, x)
     dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
@@ -172,11 +136,8 @@ def tangents(
         c6[turning] += ct
     K = _assembled(system, k6)
     C = _assembled(system, c6) if np.any(damping) or len(turning) else csr_array(K.shape)
-    if system.friction.any():
-        rubbing = friction_tangents(system, x, v)
-        K, C = K + rubbing[0], C + rubbing[1]
-    if system.springs:
-        resisting = spring_tangents(system, x, v, spring_laws(system, x, v) if springs is None else springs)
+    if on_coordinates(system) is not None:
+        resisting = scalar_tangents(system, x, v, scalar_laws(system, x, v) if resistance is None else resistance)
         K, C = K + resisting[0], C + resisting[1]
     if system.continua is None:
         return K, C

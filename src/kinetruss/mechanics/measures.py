@@ -131,10 +131,16 @@ def measure_flats(system: System, m: Any) -> NDArray[np.int64]:
 
 def measure_of(system: System, program: Program, m: int) -> Any:
     """Measure m as an expression of the positions of nodes: the sum of its terms."""
+    own = slice(*system.measure_ptr[m : m + 2].tolist())
+    return terms_sum(program, system.dim, system.term_kind[own], system.term_at[own], system.term_data[own])
+
+
+def terms_sum(program: Program, dim: int, kinds: NDArray[np.int64], at: NDArray[np.int64], data: NDArray[np.float64]) -> Any:
+    """A sum of terms as an expression of the positions of nodes, in a plane or in space (dim)."""
     found: Any = program.number(0.0)
-    for t in range(int(system.measure_ptr[m]), int(system.measure_ptr[m + 1])):
-        form, (factor, *numbers) = FORMS[system.term_kind[t]], system.term_data[t].tolist()
-        nodes = [program.node(flat // 3, system.dim) for flat in system.term_at[t, : form.nodes].tolist()]
+    for kind, places, (factor, *numbers) in zip(kinds.tolist(), at.tolist(), data.tolist(), strict=True):
+        form = FORMS[kind]
+        nodes = [program.node(flat // 3, dim) for flat in places[: form.nodes]]
         found = found + form.make(nodes, numbers) * factor
     return found
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.caching import cached
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths as length_rates
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.arguments import names_of
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import measured
 from kinetruss.mechanics.row_gradients import direction_rates
 from kinetruss.mechanics.system import System

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.caching import cached
 from kinetruss.kernels.structure.structure import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
-from kinetruss.mechanics.caching import cached
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

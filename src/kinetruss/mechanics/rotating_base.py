@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.mechanics.caching import cached
+from kinetruss.elements.caching import cached
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

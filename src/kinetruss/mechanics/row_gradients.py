@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
+from kinetruss.elements.caching import cached
 from kinetruss.kernels.structure.structure import ANGLE
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.measures import measure_curvature, measure_flats, measure_gradients
 
 if TYPE_CHECKING:

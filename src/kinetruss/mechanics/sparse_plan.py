@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -10,6 +12,7 @@ from scipy.sparse import coo_array, csc_array, csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 from scipy.sparse.linalg import spilu
 
+from kinetruss.elements.kinds import present
 from kinetruss.kernels.solve.kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
 from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.mechanics.system import System
@@ -245,7 +248,7 @@ REGULAR = 1e-10
 
 def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     """What `kernels.integrate.tangent` needs: pattern of L, places of blocks, constant part of the matrix."""
-    place, row_place = _tangent_order(eq)
+    place, row_place = _tangent_order(eq, system)
     n = place.size + row_place.size
     mass = mass_matrix(system, system.x0)[eq.free][:, eq.free].tocoo()
     ends = [np.column_stack([eq.law_A, eq.law_B]), np.column_stack([eq.A, eq.B]), np.column_stack([eq.edge_A, eq.edge_B])]
@@ -253,8 +256,8 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     where[eq.free] = place
     members = [where[(pair[:, :, None] + np.arange(3)).reshape(-1, 6)] for pair in ends]
     members[1][eq.sum_row] = -1
-    members.append(_pins(eq, where))
-    members.append(_springs(eq, where))
+    kinds = [where[one.coordinates(record)] for one, record in present(system)]
+    members += kinds
     pairs = [_tangent_pairs(m) for m in members]
     terms = int(eq.sum_ptr[-1]) if len(eq.sum_ptr) else 0
     sums = where[(eq.term_at[:terms, :, None] + np.arange(3)).reshape(-1, 12)]
@@ -270,7 +273,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     scale = max(float(np.abs(mass.data).max(initial=0.0)), 1e-300)
     base[below.size + place] += REGULAR * scale
     base[below.size + row_place] = -REGULAR / scale
-    # places of square blocks: bars with a law, rows, edges, pins, springs
+    # places of square blocks: bars with a law, rows, edges, elements
     blocks = [find(*pair).reshape(len(m), m.shape[1] ** 2) for m, pair in zip(members, pairs, strict=True)]
     return {
         "ptr": ptr,
@@ -286,31 +289,32 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         "values": np.zeros_like(base),
         "space": np.zeros(n),
         "edge_at": blocks[2],
-        "pin_at": blocks[3],
-        "spring_at": blocks[4],
+        "element_at": np.concatenate([*(one.reshape(-1) for one in blocks[3:]), np.zeros(0)]),
+        "element_ptr": np.array(_places_of(blocks[3:])).reshape(-1, 3),
     }
 
 
-def _pins(eq: Any, where: Ints) -> Ints:
-    """Places (pairs, 6) of the coordinates of pins with friction and of the two far ends; the ground has none."""
-    ends = np.column_stack([eq.pin_P, eq.pin_A, np.where(eq.pin_B == eq.pin_P, -1, eq.pin_B)])
-    flat = np.where(ends[:, :, None] < 0, -1, ends[:, :, None] + np.arange(2))
-    return where[flat.reshape(-1, 6)]
+def _places_of(blocks: Sequence[Ints]) -> list[tuple[int, int, int]]:
+    """Where the places of each kind of elements begin, and their shape."""
+    first = np.cumsum([0, *(one.size for one in blocks)]).tolist()
+    return [(begin, *one.shape) for begin, one in zip(first, blocks, strict=False)]
 
 
-def _springs(eq: Any, where: Ints) -> Ints:
-    """Places (springs, w) of the coordinates of the nodes of springs, ascending; those that have fewer end with -1."""
-    nodes = [np.unique(eq.spring_at[eq.spring_ptr[k] : eq.spring_ptr[k + 1]]) for k in range(len(eq.spring))]
-    found = np.full((len(nodes), max(map(len, nodes), default=0), 3), -1, np.int64)
-    for k, own in enumerate(nodes):
-        found[k, : len(own)] = where[own[:, None] + np.arange(3)]
-    return found.reshape(len(nodes), found.shape[1] * 3)
+def _neighbours(system: System) -> tuple[Ints, Ints]:
+    """Flat first coordinates of every two nodes of an element."""
+    found = [np.zeros((0, 2), np.int64)]
+    for one, record in present(system):
+        nodes = one.coordinates(record)[:, ::3]
+        found += [nodes[:, [i, j]] for i, j in combinations(range(nodes.shape[1]), 2)]
+    pairs = np.concatenate(found)
+    pairs = pairs[(pairs >= 0).all(axis=1)]
+    return pairs[:, 0], pairs[:, 1]
 
 
-def _tangent_order(eq: Any) -> tuple[Ints, Ints]:
+def _tangent_order(eq: Any, system: System) -> tuple[Ints, Ints]:
     """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row after the later of its free nodes."""
     nodes = eq.local.size // 3
-    one, other = (eq.spring_at[:, [0, 0, 0]].reshape(-1), eq.spring_at[:, 1:].reshape(-1))
+    one, other = _neighbours(system)
     A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A, one]) // 3
     B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B, other]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -136,10 +136,12 @@ class System:
 
     @property
     def term_form(self) -> NDArray[np.int64]:
-        """Addresses of the code of the terms (t, 3), compiled when first asked for: of this process, so they are not kept."""
-        from kinetruss.kernels.coordinates.straight_line import addresses_of
+        """Addresses of the code of the terms (t, 3), compiled when first asked for: of this process, so they go with `memory`."""
+        if "term_form" not in self.memory:
+            from kinetruss.kernels.coordinates.straight_line import addresses_of
 
-        return addresses_of(self.term_kind)
+            self.memory["term_form"] = addresses_of(self.term_kind)
+        return cast("NDArray[np.int64]", self.memory["term_form"])
 
     @cached_property
     def sums(self) -> NDArray[np.int64]:

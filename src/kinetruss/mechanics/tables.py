@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from scipy.sparse import csr_array
 
+from kinetruss.elements.caching import cached
+from kinetruss.elements.kinds import element_arrays
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
-from kinetruss.mechanics.caching import cached
 from kinetruss.mechanics.system import System
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def structure_of(system: System) -> Structure:
 
 def nodal_loads(loads: Loads) -> NodalLoads:
     """Loads of a case, all of them on nodes, as kernels take them."""
-    return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force)
+    return NodalLoads(loads.gravity, loads.lump_gravity, loads.node, loads.force, np.asarray(loads.t, float))
 
 
 @cached()
@@ -37,7 +37,7 @@ def elements(system: System) -> dict[str, NDArray[Any]]:
     if system.continua is not None:
         share = share + system.continua.lump
     own = {"lump": system.lump, "share": share}
-    return _pairs(system) | _varying(system) | _laws(system) | _pins(system) | _springs(system) | own
+    return _pairs(system) | _varying(system) | _laws(system) | element_arrays(system) | own
 
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:
@@ -152,65 +152,4 @@ def _laws(system: System) -> dict[str, NDArray[Any]]:
         "law_kind": system.law[members].astype(np.int64),
         "law_member": members,
         "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
-    }
-
-
-class Pins(NamedTuple):
-    """Pairs of bars with friction between them: node (k,) of the pin, first, second (k,) members, second -1 for the ground.
-
-    friction (k,) N m s.
-    """
-
-    node: NDArray[np.int64]
-    first: NDArray[np.int64]
-    second: NDArray[np.int64]
-    friction: NDArray[np.float64]
-
-
-@cached()
-def pins_of(system: System) -> Pins:
-    """Where friction acts about pins.
-
-    The bearings of all bars at a node turn about one pin without mass. It stands still where the node is fixed, guided or
-    driven; else it turns so that their torques are in balance. With such a pin left out, the bearings c_i and c_j of two bars
-    are worth c_i c_j/sum c between them; two bars between the same nodes turn alike.
-    """
-    held = np.any(system.prescribed.reshape(-1, 3)[:, :2], axis=1).tolist()
-    ends = np.stack([system.p, system.q], axis=1)
-    found: list[tuple[int, int, int, float]] = []
-    # bearings at each node: on the ground, or c_i c_j/sum c between each two bars
-    for node in np.unique(ends[system.friction > 0.0]).tolist():
-        member, end = np.nonzero((ends == node) & (system.friction > 0.0))
-        c = system.friction[member, end]
-        if held[node]:
-            found += [(node, m, -1, own) for m, own in zip(member.tolist(), c.tolist(), strict=True)]
-            continue
-        far = ends[member, 1 - end]
-        for i, j in combinations(range(len(c)), 2):
-            if far[i] != far[j]:
-                found.append((node, int(member[i]), int(member[j]), float(c[i] * c[j] / c.sum())))
-    node_of, first, second, friction = zip(*found, strict=True) if found else ((), (), (), ())
-    return Pins(np.array(node_of, np.int64), np.array(first, np.int64), np.array(second, np.int64), np.array(friction, float))
-
-
-def _pins(system: System) -> dict[str, NDArray[Any]]:
-    node, first, second, friction = pins_of(system)
-    A, B = (system.p[m].astype(np.int64) + system.q[m] - node for m in (first, second))
-    return {"pin_P": 3 * node, "pin_A": 3 * A, "pin_B": 3 * np.where(second < 0, node, B), "pin": friction}
-
-
-def _springs(system: System) -> dict[str, NDArray[Any]]:
-    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in system.spring_measure]
-    terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
-    local = [np.unique(system.term_at[span], return_inverse=True)[1].reshape(-1, 4) for span in spans]
-    return {
-        "spring": np.column_stack([system.spring_law, system.measure_period[system.spring_measure]]),
-        "spring_ptr": np.cumsum([0, *map(len, spans)]).astype(np.int64),
-        "spring_kind": system.term_kind[terms],
-        "spring_form": system.term_form[terms],
-        "spring_at": system.term_at[terms],
-        "spring_data": system.term_data[terms],
-        "spring_local": np.concatenate([*local, np.zeros((0, 4))]).astype(np.int64),
-        "spring_table_ptr": system.spring_table_ptr,
-        "spring_table": system.spring_table,
     }

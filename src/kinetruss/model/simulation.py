@@ -145,7 +145,7 @@ class Taylor(Record):
 
     Rigid, driven and elastic bars of constant mass, planar bodies, drives, hinges, couplings, linear springs on coordinates,
     supports that move, given forces. Not for active members, cables, springs with friction, play or a table, loads that turn
-    with bodies, membranes, solids, friction about pins, user forces and motors: use `DOP853` for these.
+    with bodies, membranes, solids, user forces and motors: use `DOP853` for these.
 
     Source: A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117; J. D. Pryce, Numerical Algorithms 19 (1998) 195-211.
     """

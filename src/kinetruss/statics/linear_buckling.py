@@ -11,7 +11,7 @@ import xarray as xr
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.elements import continua_geometric, spring_laws, spring_motions
+from kinetruss.mechanics.elements import continua_geometric, scalar_laws, scalar_motions
 from kinetruss.mechanics.matrices import bar_laws, tangents
 from kinetruss.mechanics.rows import null_basis
 from kinetruss.model import Model
@@ -129,12 +129,12 @@ def _of_load(
     tension, torque = row_tensions(system, reached.x, N)
     none = np.zeros_like(L)
     still = np.zeros(3)
-    springs, unloaded = spring_laws(system, reached.x), np.zeros((len(system.springs), 3))
-    resisting = unloaded.copy()
-    if system.springs:
-        resisting[:, 0] = springs[:, 1] * spring_motions(system, reached.x[None], flat).rate[0]
-    loaded = tangents(system, reached.x, added + tension, torque, still, springs=resisting)[0]
-    geometric = loaded - tangents(system, reached.x, none, none, still, springs=unloaded)[0]
+    resisting = np.zeros_like(scalar_laws(system, reached.x))
+    unloaded = resisting.copy()
+    if len(resisting):
+        resisting[:, 0] = scalar_laws(system, reached.x)[:, 1] * scalar_motions(system, reached.x[None], flat).rate[0]
+    loaded = tangents(system, reached.x, added + tension, torque, still, resistance=resisting)[0]
+    geometric = loaded - tangents(system, reached.x, none, none, still, resistance=unloaded)[0]
     if len(system.measures):
         geometric = geometric + sum_stiffness(system, reached.x, measure_forces(system, N))
     if system.continua is not None:

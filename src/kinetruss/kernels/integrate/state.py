@@ -132,7 +132,8 @@ class Control(Record):
     of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
     jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. pairs (k, 2) :
     flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
-    tape_ints, tape_reals : buffers of the tape of all sums, for power series.
+    tape_ints, tape_reals : buffers of the tape of all sums, for power series; tape_laws (k, 5) : rest, period, force at rest,
+    stiffness and damping of the elements on coordinates among them.
     Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE; event_A, event_B (e,) flat coordinates, A of a force its row;
     event_value (e,) m or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run ends there;
     event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates of both
@@ -178,8 +179,8 @@ class Control(Record):
     event_sampled: I1
     event_at: I2
     edge_at: I2
-    pin_at: I2
-    spring_at: I2
+    element_at: I1
+    element_ptr: I2
     pairs: I2
     angle_ptr: I1
     angle_form: I2
@@ -187,6 +188,7 @@ class Control(Record):
     angle_data: F2
     tape_ints: I1
     tape_reals: F1
+    tape_laws: F2
 
     @classmethod
     def of_method(cls, pattern: Mapping[str, NDArray[Any]], given: Mapping[str, Any]) -> Control:
@@ -194,7 +196,7 @@ class Control(Record):
         empty = {name: np.zeros((0, 0)[: field.axes]) for name, field in cls.FIELDS.items()}
         nothing = Tape.zeros({})
         at_rest = {name: np.zeros(shape) for name, shape in _TURNING.items()}
-        tape = {"tape_ints": nothing.ints, "tape_reals": nothing.reals}
+        tape = {"tape_ints": nothing.ints, "tape_reals": nothing.reals, "tape_laws": np.zeros((0, 5))}
         return cls.of({**empty, **at_rest, **tape, **pattern, **given})
 
 

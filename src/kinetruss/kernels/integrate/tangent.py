@@ -11,9 +11,9 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 from kinetruss.kernels.integrate.state import Control
 from kinetruss.kernels.structure.continua import add_continua, add_damping
+from kinetruss.kernels.structure.element_table import element_tangents
 from kinetruss.kernels.structure.equations import Equations, Workspace
-from kinetruss.kernels.structure.laws import add_pins, law_slopes, law_tension, length_rate
-from kinetruss.kernels.structure.springs import add_springs
+from kinetruss.kernels.structure.laws import law_slopes, law_tension, length_rate
 from kinetruss.kernels.structure.structure import LENGTH, Structure
 from kinetruss.kernels.structure.sums import sum_entries
 
@@ -100,10 +100,7 @@ def tangent_fill(
     for i in range(base.size):
         value[i] = base[i]
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
-    if eq.pin_P.size:
-        add_pins(eq, record.pin_at, x, gamma, value)
-    if eq.spring.size:
-        add_springs(eq, record.spring_at, x, v, beta, gamma, value)
+    element_tangents(eq, 0.0, record.element_at, record.element_ptr, x, v, beta, gamma, value)
     _add_rows(eq.kind, ws.u, ws.target, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)

@@ -327,7 +327,8 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
     if first < 0.0:
         first = factor(eq, ws, x)
     memory.pivot = first
-    series(eq, ws, Tape(control.tape_ints, control.tape_reals), own, memory.t, memory.h, x, v)
+    tape = Tape(control.tape_ints, control.tape_reals)
+    series(eq, ws, tape, control.tape_laws, own, memory.t, memory.h, x, v)
     memory.evaluations += 1
     fixed = control.fixed_step
     most, last = _size(control, memory, own)

@@ -1,14 +1,15 @@
-"""Orders in time of sums of terms: what rows hold them to, and the forces of such rows, of springs and of torques on them.
+"""Orders in time of sums of terms: what rows hold them to, and the forces of such rows, of elements and of torques on them.
 
-A tape (kernels.coordinates.tape) has the values as results: of the rows that are sums, of all springs, of all given torques.
-Their orders are those of its operations, and one pass back with the orders of all forces F_i as adjoints gives those of the
-nodal forces sum F_i dq_i/dx. Row j of an array is the order j in tau = (t - t0)/s.
+A tape (kernels.coordinates.tape) has the values as results: of the rows that are sums, of all elements on coordinates, whose
+laws are linear, of all given torques. Their orders are those of its operations, and one pass back
+with the orders of all forces F_i as adjoints gives those of the nodal forces sum F_i dq_i/dx. Row j of an array is the order j
+in tau = (t - t0)/s.
 """
 
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1
+from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.coordinates.tape import Tape, backward_order, forward
 from kinetruss.kernels.series.orders import SeriesWork, table_order
 from kinetruss.kernels.structure.equations import SUM_FORCE, Equations
@@ -43,19 +44,19 @@ def take_multipliers(eq: Equations, work: SeriesWork, j: int, N: F1) -> None:
 
 
 @kernel_late
-def _given(eq: Equations, tape: Tape, work: SeriesWork, t: float, s: float, j: int) -> None:
-    """Order j of what springs and torques push with; that of rows is not known yet."""
+def _given(eq: Equations, tape: Tape, laws: F2, work: SeriesWork, t: float, s: float, j: int) -> None:
+    """Order j of what elements and torques push with; that of rows is not known yet."""
     F, T, out, first = work.pushes, work.tape, tape.out, eq.sum_row.size
     for i in range(first):
         F[j, i] = 0.0
-    # -(preload + k (q - rest) + c q')
-    for k in range(eq.spring.shape[0]):
+    # -(F_0 + k (q - rest) + c q')
+    for k in range(laws.shape[0]):
         at = out[first + k]
         e, constant = T[j, at], 0.0
         if j == 0:
-            e, constant = nearest_turn(e - eq.spring[k, 1], eq.spring[k, 7]), eq.spring[k, 6]
-        F[j, first + k] = -(constant + eq.spring[k, 0] * e + eq.spring[k, 2] * (j + 1.0) * T[j + 1, at] / s)
-    i = first + eq.spring.shape[0]
+            e, constant = nearest_turn(e - laws[k, 0], laws[k, 1]), laws[k, 2]
+        F[j, first + k] = -(constant + laws[k, 3] * e + laws[k, 4] * (j + 1.0) * T[j + 1, at] / s)
+    i = first + laws.shape[0]
     for g in range(eq.force_kind.size):
         if eq.force_kind[g] == SUM_FORCE:
             F[j, i] = table_order(eq, g, t, s, j)
@@ -63,10 +64,13 @@ def _given(eq: Equations, tape: Tape, work: SeriesWork, t: float, s: float, j: i
 
 
 @kernel_late
-def measured_order(eq: Equations, tape: Tape, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
-    """f += order j of the nodal forces, without the part of the rows' unknown order j; t (s) is where the series begins."""
+def measured_order(eq: Equations, tape: Tape, laws: F2, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
+    """f += order j of the nodal forces, without the part of the rows' unknown order j; t (s) is where the series begins.
+
+    laws (k, 5) : `Control.tape_laws`.
+    """
     B, out, g = work.adjoints, tape.out, work.sums[1]
-    _given(eq, tape, work, t, s, j)
+    _given(eq, tape, laws, work, t, s, j)
     # order j - 1 once more, now that its multipliers are known
     for k in range(max(j - 1, 0), j + 1):
         for c in range(B.shape[1]):

@@ -151,7 +151,7 @@ def _begin(eq: Equations, ws: Workspace, tape: Tape, work: SeriesWork, t: float,
 
 
 @kernel_bare
-def _forces(eq: Equations, tape: Tape, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
+def _forces(eq: Equations, tape: Tape, laws: F2, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
     """Order j of all forces but the unknown part of the constraint forces, into f (3 n,)."""
     constant = eq.constant
     # constant forces have order 0 alone
@@ -164,17 +164,17 @@ def _forces(eq: Equations, tape: Tape, work: SeriesWork, t: float, s: float, j: 
     if eq.force_kind.size:
         given_order(eq, work, t, s, j, f)
     if tape.op.size:
-        measured_order(eq, tape, work, t, s, j, f)
+        measured_order(eq, tape, laws, work, t, s, j, f)
     if j:
         _row_forces(eq, work, j, f)
 
 
 @kernel_bare
-def series(eq: Equations, ws: Workspace, tape: Tape, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
+def series(eq: Equations, ws: Workspace, tape: Tape, laws: F2, work: SeriesWork, t: float, s: float, x: F1, v: F1) -> None:
     """Orders of the motion through x (3 n,) with v at t (s) in the time scale s (s), into the arrays of `work`.
 
-    Rows must be prepared for t and the matrix factored at x. tape : of all sums (see series.measured). Equations with varying
-    inertia, continua, followers, slack cables or user forces have other series.
+    Rows must be prepared for t and the matrix factored at x. tape, laws : of all sums (see series.measured). Equations with
+    varying inertia, continua, followers, slack cables or user forces have other series.
     """
     X, Q, target, kind = work.x, work.q, ws.target, eq.kind
     f, gamma, a, N, free = ws.f, ws.gamma, ws.g, work.N, eq.free
@@ -183,7 +183,7 @@ def series(eq: Equations, ws: Workspace, tape: Tape, work: SeriesWork, t: float,
     # order by order: right-hand side, one solution with the same factors, X_(j+2) = s^2 A_j/((j + 1)(j + 2))
     for j in range(X.shape[0] - 2):
         rate = (j + 1.0) * (j + 2.0) / (s * s)
-        _forces(eq, tape, work, t, s, j, f)
+        _forces(eq, tape, laws, work, t, s, j, f)
         _row_terms(eq, ws, work, j, rate, gamma)
         if measured:
             sum_orders(eq, tape, work, j, rate, gamma)

@@ -14,6 +14,7 @@ from kinetruss.kernels.solve.kkt_sweep import sweep_factor, sweep_solve
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.continua import continua_energy
+from kinetruss.kernels.structure.element_table import element_energies
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_energies
 from kinetruss.kernels.structure.mass import between, direction, mass_times, momenta_of
@@ -27,7 +28,6 @@ from kinetruss.kernels.structure.rows import (
     targets,
     velocity_residuals,
 )
-from kinetruss.kernels.structure.springs import spring_energies
 from kinetruss.kernels.structure.sums import add_sum_forces, sum_along, sum_gammas, sum_gaps, sum_gradients, sum_rate_gaps
 
 
@@ -354,8 +354,7 @@ def kinetic(eq: Equations, ws: Workspace, x: F1, v: F1) -> float:
 def potential(eq: Equations, x: F1) -> float:
     """Energy of weights, of bars with a law, springs, membranes and solids, J; given forces have none."""
     energy = law_energies(eq, x)
-    if eq.spring.size:
-        energy += spring_energies(eq, x)
+    energy += element_energies(eq, 0.0, x)
     if eq.edge_A.size:
         energy += continua_energy(eq, x)
     # -f_0 . x of weights and constant forces

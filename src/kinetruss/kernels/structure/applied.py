@@ -21,10 +21,10 @@ from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
 from kinetruss.kernels.compiled.words import intrinsic
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.continua import add_continua_forces, add_damping_forces
+from kinetruss.kernels.structure.element_table import element_forces
 from kinetruss.kernels.structure.equations import Equations
-from kinetruss.kernels.structure.laws import add_law_forces, add_pin_forces
+from kinetruss.kernels.structure.laws import add_law_forces
 from kinetruss.kernels.structure.mass import add_varying_forces
-from kinetruss.kernels.structure.springs import apply_springs
 from kinetruss.kernels.structure.terms import add_term, term_gradient
 
 # Loads on bodies: forces at points, couples, pressures, as nodal forces (mechanics.loads).
@@ -230,10 +230,7 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
         add_varying_forces(eq, eq.gravity, x, v, f)
     if eq.law_A.size:
         add_law_forces(eq, x, v, f)
-    if eq.pin_P.size:
-        add_pin_forces(eq, x, v, f)
-    if eq.spring.size:
-        apply_springs(eq, x, v, f)
+    element_forces(eq, t, x, v, f)
     if eq.force_kind.size:
         _given(eq, t, x, f)
         if eq.term_form.size:

@@ -23,6 +23,7 @@ def force(s: Record, t: float, x: F1, v: F1, f: F1) -> None:
 @Interface
 def energy(s: Record, t: float, x: F1) -> float:
     """Energy stored, J."""
+    raise NotImplementedError
 
 
 @Interface

@@ -3,8 +3,7 @@
 pairs        constant masses between two nodes: uniform bars, planar bodies, bodies carried by nodes
 varying          members whose mass matrix turns with them: active members, bars with rotary inertia (kernels.structure.mass)
 laws         constitutive laws: tension of bars by length and rate of length (kernels.structure.laws)
-pins         friction between two bars that turn about one pin (kernels.structure.laws)
-springs      laws on sums of coordinate terms (kernels.structure.springs)
+elements     all other kinds, by their addresses (kernels.structure.element_table, kinetruss.elements)
 lump, share  masses at single nodes: lumped ones, which may have a gravity of their own, and shares of bodies
 """
 
@@ -23,12 +22,8 @@ class Structure(Record):
 
     pair_A, pair_B (k,) ends, pair (k, 4) : AA, AB, BB and the skew part of AB about z, kg; pair_member (k,) the member that it
     is, or -1. varying_A, varying_B (j,), varying (j, 6) : m_A, m_B, h_A, h_B, second moment, axial mass; varying_member (j,).
-    law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). pin_P, pin_A, pin_B (k,)
-    the pin and the far ends of two bars (pin_B = pin_P: the ground), pin (k,) N m s. lump, share (n,) kg.
-    spring (s, 8) : stiffness, rest, damping, friction, slip, play, preload, period; terms spring_ptr[k]:spring_ptr[k + 1] of
-    spring k in spring_kind (t,), spring_form (t, 3), spring_at (t, 4), spring_data (t, 7) (structure.terms), with their nodes
-    as counted among those of the spring in spring_local (t, 4); points spring_table_ptr[k]:spring_table_ptr[k + 1] of its
-    table in spring_table (p, 4) : deflection, force, slope, energy.
+    law_A, law_B (s,), law_kind (s,), law (s, 3) : stiffness, natural length, damping; law_member (s,). lump, share (n,) kg.
+    element (k, 9) : addresses and places in element_ints, element_reals of each kind (structure.element_table).
     """
 
     pair_A: I1
@@ -41,33 +36,24 @@ class Structure(Record):
     law_B: I1
     law_kind: I1
     law_member: I1
-    pin_P: I1
-    pin_A: I1
-    pin_B: I1
-    spring_ptr: I1
-    spring_kind: I1
-    spring_table_ptr: I1
-    spring_form: I2
-    spring_at: I2
-    spring_local: I2
+    element: I2
+    element_ints: I1
+    element_reals: F1
     pair: F2
     varying: F2
     law: F2
-    spring: F2
-    spring_data: F2
-    spring_table: F2
-    pin: F1
     lump: F1
     share: F1
 
 
 class NodalLoads(NamedTuple):
-    """gravity (3,), lump_gravity (n, 3), m/s^2; node (loads,) and force (times, loads, 3), N."""
+    """gravity (3,), lump_gravity (n, 3), m/s^2; node (loads,) and force (times, loads, 3), N; t (times,) or (1,), s."""
 
     gravity: np.ndarray
     lump_gravity: np.ndarray
     node: np.ndarray
     force: np.ndarray
+    t: np.ndarray
 
 
 class States(NamedTuple):

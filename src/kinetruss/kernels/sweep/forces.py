@@ -11,9 +11,9 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
-from kinetruss.kernels.structure.laws import add_pin_forces, law_energy, law_tension, length_rate, pin_loss
+from kinetruss.kernels.structure.element_table import element_balances, element_forces
+from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rate
 from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
-from kinetruss.kernels.structure.springs import add_spring_forces, spring_balance
 from kinetruss.kernels.structure.structure import EndForces, NodalLoads, Plan, States, Structure
 from kinetruss.kernels.structure.sums import add_sum_force, sum_of, sum_terms
 from kinetruss.kernels.sweep.blocks import Workspace, factor, gradients, set_targets, solve_transposed, workspace
@@ -106,6 +106,13 @@ def _add_element(joint: Floats, rest: F2, i: int, member: int, A: int, B: int, q
 
 
 @kernel_inline
+def _time(loads: NodalLoads, i: int) -> float:
+    """Of sample i, s."""
+    t: float = loads.t[min(i, loads.t.size - 1)]
+    return t
+
+
+@kernel_inline
 def _nodes(s: Structure, loads: NodalLoads, a: F1, i: int, rest: F2) -> None:
     """Inertia and weight of masses at single nodes and forces on nodes into rest[i]; a (3 n,)."""
     g = loads.gravity
@@ -121,9 +128,9 @@ def _nodes(s: Structure, loads: NodalLoads, a: F1, i: int, rest: F2) -> None:
 
 
 @kernel_inline
-def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) -> None:
+def _elements(s: Structure, loads: NodalLoads, x: F1, v: F1, a: F1, i: int, out: EndForces) -> None:
     """Inertia forces, weights and tensions of all elements: M a less convective terms and weight, and the laws of bars."""
-    joint, rest = out.joint, out.rest
+    joint, rest, g = out.joint, out.rest, loads.gravity
     # M (a - g) of constant masses between two nodes
     for k in range(s.pair_A.size):
         A, B = s.pair_A[k], s.pair_B[k]
@@ -144,9 +151,7 @@ def _elements(s: Structure, g: F1, x: F1, v: F1, a: F1, i: int, out: EndForces) 
         L, (ux, uy, uz), Ld = length_rate(x, v, A, B)
         N = law_tension(s, k, L, Ld)
         _add_element(joint, rest, i, s.law_member[k], A, B, (-N * ux, -N * uy, -N * uz), (N * ux, N * uy, N * uz))
-    add_pin_forces(s, x, v, rest[i])
-    if s.spring.size:
-        add_spring_forces(s, x, v, rest[i])
+    element_forces(s, _time(loads, i), x, v, rest[i])
 
 
 @kernel_inline
@@ -158,7 +163,7 @@ def _gathered(s: Structure, loads: NodalLoads, states: States, i: int, out: EndF
         for c in range(3):
             joint[i, m, 0, c] = joint[i, m, 1, c] = 0.0
     _nodes(s, loads, a, i, out.rest)
-    _elements(s, loads.gravity, x, v, a, i, out)
+    _elements(s, loads, x, v, a, i, out)
 
 
 @kernel_inline
@@ -234,7 +239,7 @@ def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
     # elements of each kind: constant masses, varying inertia, laws, masses at nodes
     for i in range(states.x.shape[0]):
         x, v, a = states.x[i], states.v[i], states.a[i]
-        energy, rate, lost = 0.0, 0.0, pin_loss(s, x, v)
+        energy, rate, lost = 0.0, 0.0, 0.0
         for k in range(s.pair_A.size):
             e, r = _pair_energy(s, k, g, x, v, a)
             energy, rate = energy + e, rate + r
@@ -251,5 +256,4 @@ def energies(s: Structure, loads: NodalLoads, states: States, out: F2) -> None:
                 energy += 0.5 * mass * vc * vc - weight * xc
                 rate += vc * (mass * ac - weight)
         out[i, 0], out[i, 1], out[i, 2] = energy, rate, lost
-        if s.spring.size:
-            spring_balance(s, x, v, out[i])
+        element_balances(s, _time(loads, i), x, v, out[i])

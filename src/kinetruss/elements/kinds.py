@@ -1,0 +1,98 @@
+"""The kinds that there are, and the tables of those that a structure has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from kinetruss.elements import scalars
+from kinetruss.elements.caching import cached
+from kinetruss.elements.pin_friction import pins
+from kinetruss.elements.spring import springs
+from kinetruss.kernels.structure.element_table import INTS, INTS_END, REALS, REALS_END
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.kernels.compiled.record import Record
+    from kinetruss.mechanics.system import System
+
+ON_COORDINATES = {"friction": pins, "spring": springs}
+"""Kinds of elements on coordinates (elements.scalars), in the order of their sums."""
+
+
+@cached()
+def parts_of(system: System) -> dict[str, scalars.Part]:
+    """The elements on coordinates by kind."""
+    return {name: make(system) for name, make in ON_COORDINATES.items()}
+
+
+@cached()
+def on_coordinates(system: System) -> scalars.Scalars | None:
+    """All elements on coordinates; None where there are none."""
+    parts = list(parts_of(system).values())
+    return scalars.scalars(parts) if any(len(one.rest) for one in parts) else None
+
+
+def span_of(system: System, kind: str) -> slice:
+    """Where the elements of a kind stand among those on coordinates."""
+    first = 0
+    for name, one in parts_of(system).items():
+        if name == kind:
+            return slice(first, first + len(one.rest))
+        first += len(one.rest)
+    raise KeyError(kind)
+
+
+class Element(NamedTuple):
+    """table : the record of all elements of this kind in a system, or None. coordinates (elements, w) of its record, flat, -1
+    for none. kernels : by column of the table of kinds (kernels.structure.element_table), interface and kernel. loses : whether
+    elements of its record take energy. without_series : why a system has no power series of these forces, or None.
+    """
+
+    table: Callable[[Any], Any]
+    coordinates: Callable[[Any], NDArray[np.int64]]
+    kernels: Mapping[int, tuple[Any, Any]]
+    loses: Callable[[Any], bool]
+    without_series: Callable[[Any], str | None]
+
+
+def _bent(system: System) -> str | None:
+    for one in parts_of(system).values():
+        for k in np.flatnonzero(one.linear == 0)[:1]:
+            return one.bent.format(one.names[k])
+    return None
+
+
+ELEMENTS = (Element(on_coordinates, scalars.coordinates, scalars.KERNELS, lambda s: bool(s.loses.any()), _bent),)
+"""All kinds, in the order of their sums."""
+
+
+def present(system: System) -> list[tuple[Element, Record]]:
+    """The kinds that a system has, with their records."""
+    found = ((one, one.table(system)) for one in ELEMENTS)
+    return [(one, record) for one, record in found if record is not None]
+
+
+@cached()
+def element_arrays(system: System) -> dict[str, NDArray[Any]]:
+    """The fields of `Structure` for elements."""
+    rows: list[NDArray[np.int64]] = []
+    ints: list[NDArray[Any]] = [np.zeros(0, np.int64)]
+    reals: list[NDArray[Any]] = [np.zeros(0)]
+    for one, record in present(system):
+        row = np.zeros(REALS_END + 1, np.int64)
+        for column, (interface, kernel) in one.kernels.items():
+            row[column] = interface.address(kernel)
+        for buffers, own, begin, end in ((ints, record.ints, INTS, INTS_END), (reals, record.reals, REALS, REALS_END)):
+            row[begin] = sum(map(len, buffers))
+            row[end] = row[begin] + len(own)
+            buffers.append(own)
+        rows.append(row)
+    return {
+        "element": np.array(rows, np.int64).reshape(-1, REALS_END + 1),
+        "element_ints": np.concatenate(ints),
+        "element_reals": np.concatenate(reals),
+    }
