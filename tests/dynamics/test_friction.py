@@ -171,9 +171,9 @@ def test_what_takes_nothing_across_has_none(kind):
 
 
 def test_series_and_samples_agree():
-    model, tasks = rubbing_four_bar(), {"motor": kt.GivenForce(torque=2.0)}
+    options = {"samples": 6, "tasks": {"motor": kt.GivenForce(torque=2.0)}}
     one, two = (
-        kt.dynamics.simulate(model, 0.5, samples=6, tasks=tasks, method=k(rtol=1e-12, atol=1e-13))
-        for k in (kt.Taylor, kt.DOP853)
+        kt.dynamics.simulate(rubbing_four_bar(), 0.5, method=method(rtol=1e-12, atol=1e-13), **options)
+        for method in (kt.Taylor, kt.DOP853)
     )
     np.testing.assert_allclose(one.motion.position, two.motion.position, atol=1e-10)

@@ -136,7 +136,7 @@ class System:
 
     @property
     def term_form(self) -> NDArray[np.int64]:
-        """Addresses of the code of the terms (t, 3), compiled when first asked for: of this process, so they go with `memory`."""
+        """Addresses of the code of the terms (t, 3), compiled when first asked for; of this process, so kept in `memory`."""
         if "term_form" not in self.memory:
             from kinetruss.kernels.coordinates.straight_line import addresses_of
 
