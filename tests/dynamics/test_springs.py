@@ -10,7 +10,7 @@ import kinetruss as kt
 from hinge_models import Arm
 from kinetruss.dynamics import newton_euler
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.elements import scalar_forces, spring_motions
+from kinetruss.mechanics.elements import named_motions, scalar_forces
 from kinetruss.mechanics.matrices import tangents
 from spring_models import ARM, INERTIA, MASS, STIFFNESS, angle, flying, pendulum, rate, two_links
 
@@ -103,7 +103,7 @@ def test_energy_of_a_table_is_the_integral_of_its_force():
     theta = np.linspace(-1.5, 1.5, 3001)
     x = np.zeros((len(theta), 3, 3))
     x[:, 1, 0], x[:, 2, 0], x[:, 2, 1] = 1.0, ARM * np.cos(theta), ARM * np.sin(theta)
-    found = spring_motions(compile(model), x)
+    found = named_motions(compile(model), x)
     slope = (found.energy[2:, 0] - found.energy[:-2, 0]) / (theta[2:] - theta[:-2])
     assert found.force[1:-1, 0] == pytest.approx(-slope, abs=2e-4)
     at = np.interp([s for s, _ in points], theta, found.force[:, 0])

@@ -68,9 +68,10 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
 
 
 def _measured(model: Model, name: str) -> tuple[str, list[Any]]:
-    """Whose measure it is, a drive's, a coupling's or a spring's, and its coordinates."""
-    if name in model.springs:
-        return "spring", [one for one, _ in model.springs[name].parts]
+    """Whose measure it is, a drive's, a coupling's or an element's, and its coordinates."""
+    if name in model.force_elements:
+        kind, record = model.force_elements[name]
+        return kind, [one for one, _ in record.parts]
     if name in model.couplings:
         return "coupling", [one for one, _ in model.couplings[name].terms]
     return "drive", [model.all_drives[name]]

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.elements.kinds import span_of
+from kinetruss.elements.kinds import spans_of
 from kinetruss.mechanics import CABLE, FREE, System, cached
 from kinetruss.mechanics.elements import scalar_motions
 
@@ -72,7 +72,7 @@ class Instants:
     def pin_torque(self) -> NDArray[np.float64]:
         """Torques of friction about pins (t, pairs), N m, of the pairs of `pins_of`."""
         x, v = (np.array(np.broadcast_to(y, self.x.shape)).reshape(len(self.x), -1) for y in (self.x, self.v))
-        found: NDArray[np.float64] = -scalar_motions(self.system, x, v).force[:, span_of(self.system, "friction")]
+        found: NDArray[np.float64] = -scalar_motions(self.system, x, v).force[:, spans_of(self.system)["friction"]]
         return found
 
 

@@ -21,8 +21,9 @@ from kinetruss.dynamics.hub_arms import (
 )
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, cached, compile, ends_of
-from kinetruss.mechanics.elements import spring_motions
+from kinetruss.mechanics.elements import named_motions
 from kinetruss.model import NodalForce
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.results import Column, variable
 
 if TYPE_CHECKING:
@@ -101,19 +102,18 @@ def acting_along(
     states: States,
     drive: NDArray[np.float64],
     coupling: NDArray[np.float64],
-    spring: NDArray[np.float64] | None = None,
+    element: NDArray[np.float64] | None = None,
     carried: CarriedBy | None = None,
 ) -> tuple[BarActions, Acting]:
-    """Actions along a motion, from drive, coupling and spring forces (times, drives or couplings or springs) and the forces of
+    """Actions along a motion, from the forces of drives, couplings and elements on coordinates (times, ...) and those of
     truss bars.
 
-    Forces of springs follow from their laws if none are given.
+    Forces of elements follow from their laws if none are given.
     """
     amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
-    force = spring_motions(system, x, v).force if spring is None and system.springs else spring
-    amounts |= _of_springs(system, force)
+    amounts |= _of_elements(system, named_motions(system, x, v).force if element is None else element)
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads, carried=carried)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -125,12 +125,12 @@ def mean_tension_at_rest(
     drive: NDArray[np.float64],
     coupling: NDArray[np.float64],
     carried: CarriedBy,
-    spring: NDArray[np.float64] | None = None,
+    element: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
-    """`mean_tension` (members,) at positions x (n, 3) from the forces of drives (drives,), couplings and springs, and those of
-    truss bars and supports, one sample each.
+    """`mean_tension` (members,) at positions x (n, 3) from the forces of drives (drives,), couplings and elements on
+    coordinates, and those of truss bars and supports, one sample each.
 
-    Forces of springs follow from their laws if none are given.
+    Forces of elements follow from their laws if none are given.
     """
     actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
     if not actions:
@@ -138,24 +138,25 @@ def mean_tension_at_rest(
     amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
     amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
-    force = spring_motions(system, x[None]).force[0] if spring is None and system.springs else spring
-    amounts |= _of_springs(system, None if force is None else force[None])
+    force = named_motions(system, x[None]).force[0] if element is None else element
+    amounts |= _of_elements(system, force[None])
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts, carried=carried)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
 
-def _of_springs(system: System, force: NDArray[np.float64] | None) -> dict[tuple[str, str], NDArray[np.float64]]:
-    """Forces of springs (times, springs), N or N m, by source."""
-    return {} if force is None else {("spring", name): one for name, one in zip(system.springs, force.T, strict=True)}
+def _of_elements(system: System, force: NDArray[np.float64]) -> dict[tuple[str, str], NDArray[np.float64]]:
+    """Forces of elements on coordinates (times, force_elements), N or N m, by source."""
+    own = system.model.force_elements
+    return {(own[name][0], name): one for name, one in zip(system.force_elements, force.T, strict=True)}
 
 
 def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
-    return action.kind in ("drive", "coupling", "spring", "hub", "hinge") and not action.counted
+    return action.kind in ("drive", "coupling", *FORCE_ELEMENTS, "hub", "hinge") and not action.counted
 
 
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mean axial force of each member by drives, couplings, springs and hubs (times, members), N: f_A . u - (1 - s) q . u."""
+    """Mean axial force of each member by drives, couplings, elements and hubs (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
     place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
     for k, action in enumerate(actions):

@@ -18,7 +18,7 @@ from kinetruss.dynamics.bar_actions import (
     mean_tension,
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
-from kinetruss.elements.kinds import on_coordinates
+from kinetruss.elements.kinds import on_coordinates, present
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.records import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
@@ -27,14 +27,14 @@ from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import System, cached
 from kinetruss.mechanics.beam_elements import MODES
-from kinetruss.mechanics.elements import beam_losses, refuse_turns, spring_motions, strain_balance
+from kinetruss.mechanics.elements import beam_losses, named_motions, refuse_turns, strain_balance
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.tables import elements, nodal_loads, structure_of
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
-from kinetruss.results.wide_tables import force_units
+from kinetruss.results.wide_tables import element_axes, element_columns, force_units
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -184,11 +184,12 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, force_units(system)[0]["coupling"], words)
-    if system.springs:
+    if system.force_elements:
         if not at_rest:
             whole = refined(motion.arrays["time"].values, *_relative(solved), Passed.of(system, motion))
             refuse_turns(system, whole.t, whole.x, whole.v)
-        data |= _springs(system, solved["x"], _relative(solved).v)
+        on = named_motions(system, solved["x"], _relative(solved).v)
+        data |= element_columns(system, ("time",), on.force, on.value)
     if "bearing" in solved:
         turns = slice(2, 3) if dim == 2 else slice(0, 3)
         couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"
@@ -272,8 +273,7 @@ def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> 
 def _axes(system: System, case: str, shaped: bool) -> Axes:
     members = np.array(system.members, dtype=object).astype(str)
     couplings = {"coupling": list(system.model.couplings)} if system.model.couplings else {}
-    if system.springs:
-        couplings["spring"] = list(system.springs)
+    couplings |= element_axes(system)
     if system.model.bearings:
         couplings["bearing"] = list(system.model.bearings)
     if shaped:
@@ -328,17 +328,6 @@ def _coupling_forces(system: System, N: NDArray[np.float64]) -> NDArray[np.float
     return found
 
 
-def _springs(system: System, x: NDArray[np.float64], v: NDArray[np.float64]) -> dict[str, Column]:
-    """Values of the coordinates of springs, and the forces on them."""
-    found, per = spring_motions(system, x, v), ("time", "spring")
-    return {
-        "spring_value": variable(per, found.value, force_units(system)[0]["spring_value"], "coordinate of the spring"),
-        "spring_force": variable(
-            per, found.force, force_units(system)[0]["spring"], "force or torque of the spring on its coordinate"
-        ),
-    }
-
-
 def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarActions, acting: Acting) -> dict[str, Column]:
     active = np.flatnonzero(system.two_rods)
     if not len(active):
@@ -391,7 +380,7 @@ def _power(
         energy[:, 2] -= (solved["bearing"] * relative_rates(system, place, moving)).sum(axis=(1, 2))
     power -= (solved["rest"][:, held] * v[:, held]).sum(axis=1)
     time = ("time",)
-    resists = system.damping.any() or system.friction.any() or system.spring_law[:, 2:4].any() or "bearing" in solved
+    resists = system.damping.any() or any(one.loses(record) for one, record in present(system)) or "bearing" in solved
     resists = resists or (system.continua is not None and system.continua.damped)
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {

@@ -93,7 +93,7 @@ def _columns(system: System, x: NDArray[np.float64]) -> Iterator[_Column]:
         there: list[int] = np.flatnonzero(np.abs(g).max(axis=1) > 0).tolist()
         for n in there:
             met[n] = met.get(n, 0) + 1
-        if there and name not in system.springs:
+        if there and name not in system.force_elements:
             loose.append(_Column({n: g[n] / np.abs(g).max() for n in there}))
     yield from loose
     held = {n for n in range(len(system.nodes)) if system.prescribed[3 * n : 3 * n + dim].any()}
@@ -313,7 +313,6 @@ _SYMBOLS = {
     "load": ("P", "load"),
     "body": ("B", "weight less m a of body"),
     "friction": ("C", "friction at"),
-    "spring": ("K", "spring"),
     "bearing": ("C", "bearing"),
     "hub": ("H", "centre of hub"),
     "couple": ("C", "couple of"),
@@ -328,7 +327,7 @@ def _acting(here: Instant, member: int) -> Iterator[_Force]:
         if one.action.member == member and (
             not small or np.abs(one.force).max() > small or np.abs(one.couple).max() > small * here.length(member)
         ):
-            symbol, words = _SYMBOLS[one.action.kind]
+            symbol, words = _SYMBOLS.get(one.action.kind, ("K", one.action.kind))
             yield _Force(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple)
 
 

@@ -21,6 +21,7 @@ from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
 from kinetruss.model import Model
+from kinetruss.results.wide_tables import element_axes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -109,15 +110,16 @@ class Instant:
         system, dim = self.system, self.system.dim
         moving = (self.x, self.rate, 0 * self.a if still else self.a)
         states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in moving))
-        drive, coupling, spring = (
-            np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.springs)
+        drive, coupling, element = (
+            np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.force_elements)
         )
         if not unit:
             drive = self.data["drive_force"].values[None]
             coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
-            spring = self.data["spring_force"].values[None] if system.springs else spring
+            kinds = element_axes(system)
+            element = np.concatenate([*(self.data[f"{kind}_force"].values for kind in kinds), np.zeros(0)])[None]
         carried = None if unit else self._carried()
-        found, acting = acting_along(system, self.loads, states, drive, coupling, spring, carried)
+        found, acting = acting_along(system, self.loads, states, drive, coupling, element, carried)
         made = []
         for k, action in enumerate(found.actions):
             worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
@@ -167,7 +169,7 @@ class Instant:
     def kind_of(self, name: str) -> str:
         """Whose coordinate has this name: a drive, coupling or spring."""
         model = self.system.model
-        return "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
+        return "coupling" if name in model.couplings else model.force_elements.get(name, ("drive",))[0]
 
     def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
         """Name and force (dim,), N, of every load on a node; one on a bar is not on its nodes, one on a hub at its centre."""

@@ -208,7 +208,7 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
     system, own = compile(model), set(model.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
     for m, name in enumerate(system.measures):
-        kind = "coupling" if name in model.couplings else "spring" if name in model.springs else "drive"
+        kind = "coupling" if name in model.couplings else model.force_elements.get(name, ("drive",))[0]
         torque = forces.data[f"{kind}_force"].sel({kind: name}).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
             if (kind := system.term_kind[t]) not in (FIXED_AXIS, AROUND):

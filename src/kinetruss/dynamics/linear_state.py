@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from kinetruss.elements.kinds import on_coordinates
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
@@ -133,7 +134,7 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
         return found.reshape(-1)
     if system.continua is not None and (beams := system.continua.beams) is not None and beams.damping.any():
         found += damping_forces(beams, x[None], v[None])[0]
-    if system.springs:
+    if on_coordinates(system) is not None:
         found += (scalar_forces(system, x, v) - scalar_forces(system, x)).reshape(-1, 3)
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])

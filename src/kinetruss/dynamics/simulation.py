@@ -176,7 +176,7 @@ class Prepared:
             raise InputError(f"The simulation is prepared for {self.longest:g} s. Prepare it with t_end={t_end:g}.")
         work = self._work(float(t_end))
         trace, system = work.advance(t), self.problem.system
-        if system.springs:
+        if system.force_elements:
             whole = refined(trace.t, trace.x, trace.v, trace.a, work.passed)
             refuse_turns(system, whole.t, whole.x, whole.v)
         shape = (len(trace.t), trace.x.shape[1] // 3, 3)

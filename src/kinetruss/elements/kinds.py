@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from kinetruss.elements.caching import cached
 from kinetruss.elements.pin_friction import pins
 from kinetruss.elements.spring import springs
 from kinetruss.kernels.structure.element_table import INTS, INTS_END, REALS, REALS_END
+from kinetruss.model.data import FORCE_ELEMENTS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,13 +22,13 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.system import System
 
 ON_COORDINATES = {"friction": pins, "spring": springs}
-"""Kinds of elements on coordinates (elements.scalars), in the order of their sums."""
+"""Kinds of elements on coordinates (elements.scalars): friction, whose elements have no names, and those of a model."""
 
 
 @cached()
 def parts_of(system: System) -> dict[str, scalars.Part]:
     """The elements on coordinates by kind."""
-    return {name: make(system) for name, make in ON_COORDINATES.items()}
+    return {name: ON_COORDINATES[name](system) for name in ("friction", *FORCE_ELEMENTS)}
 
 
 @cached()
@@ -36,14 +38,11 @@ def on_coordinates(system: System) -> scalars.Scalars | None:
     return scalars.scalars(parts) if any(len(one.rest) for one in parts) else None
 
 
-def span_of(system: System, kind: str) -> slice:
-    """Where the elements of a kind stand among those on coordinates."""
-    first = 0
-    for name, one in parts_of(system).items():
-        if name == kind:
-            return slice(first, first + len(one.rest))
-        first += len(one.rest)
-    raise KeyError(kind)
+@cached()
+def spans_of(system: System) -> dict[str, slice]:
+    """Where the elements of each kind stand among those on coordinates."""
+    ends = np.cumsum([0, *(len(one.rest) for one in parts_of(system).values())]).tolist()
+    return {name: slice(*pair) for name, pair in zip(parts_of(system), pairwise(ends), strict=True)}
 
 
 class Element(NamedTuple):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,9 @@ from kinetruss.kernels.coordinates.forms import ALONG, FIXED_AXIS
 from kinetruss.kernels.coordinates.straight_line import addresses_of
 from kinetruss.kernels.structure import element_table
 from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_rates, term_value
+
+if TYPE_CHECKING:
+    from kinetruss.mechanics.system import System
 
 SMALL = 1e-6
 """Change of e, as a fraction of it, below which the mean force over it is that in its middle."""
@@ -40,6 +43,24 @@ def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, ou
 
 
 _law_at = law.call
+
+
+def measures_of(system: System, kind: str) -> NDArray[np.int64]:
+    """The measures of the elements of a kind."""
+    return system.force_element_measure[system.force_element_spans.get(kind, slice(0))]
+
+
+def terms_of(system: System, measures: NDArray[np.int64]) -> dict[str, Any]:
+    """Terms and periods of measures, as fields of `Part`."""
+    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in measures]
+    terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
+    return {
+        "ptr": np.cumsum([0, *map(len, spans)]),
+        "kind": system.term_kind[terms],
+        "at": system.term_at[terms],
+        "data": system.term_data[terms],
+        "period": system.measure_period[measures],
+    }
 
 
 class Part(NamedTuple):

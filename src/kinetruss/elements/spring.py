@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, measures_of, terms_of
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, Vector
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from kinetruss.mechanics.system import System
 
 STIFFNESS, DAMPING, FRICTION, SLIP, PLAY, PRELOAD = range(6)
@@ -74,23 +76,41 @@ def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, ou
 
 def springs(system: System) -> Part:
     """The springs of a model."""
-    spans = [np.arange(*system.measure_ptr[m : m + 2]) for m in system.spring_measure]
-    terms = np.concatenate([*spans, np.zeros(0)]).astype(np.int64)
-    stiffness, rest, *others = system.spring_law.T
-    damping, friction, _, play, _ = others
+    records = system.model.springs
+    measures = measures_of(system, "spring")
+    numbers, points, ptr = np.zeros((len(records), 6)), [np.zeros((0, 4))], [0]
+    for k, one in enumerate(records.values()):
+        numbers[k] = one.stiffness, one.damping, one.friction, one.slip, one.play, one.preload
+        if one.table is not None:
+            points.append(_points(np.array(one.table, float)))
+        ptr.append(sum(map(len, points)))
+    straight = (numbers[:, FRICTION] == 0.0) & (numbers[:, PLAY] == 0.0) & (np.diff(ptr) == 0)
+    start = system.measure_start[measures].tolist()
     return Part(
-        names=system.springs,
+        names=tuple(records),
         law=law,
         bent="the spring {!r} has friction, play or a table",
-        loses=(damping != 0.0) | (friction != 0.0),
-        linear=(friction == 0.0) & (play == 0.0) & (np.diff(system.spring_table_ptr) == 0),
-        ptr=np.cumsum([0, *map(len, spans)]),
-        kind=system.term_kind[terms],
-        at=system.term_at[terms],
-        data=system.term_data[terms],
-        rest=rest,
-        period=system.measure_period[system.spring_measure],
-        numbers=np.column_stack([stiffness, *others]),
-        table_ptr=system.spring_table_ptr,
-        table=system.spring_table,
+        loses=(numbers[:, DAMPING] != 0.0) | (numbers[:, FRICTION] != 0.0),
+        linear=straight,
+        rest=np.array([here if one.rest is None else one.rest for here, one in zip(start, records.values(), strict=True)]),
+        numbers=numbers,
+        table_ptr=np.array(ptr),
+        table=np.concatenate(points),
+        **terms_of(system, measures),
     )
+
+
+def _points(given: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Deflection, force, slope and energy (k, 4) at the points (k, 2) of a monotone cubic; the energy is 0 at deflection 0."""
+    from scipy.interpolate import PchipInterpolator
+
+    s, force = given.T
+    cubic = PchipInterpolator(s, force)
+    slope, energy = cubic.derivative()(s), cubic.antiderivative()(s)
+    end = int(np.clip(np.searchsorted(s, 0.0), 0, len(s) - 1))
+    at_zero = (
+        cubic.antiderivative()(0.0)
+        if s[0] <= 0.0 <= s[-1]
+        else energy[end] - force[end] * s[end] + 0.5 * slope[end] * s[end] ** 2
+    )
+    return np.stack([s, force, slope, energy - at_zero], axis=1)

@@ -113,7 +113,7 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
     shape, free = (len(x), -1, 3), system.free
     still = bool(forces.data.attrs.get("at_rest", 0))
     soft = softness.flexibility(system, system.x0)
-    if not (np.any(soft) or np.any(system.spring > 0) or system.springs or system.continua is not None):
+    if not (np.any(soft) or np.any(system.spring > 0) or system.force_elements or system.continua is not None):
         raise InputError("No member is elastic. Give sections and materials, a stiffness for members, or springs.")
     case = forces.load_case if forces.load_case in system.model.load_cases else None
     gravity = loads_of(system, forces).gravity

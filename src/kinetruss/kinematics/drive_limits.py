@@ -49,7 +49,7 @@ def holding_rates(
     all configurations. None for redundant structures, springs, membranes, solids and driven angles of bars.
     """
     angles = system.row_kind == ANGLE
-    if len(system.row_member) != len(system.free) or len(system.springs) or system.continua is not None or angles.any():
+    if len(system.row_member) != len(system.free) or len(system.force_elements) or system.continua is not None or angles.any():
         return None
     balance, drives = balance_of(system), coordinates(system, system.drives)
 

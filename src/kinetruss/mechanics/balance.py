@@ -13,7 +13,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics.arrangement import rearrange
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.elements import continua_energy, resting_forces, scalar_forces, spring_laws, spring_motions
+from kinetruss.mechanics.elements import continua_energy, named_laws, named_motions, resting_forces, scalar_forces
 from kinetruss.mechanics.loads import Follower, Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.measures import measure_gradients, measure_hessian, measured
@@ -85,10 +85,10 @@ class Balance:
         return flat + self.following(x)
 
     def pushing(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The force of each spring on nodes (springs,), N, about, at positions x (n, 3)."""
-        if not self.system.springs:
+        """The force of each element on a coordinate on nodes (force_elements,), N, about, at positions x (n, 3)."""
+        if not self.system.force_elements:
             return np.zeros(0)
-        return np.asarray(spring_laws(self.system, x)[:, 0] / self.system.measure_scale[self.system.spring_measure])
+        return np.asarray(named_laws(self.system, x)[:, 0] / self.system.measure_scale[self.system.force_element_measure])
 
     def following(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces on the nodes (3 n,), N, of loads that turn with bodies."""
@@ -125,8 +125,8 @@ class Balance:
         for m in np.flatnonzero(self.turn):
             before, after = measured(system, m, np.stack([x, y]))[:, 0]
             change -= float(self.turn[m] * (after - before))
-        if system.springs:
-            change += float(np.diff(spring_motions(system, np.stack([x, y])).energy.sum(axis=1))[0])
+        if system.force_elements:
+            change += float(np.diff(named_motions(system, np.stack([x, y])).energy.sum(axis=1))[0])
         rods, two = system.rods, system.two_rods
         if two.any() and np.any(self.gravity):
             # weight of active members: first moments move with the ends and turn with the direction

@@ -10,7 +10,7 @@ from scipy.sparse import coo_array, csr_array
 
 from kinetruss.elements import scalars
 from kinetruss.elements.caching import cached
-from kinetruss.elements.kinds import on_coordinates, span_of
+from kinetruss.elements.kinds import on_coordinates, spans_of
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
 from kinetruss.mechanics.beam_elements import damping_forces, mode_rates
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.system import System
 
 
-class SpringHistories(NamedTuple):
-    """value and rate of the coordinate (m or rad, m/s or rad/s), force on it (N or N m), energy (J), all (times, springs).
+class Histories(NamedTuple):
+    """value and rate of the coordinate (m or rad, m/s or rad/s), force on it (N or N m), energy (J), all (times, elements).
 
     An angle is known within half a turn of the rest.
     """
@@ -35,26 +35,26 @@ class SpringHistories(NamedTuple):
     energy: NDArray[np.float64]
 
 
-def scalar_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
+def scalar_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> Histories:
     """Elements on coordinates along x, v (times, n, 3) or flat; without v at rest. A positive force raises the coordinate."""
     place, rate = (
         np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros(system.x0.size) if v is None else v)
     )
     if (every := on_coordinates(system)) is None:
-        return SpringHistories(*np.zeros((4, len(place), 0)))
+        return Histories(*np.zeros((4, len(place), 0)))
     found = np.empty((4, len(place), len(every.law)))
     scalars.histories(every, place, rate, found)
-    return SpringHistories(found[0] + every.rest, *found[1:])
+    return Histories(found[0] + every.rest, *found[1:])
 
 
-def spring_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> SpringHistories:
-    """`scalar_motions` of the springs."""
-    own = span_of(system, "spring")
-    return SpringHistories(*(one[:, own] for one in scalar_motions(system, x, v)))
+def named_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> Histories:
+    """`scalar_motions` of those with a name, (times, force_elements)."""
+    first = spans_of(system)["friction"].stop
+    return Histories(*(one[:, first:] for one in scalar_motions(system, x, v)))
 
 
 def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
-    """Refuse motions x, v (times, 3 n) of angles beyond half a turn from the rest of a spring, where its law would jump.
+    """Refuse motions x, v (times, 3 n) of angles beyond half a turn from the rest of an element, where its law would jump.
 
     Of two samples on both sides of the jump, the rates distinguish the way over it from that through the rest.
 
@@ -62,15 +62,17 @@ def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64],
     ------
     AnalysisError : the spring and the time.
     """
-    period = system.measure_period[system.spring_measure]
+    period = system.measure_period[system.force_element_measure]
     if not np.any(period):
         return
-    found = spring_motions(system, x, v)
+    found = named_motions(system, x, v)
     change, ahead = np.diff(found.value, axis=0), 0.5 * (found.rate[1:] + found.rate[:-1]) * np.diff(t)[:, None]
     over = (np.abs(change) > 0.5 * period) & (np.abs(change - np.sign(change) * period - ahead) < 0.25 * period)
     for i, k in np.argwhere(over & (period > 0.0))[:1]:
+        name = system.force_elements[k]
+        kind = system.model.force_elements[name][0]
         raise AnalysisError(
-            f"Spring {system.springs[k]!r} passes half a turn from its rest between t = {t[i]:.6g} and {t[i + 1]:.6g} s, where "
+            f"{kind.capitalize()} {name!r} passes half a turn from its rest between t = {t[i]:.6g} and {t[i + 1]:.6g} s, where "
             "its law would jump. Give another rest, or the moment of a spring wound up by more as its preload."
         )
 
@@ -94,9 +96,9 @@ def scalar_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] |
     return found
 
 
-def spring_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
-    """`scalar_laws` of the springs."""
-    return scalar_laws(system, x, v)[span_of(system, "spring")]
+def named_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """`scalar_laws` of those with a name."""
+    return scalar_laws(system, x, v)[spans_of(system)["friction"].stop :]
 
 
 def scalar_tangents(

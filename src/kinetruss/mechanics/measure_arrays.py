@@ -1,4 +1,4 @@
-"""Coordinates of several nodes as arrays of a `System`: of hinge drives, angle drives in space, couplings, springs."""
+"""Coordinates of several nodes as arrays of a `System`: of hinge drives, angle drives in space, couplings, elements."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ def is_measured(model: Model, drive: Any) -> bool:
 
 
 def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> dict[str, Any]:
-    """The measures of `System`: of drives, then of couplings, then of springs, in the order of the model."""
+    """The measures of `System`: of drives, then of couplings, then of elements, in the order of the model."""
     sums: list[tuple[str, list[tuple[Any, float]], float | None]]
     sums = [(name, [(drive, 1.0)], None) for name, drive in model.all_drives.items() if is_measured(model, drive)]
     names = tuple(name for name, _, _ in sums)
     sums += [(name, list(one.terms), one.value) for name, one in model.couplings.items()]
-    sums += [(name, list(one.parts), None) for name, one in model.springs.items()]
+    sums += [(name, list(one.parts), None) for name, (_, one) in model.force_elements.items()]
     terms: list[tuple[int, list[int], list[float]]] = []
     ptr = [0]
     for _, parts, _ in sums:
@@ -43,7 +43,7 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
             terms += terms_of(model, index, x0, coordinate, float(factor))
         ptr.append(len(terms))
     found: dict[str, Any] = {
-        "measures": names + tuple(model.couplings) + tuple(model.springs),
+        "measures": names + tuple(model.couplings) + tuple(model.force_elements),
         "measure_ptr": np.array(ptr, np.int64),
         "term_kind": np.array([kind for kind, _, _ in terms], np.int64),
         "term_at": np.array([at for _, at, _ in terms], np.int64).reshape(-1, 4),
@@ -51,7 +51,11 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
         "drive_measure": np.array([names.index(name) if name in names else -1 for name in model.all_drives], np.int64),
     }
     found |= _starts(model, found, sums, x0) if sums else {name: np.zeros(0) for name in _OF_STARTS}
-    return found | _springs(model, found)
+    first = len(sums) - len(model.force_elements)
+    for m, (name, (kind, one)) in enumerate(model.force_elements.items(), first):
+        if found["measure_period"][m] == 0.0 and any(turns(part) for part, _ in one.parts):
+            raise InputError(f"{kind}s: {name}: the factors of its angles are in no ratio of whole numbers. Mend the factors.")
+    return found | {"force_elements": tuple(model.force_elements), "force_element_measure": np.arange(first, len(sums))}
 
 
 def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np.float64]) -> dict[str, Any]:
@@ -60,7 +64,7 @@ def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np
     from kinetruss.kernels.structure.terms import measure_gradient, measure_value, nearest_turn
 
     arrays, ptr = (addresses_of(found["term_kind"]), found["term_at"], found["term_data"]), found["measure_ptr"]
-    driven = len(sums) - len(model.couplings) - len(model.springs)
+    driven = len(sums) - len(model.couplings) - len(model.force_elements)
     flat, period, start, scale = x0.reshape(-1), [], [], []
     for m, (_, parts, value) in enumerate(sums):
         period.append(_period([float(factor) for one, factor in parts if turns(one)]))
@@ -71,45 +75,6 @@ def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np
         size = float(np.linalg.norm(g))
         scale.append(math.sqrt(2.0) / size if 0.0 < size < math.inf else 1.0)
     return dict(zip(_OF_STARTS, (np.array(period), np.array(start), np.array(scale)), strict=True))
-
-
-def _springs(model: Model, measures: dict[str, Any]) -> dict[str, Any]:
-    """The springs of `System`, from the fields of its measures, of which theirs are the last."""
-    first = len(measures["measures"]) - len(model.springs)
-    places = np.arange(first, first + len(model.springs))
-    law = np.zeros((len(places), 7))
-    points, ptr = [np.zeros((0, 4))], [0]
-    for k, (m, (name, one)) in enumerate(zip(places, model.springs.items(), strict=True)):
-        if measures["measure_period"][m] == 0.0 and any(turns(part) for part, _ in one.parts):
-            raise InputError(f"springs: {name}: the factors of its angles are in no ratio of whole numbers. Mend the factors.")
-        rest = measures["measure_start"][m] if one.rest is None else one.rest
-        law[k] = one.stiffness, rest, one.damping, one.friction, one.slip, one.play, one.preload
-        if one.table is not None:
-            points.append(_table(np.array(one.table, float)))
-        ptr.append(sum(map(len, points)))
-    return {
-        "springs": tuple(model.springs),
-        "spring_measure": places,
-        "spring_law": law,
-        "spring_table_ptr": np.array(ptr, np.int64),
-        "spring_table": np.concatenate(points),
-    }
-
-
-def _table(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Deflection, force, slope and energy (k, 4) at the points (k, 2) of a monotone cubic; the energy is 0 at deflection 0."""
-    from scipy.interpolate import PchipInterpolator
-
-    s, force = points.T
-    cubic = PchipInterpolator(s, force)
-    slope, energy = cubic.derivative()(s), cubic.antiderivative()(s)
-    end = int(np.clip(np.searchsorted(s, 0.0), 0, len(s) - 1))
-    at_zero = (
-        cubic.antiderivative()(0.0)
-        if s[0] <= 0.0 <= s[-1]
-        else energy[end] - force[end] * s[end] + 0.5 * slope[end] * s[end] ** 2
-    )
-    return np.stack([s, force, slope, energy - at_zero], axis=1)
 
 
 def terms_of(

@@ -42,13 +42,11 @@ class System:
     velocity0 (n, 3) velocities given for the start of a simulation, m/s.
     row_* : prescribed lengths, angles and sums; row_member (of a sum any), row_kind, row_drive (-1 none), row_value,
     row_measure (-1 none).
-    Measures (kernels.structure.terms), of drives first, then of couplings, then of springs: measures (k,) names, measure_ptr
+    Measures (kernels.structure.terms), of drives first, then of couplings, then of elements: measures (k,) names, measure_ptr
     (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
     those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
-    Springs (kernels.structure.springs): springs (s,) names, spring_measure (s,), spring_law (s, 7) : stiffness, rest,
-    damping, friction, slip, play, preload; spring_table_ptr (s + 1,), spring_table (p, 4) points: deflection, force, slope,
-    energy.
+    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,).
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -100,11 +98,8 @@ class System:
     measure_period: NDArray[np.float64]
     measure_start: NDArray[np.float64]
     drive_measure: NDArray[np.int64]
-    springs: tuple[str, ...]
-    spring_measure: NDArray[np.int64]
-    spring_law: NDArray[np.float64]
-    spring_table_ptr: NDArray[np.int64]
-    spring_table: NDArray[np.float64]
+    force_elements: tuple[str, ...]
+    force_element_measure: NDArray[np.int64]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
@@ -133,6 +128,12 @@ class System:
         """Lumped masses plus the mass of bodies at single nodes, (n,) kg."""
         own = self.pair_p == self.pair_q
         return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
+
+    @cached_property
+    def force_element_spans(self) -> dict[str, slice]:
+        """Where the elements of each kind stand in `force_elements`."""
+        kinds = [kind for kind, _ in self.model.force_elements.values()]
+        return {kind: slice(kinds.index(kind), kinds.index(kind) + kinds.count(kind)) for kind in dict.fromkeys(kinds)}
 
     @property
     def term_form(self) -> NDArray[np.int64]:
@@ -329,7 +330,7 @@ def _row_arrays(
             length_drive[place[drive.bar]] = d
             start.append(fields["length0"][place[drive.bar]])
     kept = np.flatnonzero(np.isin(fields["kind"], (RIGID, DRIVEN)))
-    last = len(fields["measures"]) - len(model.springs)
+    last = len(fields["measures"]) - len(model.force_elements)
     held = range(last - len(model.couplings), last)
     rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in held]
     member, kind, drive_of, value, measure = zip(*rows, strict=True) if rows else ((), (), (), (), ())

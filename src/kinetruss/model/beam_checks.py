@@ -168,7 +168,8 @@ def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:
 def _used(model: ModelData) -> set[str]:
     """The nodes to which bars, bodies, drives, couplings, springs and forces of the user refer: they may hold or turn them."""
     bars = [bar for name, bar in model.bars.items() if not bar.brace and name.partition(SHAPE)[0] not in model.beams]
-    records = [*model.drives.values(), *(one for one in model.couplings.values() if one.beam is None), *model.springs.values()]
+    couplings = (one for one in model.couplings.values() if one.beam is None)
+    records = [*model.drives.values(), *couplings, *(one for _, one in model.force_elements.values())]
     return {
         *(end for bar in bars for end in bar.ends),
         *(node for body in model.bodies.values() for node in body.nodes),

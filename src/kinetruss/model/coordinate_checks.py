@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.model.drives import geared
 from kinetruss.model.joints import GROUND, SHARED
 
@@ -31,18 +32,23 @@ def coupling_faults(model: ModelData) -> Iterator[Fault]:
         yield from _sum_faults(model, coupling.terms, (*path, "terms"))
 
 
-def spring_faults(model: ModelData) -> Iterator[Fault]:
-    """Faults of springs and of the coordinates that they act on."""
-    for name, spring in model.springs.items():
-        path = ("springs", name)
-        if name in model.all_drives or name in model.members or name in model.couplings:
-            yield Fault(path, f"{name!r} is also the name of a drive, a coupling or a member.", "Give the spring another name.")
-        if not model.members:
-            yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
-        if spring.terms is not None:
-            yield from _sum_faults(model, spring.terms, (*path, "terms"))
-        elif (one := spring.coordinate) is not None:
-            yield from _term_faults(model, one, (*path, "coordinate"))
+def force_element_faults(model: ModelData) -> Iterator[Fault]:
+    """Faults of elements with a law, and of the coordinates that they act on."""
+    seen = dict[str, str]()
+    for kind, field in FORCE_ELEMENTS.items():
+        for name, one in getattr(model, field).items():
+            path = (field, name)
+            if name in model.all_drives or name in model.members or name in model.couplings:
+                words = f"{name!r} is also the name of a drive, a coupling or a member."
+                yield Fault(path, words, f"Give the {kind} another name.")
+            elif seen.setdefault(name, kind) != kind:
+                yield Fault(path, f"{name!r} is also the name of a {seen[name]}.", f"Give the {kind} another name.")
+            if not model.members:
+                yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
+            if one.terms is not None:
+                yield from _sum_faults(model, one.terms, (*path, "terms"))
+            elif one.coordinate is not None:
+                yield from _term_faults(model, one.coordinate, (*path, "coordinate"))
 
 
 def _sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
@@ -195,6 +195,12 @@ class ModelData(Record):
         return ReadOnly({name: LengthDrive(name) for name in own if name not in named} | self.drives)
 
     @cached_property
+    def force_elements(self) -> dict[str, tuple[str, Any]]:
+        """Elements with a law on a coordinate by name: their kind and record."""
+        kinds = ((kind, getattr(self, field).items()) for kind, field in FORCE_ELEMENTS.items())
+        return ReadOnly({name: (kind, one) for kind, own in kinds for name, one in own})
+
+    @cached_property
     def actuators(self) -> dict[str, Active | AngleDrive | HingeDrive]:
         """Elements with a drive train: active members, then drives of angles that have a gear or a motor."""
         return ReadOnly({**self.active, **{name: one for name, one in self.drives.items() if geared(one)}})
@@ -213,3 +219,12 @@ class ModelData(Record):
     def trajectory_of(self, run: Run) -> Any:
         """The trajectory record of a run, or None if it follows a motion file."""
         return self.trajectories[run.trajectory] if isinstance(run.trajectory, str) else run.trajectory
+
+
+FORCE_ELEMENTS: dict[str, str] = {
+    kind: name
+    for name, field in ModelData.model_fields.items()
+    for record in get_args(field.annotation)
+    if (kind := getattr(record, "element", None))
+}
+"""Kinds of elements with a law on a coordinate (kinetruss.elements), and the fields that have them."""

@@ -304,6 +304,7 @@ class Spring(Record):
     table : points (deflection, force) in place of the stiffness.
     """
 
+    element: ClassVar[str] = "spring"
     coordinate: Measured | None = None
     terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)] | None = None
     stiffness: SpringStiffness = 0.0

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.model.drives import coordinate_kinds, turns
 from kinetruss.model.record import Record
 from kinetruss.model.simulation import TRAJECTORY_TASKS
@@ -208,9 +209,9 @@ def _angles(model: Model) -> Iterator[Fault]:
                 yield from _far(kinds.get(drive) == "angle", (value,), (*path, "poses", pose, drive))
         if run.targets is not None:
             yield from _of_targets(kinds, run.targets, (*path, "targets"))
-    for name, spring in model.springs.items():
-        if spring.rest is not None and spring.coordinate is not None:
-            yield from _far(turns(spring.coordinate), (spring.rest,), ("springs", name, "rest"))
+    for name, (kind, one) in model.force_elements.items():
+        if getattr(one, "rest", None) is not None and one.coordinate is not None:
+            yield from _far(turns(one.coordinate), (one.rest,), (FORCE_ELEMENTS[kind], name, "rest"))
 
 
 def _of_targets(kinds: Mapping[str, str], target: Any, path: Path) -> Iterator[Fault]:

@@ -48,19 +48,19 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
     return found
 
 
-def spring_loads(run: RunResult) -> list[dict[str, Any]]:
-    """Largest force (N) or moment (N m) of every spring and load case, its time (s) and the coordinate there (m or rad)."""
+def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
+    """Largest force (N) or moment (N m) of every element of a kind and load case, its time (s), the coordinate (m or rad)."""
     found = []
     for case, forces in run.forces.items():
-        if "spring_force" not in forces.data or not forces.data.sizes["time"]:
+        if f"{kind}_force" not in forces.data or not forces.data.sizes["time"]:
             continue
-        time, push, value = (forces.data[name].values for name in ("time", "spring_force", "spring_value"))
-        for k, name in enumerate(map(str, forces.data["spring"].values)):
+        time, push, value = (forces.data[name].values for name in ("time", f"{kind}_force", f"{kind}_value"))
+        for k, name in enumerate(map(str, forces.data[kind].values)):
             at = int(np.argmax(np.abs(push[:, k])))
             found.append(
                 {
-                    "spring": name,
-                    "angle": turns(run.model.springs[name].parts[0][0]),
+                    kind: name,
+                    "angle": turns(run.model.force_elements[name][1].parts[0][0]),
                     "load": float(push[at, k]),
                     "value": float(value[at, k]),
                     "time": float(time[at]),

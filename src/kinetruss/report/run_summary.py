@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.report import tables
 from kinetruss.report.contents import counted_parts, counts
-from kinetruss.report.drive_data import drive_loads, exceeded, motors, spring_loads, trains
+from kinetruss.report.drive_data import drive_loads, element_loads, exceeded, motors, trains
 from kinetruss.report.mission_tables import mission_entries, mission_record
 from kinetruss.report.page import Page
 from kinetruss.report.run_data import WORST, checks, closure, largest_forces, plain, worst
@@ -64,7 +65,7 @@ def known(run: RunResult) -> dict[str, Any]:
         "worst": worst(run)[:WORST],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
         "drive_loads": drive_loads(run, engines),
-        "spring_loads": spring_loads(run),
+        **{f"{kind}_loads": element_loads(run, kind) for kind in FORCE_ELEMENTS},
         "motors": engines,
         "trains": trains(run),
         "exceeded": exceeded(run),
@@ -86,7 +87,8 @@ def entries(run: RunResult) -> Iterator[Entry]:
     yield tables.strength(worst(run), "\n".join(_beyond(run)), timed=timed)
     yield tables.not_checked(() if run.verdict is None else run.verdict.not_checked().items())
     yield tables.drives(drive_loads(run, engines), timed=timed)
-    yield tables.springs(spring_loads(run))
+    for kind in FORCE_ELEMENTS:
+        yield tables.force_elements(kind, element_loads(run, kind))
     yield tables.motors(engines)
     yield from tables.trains(trains(run))
     yield tables.exceeded(exceeded(run))

@@ -202,19 +202,19 @@ def drives(rows: Rows, *, timed: bool = True) -> Table:
     return Table(columns, rows, f"Drives without a motor{what}{scope}", most=MOST)
 
 
-def springs(rows: Rows) -> Table:
-    """Springs on coordinates, the largest forces first."""
+def force_elements(kind: str, rows: Rows) -> Table:
+    """Elements of a kind on coordinates, the largest forces first."""
     units = {True: ("N m", "rad"), False: ("N", "m")}
     found = [row | dict(zip(("unit", "of"), units[row["angle"]], strict=True)) for row in rows if row["load"]]
     found.sort(key=lambda row: -abs(row["load"]))
     columns = [
-        words("spring"),
+        words(kind),
         mixed("force or moment", "load"),
         mixed("at value", "value", "of"),
         seconds("time"),
         case_column(),
     ]
-    return Table(columns, found, "Springs (largest values of the motion)", most=MOST)
+    return Table(columns, found, f"{kind.capitalize()}s (largest values of the motion)", most=MOST)
 
 
 def spans(rows: Rows, unit: str) -> Table:

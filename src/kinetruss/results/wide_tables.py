@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from kinetruss.display import Table, instant, margin, number, quantity
 from kinetruss.mechanics import cached
+from kinetruss.results.arrays import Column, variable
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    from kinetruss.kernels.compiled.record import Floats
     from kinetruss.mechanics import System
     from kinetruss.results.arrays import Columns
 
@@ -193,7 +195,8 @@ def _cell(row: Row, column: str) -> str:
     return number(value) if isinstance(value, float) else value or "-"
 
 
-# Units of drives, couplings and springs: those of lengths or of angles, and where a structure has both, one for each.
+# Units of drives, couplings and elements on coordinates: those of lengths or of angles; where a structure has both, one for
+# each.
 
 Found = tuple[str, dict[str, tuple[str, list[str]]]]
 
@@ -221,24 +224,42 @@ def drive_unit(system: System) -> Found:
 
 @cached()
 def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, tuple[str, list[str]]]]:
-    """The units of ``drive``, ``coupling`` and ``spring`` forces and of ``spring_value``, and the coordinates that they name.
+    """The units of the forces of ``drive``, ``coupling`` and each kind of elements on coordinates, as ``spring``, and of their
+    values, as ``spring_value``; and the coordinates that they name.
 
-    axes : of the coordinates; by default all. A coupling and a spring have the unit of their first coordinate.
+    axes : of the coordinates; by default all. A coupling and an element have the unit of their first coordinate.
     """
-    model = system.model
+    model, own = system.model, element_axes(system)
     firsts = {
         "drive": [_unit(model.all_drives.get(name)) for name in system.drives],
         "coupling": [_unit(one.terms[0][0]) for one in model.couplings.values()],
-        "spring": [_unit(model.springs[name].parts[0][0]) for name in system.springs],
+        **{kind: [_unit(model.force_elements[name][1].parts[0][0]) for name in names] for kind, names in own.items()},
     }
     found = {
         axis: unit_along(axis, [_force(one) for one in units], f"{axis}_force_unit", "N") for axis, units in firsts.items()
     }
-    value, named = unit_along("spring", firsts["spring"], "spring_unit", "m")
-    for _, coordinate in found.values():
-        named = {**named, **coordinate}
-    units = {axis: unit for axis, (unit, _) in found.items()} | {"spring_value": value}
+    found |= {f"{kind}_value": unit_along(kind, firsts[kind], f"{kind}_unit", "m") for kind in own}
+    named = {name: one for _, coordinate in found.values() for name, one in coordinate.items()}
+    units = {axis: unit for axis, (unit, _) in found.items()}
     return units, {name: one for name, one in named.items() if one[0] in (axes or firsts)}
+
+
+@cached()
+def element_axes(system: System) -> dict[str, list[str]]:
+    """Axes of the kinds of elements on coordinates that a system has, with the names of their elements."""
+    return {kind: list(system.force_elements[own]) for kind, own in system.force_element_spans.items()}
+
+
+def element_columns(system: System, per: tuple[str, ...], force: Floats, value: Floats | None = None) -> dict[str, Column]:
+    """Variables of the elements on coordinates, from their forces and, if given, values of these, (..., force_elements)."""
+    units, found = force_units(system)[0], dict[str, Column]()
+    for kind, own in system.force_element_spans.items():
+        if value is not None:
+            words = f"coordinate of the {kind}"
+            found[f"{kind}_value"] = variable((*per, kind), value[..., own], units[f"{kind}_value"], words)
+        words = f"force or torque of the {kind} on its coordinate"
+        found[f"{kind}_force"] = variable((*per, kind), force[..., own], units[kind], words)
+    return found
 
 
 def _unit(coordinate: Any) -> str:

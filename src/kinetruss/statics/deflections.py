@@ -19,6 +19,7 @@ from kinetruss.mechanics.loads import ROTATES, Loads
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.transfer import displacements, flat_positions
 from kinetruss.model import Model, nearest
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.results import Forces, Motion, Result, provenance, variable
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.small_displacements import flexibility, loads_at, solve, stiff_rows
@@ -79,7 +80,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     load = nodal_forces(system, forces, x)
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
-    if len(arrange(system).redundant) or np.any(system.spring > 0) or system.springs or system.continua is not None:
+    if len(arrange(system).redundant) or np.any(system.spring > 0) or system.force_elements or system.continua is not None:
         u, e, bent, said = _stiffly(held, x, flexible, load)
     else:
         u, e = _swept(system, held, x, flexible, forces.arrays["member_force"].values)
@@ -252,10 +253,10 @@ def platform_stiffness(
     >>> found.compliance.sel(twist="v_y", wrench="F_y").round(9).item()  # m/N: two springs side by side
     0.0005
     """
-    if model.springs:
+    for name, (kind, _) in model.force_elements.items():
         raise InputError(
-            f"platform_stiffness counts drives alone, not the spring {next(iter(model.springs))!r}. Take statics.linear under "
-            "unit loads, or leave the springs out: model.with_(springs={})."
+            f"platform_stiffness counts drives alone, not the {kind} {name!r}. Take statics.linear under unit loads, or leave "
+            f"it out: model.with_({FORCE_ELEMENTS[kind]}={{}})."
         )
     found = platform_jacobian(model, platform, state)
     drives = [str(name) for name in found["drive"].values]

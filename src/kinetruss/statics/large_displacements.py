@@ -16,13 +16,13 @@ from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, not_unique_note, rearrange
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions
-from kinetruss.mechanics.elements import spring_motions
+from kinetruss.mechanics.elements import named_motions
 from kinetruss.mechanics.mobility import moves_text
 from kinetruss.mechanics.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
-from kinetruss.results.wide_tables import force_units
+from kinetruss.results.wide_tables import element_axes, element_columns, force_units
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
 from kinetruss.statics.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
@@ -222,8 +222,8 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         "member": list(system.members),
         "drive": list(system.drives),
         "support": list(system.supports),
-        **({"spring": list(system.springs)} if system.springs else {}),
-        **force_units(system, "drive", "spring")[1],
+        **element_axes(system),
+        **force_units(system, "drive", *element_axes(system))[1],
     }
     ways = [moves_text(system, shape) for shape in shapes[: found.negative + found.neutral]]
     unsure = _not_unique(balance.system, reached.x)
@@ -296,25 +296,18 @@ def forces_of(
         drive[d] = -left[flat] if held.prescribed[flat] else balance.force[flat]
         fixed[flat] = False
     reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
-    last = len(system.measures) - len(system.springs)
+    last = len(system.measures) - len(system.force_elements)
     own = last - len(system.model.couplings)
     mean = balance.tension(x) + tension
     support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
     carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
     mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
-    springs, units = {}, force_units(system)[0]
-    if system.springs:
-        value, _, force, _ = spring_motions(system, x[None])
-        words = "force or torque of the spring on its coordinate"
-        springs = {
-            "spring_value": variable(("spring",), value[0], units["spring_value"], "coordinate of the spring"),
-            "spring_force": variable(("spring",), force[0], units["spring"], words),
-        }
+    units, on = force_units(system)[0], named_motions(system, x[None])
     return {
         "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
         "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
         "drive_force": variable(("drive",), drive, units["drive"], "drive force or torque"),
-    } | springs
+    } | element_columns(system, (), on.force[0], on.value[0])
 
 
 def _message(reached: SearchResult, ways: list[str], nodes: tuple[str, ...]) -> str:

@@ -21,22 +21,22 @@ from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces
-from kinetruss.mechanics.elements import resting_forces, spring_laws
+from kinetruss.mechanics.elements import named_laws, resting_forces
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.results.wide_tables import force_units
+from kinetruss.results.wide_tables import element_axes, element_columns, force_units
 from kinetruss.statics.refinement import NOTHING, accuracy_note
 from kinetruss.statics.small_displacements import (
     Solved,
     Weight,
+    element_rows,
     end_weights,
     flexibility,
     loads_at,
     solve,
-    spring_rows,
     stiff_rows,
     weight_word,
 )
@@ -246,7 +246,7 @@ def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Force (rows,) that elastic bars, cables and springs have in the configuration, N."""
     i = held.row_member
     found = np.where(held.row_kind == LENGTH, bar_laws(held, ends_of(held, x, i)[1], member=i).tension, 0.0)
-    found[spring_rows(held)] = spring_laws(held, x)[:, 0] / held.measure_scale[held.spring_measure]
+    found[element_rows(held)] = named_laws(held, x)[:, 0] / held.measure_scale[held.force_element_measure]
     return found
 
 
@@ -266,7 +266,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
     force, elongation, energy = (np.zeros(members) for _ in range(3))
     total = solved.force + found.tension
     force[held.row_member[bars]] = total[bars]
-    on_springs = -total[spring_rows(held)] * system.measure_scale[system.spring_measure]
+    on_coordinates = -total[element_rows(held)] * system.measure_scale[system.force_element_measure]
     length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
     energy[held.row_member[bars]] = found.stored[bars]
@@ -276,7 +276,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
     if len(system.measures) or system.model.hubs:
         drive, coupling = _on_measures(held, total)
         acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
-        force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_springs)
+        force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_coordinates)
     stored = found.stored.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
@@ -302,19 +302,15 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
         "end": ["A", "B"],
         "support": list(system.supports),
     }
-    if system.springs:
-        units, named = force_units(system, "spring")
-        coords |= {"spring": list(system.springs), **named}
-        data["spring_force"] = variable(
-            ("spring",), on_springs, units["spring"], "force or torque of the spring on its coordinate"
-        )
+    coords |= element_axes(system) | force_units(system, *element_axes(system))[1]
+    data |= element_columns(system, (), on_coordinates)
     return xr.Dataset(data, coords=coords)
 
 
 def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Forces of drives (drives,) and couplings (couplings,) on measures, N or N m, from row forces (rows,)."""
     on = measure_forces(held, total)
-    last = len(held.measures) - len(held.springs)
+    last = len(held.measures) - len(held.force_elements)
     drive = np.where(held.drive_measure >= 0, -on[held.drive_measure], 0.0)
     return drive, -on[last - len(held.model.couplings) : last]
 

@@ -16,6 +16,7 @@ from kinetruss.mechanics.balance import Balance, balance_of
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
+from kinetruss.results.wide_tables import element_axes
 from kinetruss.statics.arc import Point, Road
 from kinetruss.statics.large_displacements import forces_of, must_begin
 from kinetruss.statics.saddle_point import LOOKED_AT, modes, rows_of
@@ -340,7 +341,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         "member": list(system.members),
         "support": list(system.supports),
         "drive": list(system.drives),
-    } | ({"spring": list(system.springs)} if system.springs else {})
+    } | element_axes(system)
     message = end if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."
     if not walk.looked_at:
         message = f"{message} Too large to look for events.".strip()

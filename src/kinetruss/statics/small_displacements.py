@@ -12,7 +12,7 @@ from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics import FREE, NONE, System, cached, constraint_jacobian, ends_of, without_beams
 from kinetruss.mechanics.beam_elements import mode_gradients
-from kinetruss.mechanics.elements import material_stiffness, spring_laws
+from kinetruss.mechanics.elements import material_stiffness, named_laws
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.mobility import beam_deformations, deformations, mobility_at
@@ -101,24 +101,24 @@ class Solved:
 
 @cached()
 def stiff_rows(system: System) -> System:
-    """The system with one row for every member that carries force, elastic ones too, its driven angles, sums, springs."""
+    """The system with a row for every member that carries force, elastic ones too, driven angles, sums, force elements."""
     members = np.flatnonzero(system.kind != FREE)
     angles = system.row_kind != LENGTH
-    count, own = len(members), system.spring_measure
-    springs = len(own)
+    count, own = len(members), system.force_element_measure
+    extra = len(own)
     return replace(
         system,
-        row_member=np.concatenate([members, system.row_member[angles], np.zeros(springs)]).astype(np.int32),
-        row_kind=np.concatenate([np.full(count, LENGTH), system.row_kind[angles], np.full(springs, SUM)]).astype(np.int8),
-        row_drive=np.concatenate([np.full(count, -1), system.row_drive[angles], np.full(springs, -1)]).astype(np.int32),
+        row_member=np.concatenate([members, system.row_member[angles], np.zeros(extra)]).astype(np.int32),
+        row_kind=np.concatenate([np.full(count, LENGTH), system.row_kind[angles], np.full(extra, SUM)]).astype(np.int8),
+        row_drive=np.concatenate([np.full(count, -1), system.row_drive[angles], np.full(extra, -1)]).astype(np.int32),
         row_value=np.concatenate([system.length0[members], system.row_value[angles], system.measure_start[own]]),
         row_measure=np.concatenate([np.full(count, -1), system.row_measure[angles], own]),
     )
 
 
-def spring_rows(held: System) -> NDArray[np.int64]:
-    """The rows of springs among `stiff_rows`, in their order."""
-    return np.arange(len(held.row_kind) - len(held.springs), len(held.row_kind))
+def element_rows(held: System) -> NDArray[np.int64]:
+    """The rows of elements on coordinates among `stiff_rows`, in their order."""
+    return np.arange(len(held.row_kind) - len(held.force_elements), len(held.row_kind))
 
 
 def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -135,10 +135,10 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
         with np.errstate(divide="ignore"):
             found[pulling] = 1 / bar_laws(held, length, member=i).slope[pulling]
     found[held.row_kind != LENGTH] = 0.0
-    if held.springs:
+    if held.force_elements:
         with np.errstate(divide="ignore"):
             # a row is the coordinate times its scale, so its force the force on the coordinate over the scale
-            found[spring_rows(held)] = held.measure_scale[held.spring_measure] ** 2 / spring_laws(held, x)[:, 1]
+            found[element_rows(held)] = held.measure_scale[held.force_element_measure] ** 2 / named_laws(held, x)[:, 1]
     return np.asarray(found)
 
 

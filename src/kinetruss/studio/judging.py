@@ -182,7 +182,7 @@ def _forces(
     model: Model, system: System, position: NDArray[np.float64], mobility: Mobility, fine: bool
 ) -> tuple[Forces | None, str]:
     """Forces at rest, or why there are none."""
-    soft = bool(model.springs or model.beams) or any(bar.kind in SOFT for bar in model.bars.values())
+    soft = bool(model.force_elements or model.beams) or any(bar.kind in SOFT for bar in model.bars.values())
     try:
         if not mobility.undriven and arrange(system).plan is not None:
             return at_rest(model, position), ""

@@ -94,10 +94,15 @@ class Question:
         if s.continua is not None:
             K = abs(continua_stiffness(s.continua, self.x)).max(axis=1).toarray().reshape(-1, 3).max(axis=1)
             found += K * self.reach + s.continua.lump * float(weight.max())
-        stiffness, rest, damping, friction, _, _, preload = np.abs(s.spring_law).T
-        turn = 2.0 * np.pi + self.reach
-        sprung = stiffness * (rest + turn) + damping * self.pace + friction + preload
-        found += float(sprung.sum() + np.abs(s.spring_table[:, 1]).sum()) * self.steep()
+        own, turn = list(s.model.springs.values()), 2.0 * np.pi + self.reach
+        starts = s.measure_start[len(s.measure_start) - len(own) :]
+        sprung = [
+            one.stiffness * (abs(here if one.rest is None else one.rest) + turn)
+            + one.damping * self.pace + one.friction + abs(one.preload)
+            for one, here in zip(own, starts, strict=True)
+        ]  # fmt: skip
+        table = sum(abs(force) for one in own for _, force in one.table or ())
+        found += float(sum(sprung) + table) * self.steep()
         return np.repeat(found, 3)
 
     def steep(self) -> float:

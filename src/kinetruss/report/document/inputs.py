@@ -16,6 +16,7 @@ from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Model, Of, Record, Run, inner_parts
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
@@ -205,7 +206,7 @@ def inputs(run: RunResult, name: str = "") -> list[Table]:
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
-        ("Springs on coordinates (SI)", "name", _named(model.springs)),
+        *((f"{one.capitalize()} on coordinates (SI)", "name", _named(getattr(model, one))) for one in FORCE_ELEMENTS.values()),
         ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
