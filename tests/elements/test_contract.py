@@ -1,0 +1,160 @@
+"""What every kind of element keeps: its force is the derivative of its energy, its tangents those of its force, power is loss
+and change of energy, rigid motions do not matter, momentum is kept, and the three engines agree.
+
+A new kind needs a model here, in MODELS, and nothing else; it fails by its name.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import kinetruss as kt
+from kinetruss.dynamics.equations import equations
+from kinetruss.elements.kinds import ON_COORDINATES, present
+from kinetruss.kernels.structure.applied import applied, no_force
+from kinetruss.kernels.structure.structure import EndForces, States
+from kinetruss.kernels.sweep.forces import applied as swept, energies
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.balance import balance_of
+from kinetruss.mechanics.loads import case_loads
+from kinetruss.mechanics.matrices import tangents
+from kinetruss.mechanics.tables import nodal_loads, structure_of
+from kinetruss.model.drives import OffsetCoordinate
+
+SPACE = kt.Model(
+    nodes={name: kt.Node(at=at, mass=0.5) for name, at in
+           {"A": (0, 0, 0), "B": (1, 0.1, 0), "C": (0.2, 0.9, 0.3), "D": (0.4, 0.2, 1.1), "E": (1.3, 0.7, 0.5)}.items()},
+    bars={one + two: kt.Bar(ends=(one, two), kind="free") for one, two in ("AB", "AC", "AD", "BC", "BD", "CD", "CE", "BE")},
+)  # fmt: skip
+PLANE = kt.Model(
+    nodes={
+        name: kt.Node(at=at, mass=0.5) for name, at in {"A": (0, 0), "B": (1, 0.1), "C": (1.7, 0.6), "D": (0.4, 1.0)}.items()
+    },
+    bars={one + two: kt.Bar(ends=(one, two), kind="free") for one, two in ("AB", "BC", "BD")},
+)
+HINGE = kt.HingeDrive(axis=("A", "B"), start="C", end="D")
+TURN = kt.HingeDrive(axis=("B",), start="A", end="C")
+
+
+def _spring(coordinate: object, **numbers: float) -> dict[str, object]:
+    return {"springs": {"law": kt.Spring(coordinate=coordinate, **numbers)}}
+
+
+MODELS = {
+    "spring": {
+        "on a hinge": SPACE.with_(**_spring(HINGE, stiffness=3.0, damping=0.4, preload=0.2, rest=0.9)),
+        "on a length": SPACE.with_(**_spring(kt.LengthDrive("CE"), stiffness=30.0, friction=0.3, slip=0.2, rest=0.7)),
+        "with play": SPACE.with_(**_spring(kt.LengthDrive("CE"), stiffness=30.0, damping=2.0, play=0.05, rest=0.7)),
+        "of two terms": SPACE.with_(
+            springs={"law": kt.Spring(terms=((HINGE, 1.0), (kt.HingeDrive(axis=("B", "C"), start="D", end="E"), -2.0)),
+                                      stiffness=2.0, damping=0.1, rest=0.1)}
+        ),
+        "on an angle of the plane": PLANE.with_(**_spring(TURN, stiffness=3.0, damping=0.4, rest=0.3)),
+        "on an offset": PLANE.with_(**_spring(OffsetCoordinate(point="C", line=("A", "B")), stiffness=9.0, damping=0.2)),
+    },
+    "friction": {
+        "about pins": PLANE.with_(
+            bars={one + two: kt.Bar(ends=(one, two), mass=0.0, friction=0.3) for one, two in ("AB", "BC", "BD")}
+        )
+    },
+}  # fmt: skip
+CASES = [(kind, name) for kind, models in MODELS.items() for name in models]
+STEP = 1e-6
+
+
+def test_every_kind_has_a_model():
+    assert MODELS.keys() == ON_COORDINATES.keys()
+
+
+@pytest.fixture(params=CASES, ids="-".join)
+def case(request):
+    """The compiled model, and places and velocities (n, 3) at random."""
+    kind, name = request.param
+    system, dice = compile(MODELS[kind][name]), np.random.default_rng(len(name))
+    plane = [1.0, 1.0, system.dim - 2.0]
+    x = system.x0 + 0.05 * dice.standard_normal(system.x0.shape) * plane
+    assert present(system)
+    return system, x, dice.standard_normal(x.shape) * plane
+
+
+def forward(system, x, v):
+    """Forces on the nodes (3 n,) in the equations of motion."""
+    eq, _ = equations(system)
+    f = np.zeros(x.size)
+    applied(eq, no_force, 0.0, x.reshape(-1), v.reshape(-1), f)
+    return f
+
+
+def along(system, x, v):
+    """Energy, its rate and the power taken by the sweeps, and forces on the nodes; all masses are at rest in the sums."""
+    states = States(*(np.ascontiguousarray(y.reshape(1, -1)) for y in (x, v, np.zeros_like(x))))
+    loads, out = nodal_loads(case_loads(system, np.zeros(1), None)), np.zeros((1, 3))
+    energies(structure_of(system), loads, states, out)
+    rest = np.zeros((1, x.size))
+    swept(structure_of(system), loads, states, EndForces(np.zeros((1, len(system.members), 2, 3)), rest))
+    out[0, 0] -= 0.5 * float((system.lump[:, None] * v**2).sum())
+    return out[0], rest[0]
+
+
+def stored(system, x):
+    return along(system, x, np.zeros_like(x))[0][0]
+
+
+def slopes(of, y):
+    """Derivatives (3 n, k) of a function of places or velocities by each coordinate."""
+    found = []
+    for k in range(y.size):
+        step = np.zeros(y.size)
+        step[k] = STEP
+        found.append((of(y + step.reshape(y.shape)) - of(y - step.reshape(y.shape))) / (2 * STEP))
+    return np.array(found)
+
+
+def test_the_force_is_the_derivative_of_the_energy(case):
+    system, x, _ = case
+    force = forward(system, x, np.zeros_like(x))
+    assert -slopes(lambda y: stored(system, y), x) == pytest.approx(force, abs=1e-7 * (1 + np.abs(force).max()))
+
+
+def test_the_tangents_are_those_of_the_force(case):
+    system, x, v = case
+    none = np.zeros(len(system.members))
+    K, C = (one.toarray() for one in tangents(system, x, none, none, np.zeros(3), v))
+    inner = np.flatnonzero(np.tile(np.arange(3) < system.dim, len(system.nodes)))
+    for matrix, numbers in ((K, slopes(lambda y: forward(system, y, v), x)), (C, slopes(lambda y: forward(system, x, y), v))):
+        found = -numbers.T
+        assert matrix[np.ix_(inner, inner)] == pytest.approx(found[np.ix_(inner, inner)], abs=1e-6 * (1 + np.abs(found).max()))
+
+
+def test_power_is_the_change_of_the_energy_and_what_is_taken(case):
+    system, x, v = case
+    (_, rate, taken), force = along(system, x, v)
+    assert float(force @ v.reshape(-1)) == pytest.approx(-(rate + taken), abs=1e-12 * (1 + np.abs(force).max()))
+    change = (stored(system, x + STEP * v) - stored(system, x - STEP * v)) / (2 * STEP)
+    assert rate == pytest.approx(change, abs=1e-7 * (1 + abs(rate)))
+    assert taken >= -1e-12
+
+
+def test_the_engines_agree(case):
+    system, x, v = case
+    force = forward(system, x, v)
+    scale = 1e-13 * (1 + np.abs(force).max())
+    assert along(system, x, v)[1] == pytest.approx(force, abs=scale)
+    still = balance_of(system).applied(x)
+    assert still == pytest.approx(forward(system, x, np.zeros_like(x)), abs=scale)
+
+
+def test_rigid_motions_do_not_matter_and_momentum_is_kept(case):
+    system, x, v = case
+    force = forward(system, x, v).reshape(-1, 3)
+    size = 1e-12 * (1 + np.abs(force).max())
+    assert force.sum(axis=0) == pytest.approx(np.zeros(3), abs=size)
+    assert np.cross(x, force).sum(axis=0) == pytest.approx(np.zeros(3), abs=size)
+    angle, axis = 0.7, np.array([0.0, 0.0, 1.0]) if system.dim == 2 else np.array([2.0, -1.0, 2.0]) / 3.0
+    cross = np.cross(np.eye(3), axis)
+    R = np.eye(3) - np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    shift, spin = np.array([0.3, -0.2, 0.0 if system.dim == 2 else 0.5]), 1.3 * axis
+    turned = x @ R.T + shift
+    rates = v @ R.T + np.cross(spin, turned) + 0.4 * shift
+    assert forward(system, turned, rates) == pytest.approx((force @ R.T).reshape(-1), abs=100 * size)
