@@ -25,6 +25,7 @@ PARTS = {
     "flexible": ("flexible",),
     "io": ("io",),
     "kernels": ("kernels", "rows"),
+    "elements": ("elements",),
     "kinematics": ("kinematics", "tasks"),
     "library": ("library",),
     "mechanics": ("bodies", "joints", "solids"),

@@ -163,16 +163,20 @@ def test_the_state_is_that_of_the_contents_of_a_file_and_of_all_that_it_imports(
 @pytest.mark.slow
 def test_imports_are_those_that_python_sees():
     """What compiles into a kernel comes by imports of these two forms, or from outside the folder."""
-    folder = Path(caches.__file__).parents[1]
-    modules = {caches.module_of(file, folder) for file in folder.rglob("*.py")}
-    for file in folder.rglob("*.py"):
+    folder = Path(caches.__file__).parents[2]
+    files = [file for package in caches.PACKAGES for file in (folder / package).rglob("*.py")]
+    modules = {caches.module_of(file, folder) for file in files}
+    # what elements take from elsewhere are types, and names that no kernel has
+    others = {"kernels": {"errors"}, "elements": {"errors", "model", "mechanics"}}
+    for file in files:
         text, wanted = file.read_text("utf-8"), set()
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.ImportFrom) and str(node.module).startswith("kinetruss."):
                 package, *parts = str(node.module).split(".")[1:]
-                assert package in ("kernels", "errors"), f"{file.name}: {node.module}"
-                if package == "kernels":
-                    wanted |= {"-".join(parts), *("-".join([*parts, one.name]) for one in node.names)}
+                own = file.relative_to(folder).parts[0]
+                assert package in {*caches.PACKAGES, *others[own]}, f"{file.name}: {node.module}"
+                if package in caches.PACKAGES:
+                    wanted |= {"-".join([package, *parts]), *("-".join([package, *parts, one.name]) for one in node.names)}
             elif isinstance(node, ast.Import):
                 assert not any(one.name.startswith("kinetruss") for one in node.names), file.name
             assert not (isinstance(node, ast.ImportFrom) and node.level), file.name
