@@ -164,3 +164,55 @@ def test_events_behind_the_one_that_stops_do_not_happen():
     run = simulate(ball(12.0), 30.0, samples=4, events=events)
     assert [one.name for one in run.events] == ["more", "stop"]
     assert float(run.motion.time[-1]) == run.events[-1].time
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_an_angle_arrives_once_a_turn(method):
+    """A rotor at a constant rate w, from the angle a: at v after (v - a + 2 pi k)/w."""
+    rate, start, value = 7.0, 0.4, -2.0
+    watched = kt.Event(coordinate=kt.HingeDrive(axis=("O",), start="E", end="A"), value=value - math.pi / 2, stop=False)
+    run = simulate(rotor(start, rate), 3.0, samples=5, events={"mark": watched}, method=METHODS[method])
+    wanted = [(value - start + 2 * math.pi * k) / rate for k in range(1, 5) if (value - start + 2 * math.pi * k) / rate < 3.0]
+    # a midpoint step of the angle w h turns by 2 atan(w h/2), (w h)^2/12 too little; the others are finer
+    coarse = method in ("energy_momentum", "rattle", "alpha")
+    np.testing.assert_allclose(times(run, "mark"), wanted, rtol=(rate * 0.02) ** 2 / 11 if coarse else 1e-8)
+    assert {one.direction for one in run.events} == {1}
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853", "radau"])
+def test_lengths_offsets_and_hinges_in_space_arrive_where_samples_do(method):
+    """Of a tumbling tetrahedron, by the values along many samples."""
+    places = {"A": (0, 0, 0), "B": (1, 0, 0.1), "C": (0.4, 0.8, 0.1), "D": (0.5, -0.3, 0.7)}
+    dice = np.random.default_rng(4)
+    model = kt.Model(
+        nodes={name: kt.Node(at=at, mass=1.0) for name, at in places.items()},
+        bars={one + two: kt.Bar(ends=(one, two), mass=0.0) for one, two in ("AB", "AC", "BC", "AD", "BD")},
+        velocities={name: tuple(dice.normal(size=3)) for name in places},
+    )
+    hinge = kt.HingeDrive(axis=("A", "B"), start="C", end="D")
+    fine = simulate(model, 2.0, samples=2001, method=METHODS[method])
+    x = fine.motion.position.values
+    b, p, q = x[:, 1] - x[:, 0], x[:, 2] - x[:, 0], x[:, 3] - x[:, 0]
+    angle = np.unwrap(np.arctan2(np.einsum("tc,tc->t", np.cross(np.cross(b, p), np.cross(b, q)), b) / np.linalg.norm(b, axis=1),
+                                 np.einsum("tc,tc->t", np.cross(b, p), np.cross(b, q))))  # fmt: skip
+    value = float(angle.min() + 0.4 * np.ptp(angle))
+    sides = np.sign(angle - value)
+    wanted = fine.time.values[:-1][sides[:-1] != sides[1:]] + 0.5 * (fine.time.values[1] - fine.time.values[0])
+    run = simulate(model, 2.0, samples=3, events={"at": kt.Event(coordinate=hinge, value=value, stop=False)},
+                   method=METHODS[method])  # fmt: skip
+    np.testing.assert_allclose(times(run, "at"), wanted, atol=5.1e-4)
+
+
+def test_an_angle_is_given_in_its_unit_and_told_with_it():
+    hinge = kt.HingeDrive(axis=("O",), start="E", end="A")
+    event = kt.Event(coordinate=hinge, value="-90 deg")
+    assert (event.value, event.unit) == (pytest.approx(-math.pi / 2), "rad")
+    run = simulate(rotor(1.2, 1.0), 5.0, events={"down": event})
+    assert "down (hinge O, E, A" in run.message
+    assert "rad" in run.message
+
+
+def test_a_coordinate_of_unknown_nodes_is_a_fault_with_its_place():
+    hinge = kt.HingeDrive(axis=("O",), start="E", end="Z")
+    with pytest.raises(kt.KinetrussError, match=r"events\.down\.coordinate.*'Z'"):
+        simulate(rotor(1.2, 1.0), 5.0, events={"down": kt.Event(coordinate=hinge, value=0.0)})

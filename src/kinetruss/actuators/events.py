@@ -166,7 +166,7 @@ def _rise(value: Callable[[float], float], begin: float, end: float) -> tuple[fl
 
 
 def crossed(
-    events: Sequence[tuple[int, int, int, float, int, bool]],
+    events: Sequence[tuple[Any, ...]],
     values: Values,
     dense: Any,
     until: float,

@@ -13,25 +13,28 @@ from kinetruss.elements.kinds import on_coordinates
 from kinetruss.elements.scalars import linear_laws
 from kinetruss.errors import InputError
 from kinetruss.kernels.coordinates.programs import Program
+from kinetruss.kernels.coordinates.straight_line import addresses_of
 from kinetruss.kernels.coordinates.tape import tape_of
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, Control, Memory, new_memory
+from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, SUM, Control, Memory, new_memory
 from kinetruss.kernels.structure.equations import DENSE, SUM_FORCE
 from kinetruss.kernels.structure.rows import POLYNOMIAL
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
 from kinetruss.mechanics import System
+from kinetruss.mechanics.measure_arrays import terms_of
 from kinetruss.mechanics.measures import measure_of, terms_sum
 from kinetruss.mechanics.sparse_plan import tangent_record
-from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
+from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor, turns
 
 if TYPE_CHECKING:
     from kinetruss.kernels.structure.equations import Equations
 
 
 Floats = NDArray[np.float64]
-Watched = tuple[int, int, int, float, int, bool]
-"""A watched quantity: kind (LENGTH, COORDINATE, FORCE), flat coordinates or constraint a, b, value, direction (1, -1, 0),
-and whether it stops the run."""
+Terms = list[tuple[int, list[int], list[float]]]
+Watched = tuple[int, int, int, float, int, bool, Terms, float]
+"""A watched quantity: kind (LENGTH, COORDINATE, FORCE, SUM), flat coordinates or constraint a, b, value, direction (1, -1, 0),
+whether it stops the run; the terms of a sum, and after what it is the same."""
 
 METHODS: dict[type, int] = {
     DOP853: m.EXPLICIT_RK,
@@ -118,12 +121,23 @@ def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
     """
     at, sampled = np.full((len(events), 6), -1), np.zeros(len(events), bool)
     for k, (kind, a, b, *_) in enumerate(events):
-        flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)], m.FORCE: []}[kind]
+        flat = {m.COORDINATE: [a], m.LENGTH: [*range(a, a + 3), *range(b, b + 3)]}.get(kind, [])
         at[k, : len(flat)] = eq.local[flat]
-        sampled[k] = kind == m.FORCE or np.isin(flat, eq.held).any()
-    columns = zip(*events, strict=True) if events else [()] * 6
+        sampled[k] = kind in (m.FORCE, m.SUM) or np.isin(flat, eq.held).any()
+    columns = zip(*(one[:6] for one in events), strict=True) if events else [()] * 6
     names = ("event_kind", "event_A", "event_B", "event_value", "event_direction", "event_stops")
-    return {**dict(zip(names, columns, strict=True)), "event_sampled": sampled, "event_at": at}
+    terms = [one[6] for one in events]
+    kinds, places, data = zip(*(term for own in terms for term in own), strict=True) if any(terms) else ((), (), ())
+    return {
+        **dict(zip(names, columns, strict=True)),
+        "event_sampled": sampled,
+        "event_at": at,
+        "event_ptr": np.cumsum([0, *map(len, terms)]),
+        "event_form": addresses_of(np.array(kinds, np.int64)),
+        "event_term": np.array(places, np.int64).reshape(-1, 4),
+        "event_data": np.array(data, float).reshape(-1, 7),
+        "event_period": [one[7] for one in events],
+    }
 
 
 def _turning(system: System) -> dict[str, NDArray[Any]]:
@@ -244,7 +258,7 @@ SAME = 1e-9
 """Relative tolerance below which two adjacent segments of a motion count as continuous."""
 
 
-def watched(system: System, eq: Equations, events: Mapping[str, Any]) -> list[tuple[int, int, int, float, int, bool]]:
+def watched(system: System, eq: Equations, events: Mapping[str, Any]) -> list[Watched]:
     """Kind, coordinates or constraint, value, direction and stop flag of every event.
 
     The force of an elastic bar is a function of its length, so its length is watched instead.
@@ -253,10 +267,24 @@ def watched(system: System, eq: Equations, events: Mapping[str, Any]) -> list[tu
     ------
     InputError : the force of a damped, slack or free bar, or of a free drive: no multiplier of the equations gives it.
     """
-    return [(*_quantity(system, eq, name, event), WAYS[event.direction], bool(event.stop)) for name, event in events.items()]
+    return [
+        (*_quantity(system, eq, name, event), WAYS[event.direction], bool(event.stop), *_terms(system, event))
+        for name, event in events.items()
+    ]
+
+
+def _terms(system: System, event: Any) -> tuple[Terms, float]:
+    """The terms of the coordinate of an event, and after what it is the same (0: never)."""
+    one = event.coordinate
+    if one is None or isinstance(one, str):
+        return [], 0.0
+    index = {name: i for i, name in enumerate(system.nodes)}
+    return terms_of(system.model, index, system.x0, one, 1.0), 2.0 * np.pi if turns(one) else 0.0
 
 
 def _quantity(system: System, eq: Equations, name: str, event: Any) -> tuple[int, int, int, float]:
+    if event.coordinate is not None and not isinstance(event.coordinate, str):
+        return SUM, 0, 0, event.value
     if event.coordinate is not None:
         node, _, axis = event.coordinate.rpartition(".")
         return COORDINATE, 3 * system.node_index(node) + "xyz".index(axis), 0, event.value
@@ -294,8 +322,16 @@ def described(name: str, event: Any) -> str:
     """An event as text."""
     what = next(field for field in ("length", "coordinate", "force") if getattr(event, field) is not None)
     way = {"rising": "rises through", "falling": "falls through", "both": "crosses"}[event.direction]
-    unit = "N" if what == "force" else "m"
-    return f"{name} ({what} {getattr(event, what)} {way} {event.value:g} {unit})"
+    quantity = getattr(event, what)
+    if not isinstance(quantity, str):
+        what, quantity = quantity.kind, ", ".join(_named(quantity))
+    return f"{name} ({what} {quantity} {way} {event.value:g} {event.unit})"
+
+
+def _named(coordinate: Any) -> list[str]:
+    """The bars and nodes that a coordinate names."""
+    given = (getattr(coordinate, name, ()) for name in ("bar", "node", "axis", "start", "end", "line", "point"))
+    return [one for part in given for one in ((part,) if isinstance(part, str) else part) if isinstance(one, str)]
 
 
 def jumps(eq: Equations, all_pieces: bool = False) -> list[float]:

@@ -20,11 +20,13 @@ from kinetruss.actuators.steps import Step, Tolerances, method_from, step_of, wa
 from kinetruss.dynamics.integrators import watched
 from kinetruss.dynamics.motors import StructureBody
 from kinetruss.dynamics.stepping import Stepper
-from kinetruss.errors import AnalysisError, StoreError
+from kinetruss.errors import AnalysisError, InputError, StoreError
+from kinetruss.kernels.coordinates.straight_line import addresses_of
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import TURN
-from kinetruss.kernels.integrate.state import COORDINATE, LENGTH, Samples, new_memory
+from kinetruss.kernels.integrate.state import COORDINATE, LENGTH, SUM, Samples, new_memory
 from kinetruss.kernels.structure.lengths import turn_rates
+from kinetruss.kernels.structure.terms import measure_value
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -75,6 +77,11 @@ class MotorStepper(Stepper):
         super().__init__(problem, t_end)
         eq = problem.eq
         self.events = watched(problem.system, eq, problem.events)
+        for (*_, period), name in zip(self.events, problem.events, strict=True):
+            if period > 0.0:
+                raise InputError(
+                    f"events.{name}: angles are not watched beside motors with inputs. Watch a coordinate of a node."
+                )
         motors, count = problem.motors, len(problem.motors.names)
         self.body = StructureBody(eq, problem.ws, problem.user, motors.rows, motors.period, problem.x0)
         self.modes = MotorModes(motors, self.body)
@@ -152,9 +159,12 @@ class MotorStepper(Stepper):
         """Lengths, coordinates and forces that are watched."""
         x, _ = self.body.state(y)
         found, N = [], None
-        for kind, a, b, *_ in self.events:
+        for kind, a, b, *_, terms, _ in self.events:
             if kind == COORDINATE:
                 found.append(float(x[a]))
+            elif kind == SUM:
+                kinds, places, data = (np.array(column) for column in zip(*terms, strict=True))
+                found.append(measure_value(addresses_of(kinds), places, data.astype(float), 0, len(terms), x))
             elif kind == LENGTH:
                 found.append(float(np.linalg.norm(x[b : b + 3] - x[a : a + 3])))
             else:

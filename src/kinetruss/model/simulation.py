@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast, get_a
 
 from pydantic import Discriminator, Field, Tag, ValidationInfo, WithJsonSchema, field_validator, model_validator
 
+from kinetruss.model.drives import Measured as MeasuredCoordinate, turns
 from kinetruss.model.inputs import ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
 from kinetruss.model.loads import check_table
 from kinetruss.model.record import (
@@ -268,18 +269,23 @@ Task = Annotated[Annotated[_Own, Tag("task")] | Annotated[Trajectory, Tag("traje
 _VALUE = {"anyOf": [{"type": "number"}, {"type": "string"}], "description": "m, of a force N; a number, or text with a unit"}
 
 
-class Event(Record):
-    """The instant at which a length (of a member, m), a coordinate (``NODE.x``, m) or a mean axial force (of a member, N)
-    arrives at a value.
+def _is_angle(coordinate: Any) -> bool:
+    """Whether an event watches an angle; a text names a coordinate of a node."""
+    return isinstance(coordinate, Record) and turns(coordinate)
 
-    length : of this member, m. coordinate : ``NODE.x``, m. force : mean axial one of this member, N. Give one of them.
+
+class Event(Record):
+    """The instant at which a length (of a member, m), a coordinate or a mean axial force (of a member, N) arrives at a value.
+
+    length : of this member, m. coordinate : ``NODE.x``, m, or any other, given as the drive that would move it: the angle of a
+        hinge (rad, on every turn), a length, an offset. force : mean axial one of this member, N. Give one of them.
     direction : from below (``rising``), from above (``falling``) or ``both``. A quantity that touches its value and turns back
         counts once; one that has this value at the start does not count. stop : end the run there; False only records the
         event.
     """
 
     length: MemberName | None = None
-    coordinate: Name | None = None
+    coordinate: Name | MeasuredCoordinate | None = None
     force: MemberName | None = None
     value: Annotated[float, WithJsonSchema(_VALUE)]
     direction: Literal["rising", "falling", "both"] = "both"
@@ -288,7 +294,8 @@ class Event(Record):
     @field_validator("value", mode="plain")
     @classmethod
     def _in_its_unit(cls, value: Any, info: ValidationInfo) -> float:
-        return parse(value, "force" if info.data.get("force") is not None else "length")
+        angle = _is_angle(info.data.get("coordinate"))
+        return parse(value, "force" if info.data.get("force") is not None else "angle" if angle else "length")
 
     @model_validator(mode="after")
     def _one_quantity(self) -> Event:
@@ -300,5 +307,5 @@ class Event(Record):
 
     @property
     def unit(self) -> str:
-        """SI unit of the quantity, and of `value`: m or N."""
-        return "m" if self.force is None else "N"
+        """SI unit of the quantity, and of `value`: m, rad or N."""
+        return "N" if self.force is not None else "rad" if _is_angle(self.coordinate) else "m"

@@ -1,7 +1,8 @@
-"""Events: a length, a coordinate or a force arrives at a value. All of them in a step, as roots of its own polynomial.
+"""Events: a length, a coordinate, a sum of terms or a force arrives at a value. All of them in a step, as roots of its own
+polynomial.
 
-Coordinates, and squares of lengths, are polynomials in a step. Forces, and what prescribed motions move, are not: they are
-sampled at Chebyshev's places, in halves of halves until the polynomial through the samples has converged. Either polynomial
+Coordinates, and squares of lengths, are polynomials in a step. Forces, sums, and what prescribed motions move, are not: they
+are sampled at Chebyshev's places, in halves of halves until the polynomial through the samples has converged. Either polynomial
 gives all its roots (integrate.roots); a root is then refined on the projected state.
 """
 
@@ -19,6 +20,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
 from kinetruss.kernels.integrate.samples import ask_at, restore_failed
 from kinetruss.kernels.integrate.state import Control, Memory, Work
+from kinetruss.kernels.structure.terms import term_value
 
 __all__ = ["begin_watch", "got_look", "got_root", "next_root", "scan", "wanted"]
 
@@ -33,6 +35,7 @@ CONVERGED = 1e-8
 NARROWEST = 1.0 / 64.0
 """Smallest fraction of a step that is sampled; it is not halved again, as next to a singular position."""
 TURNS = 6
+TURN = 2.0 * math.pi
 # the basis of the interpolant of DOP853 (see _dop853.interpolate) in powers of s
 POWERS = np.zeros((8, 8))
 POWERS[0, 0] = 1.0
@@ -55,6 +58,24 @@ def wanted(control: Control, e: int) -> int:
 
 
 @kernel_bare
+def _sum(control: Control, x: F1, e: int) -> float:
+    """The sum of the terms of quantity e."""
+    total = 0.0
+    for t in range(control.event_ptr[e], control.event_ptr[e + 1]):
+        total += term_value(control.event_form, control.event_term, control.event_data, t, x)
+    return total
+
+
+@kernel_bare
+def _opposite(control: Control, work: Work, e: int) -> bool:
+    """True half a turn from the value, where the sine of `_measure` is 0 too."""
+    period = control.event_period[e]
+    if control.event_kind[e] != m.SUM or period == 0.0:
+        return False
+    return math.cos(TURN * (_sum(control, work.x, e) - control.event_value[e]) / period) < 0.0
+
+
+@kernel_bare
 def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
     """Quantity e less its value, from the reply of the driver, and the size of what it is compared with."""
     restore_failed(control, work)
@@ -66,6 +87,12 @@ def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
         for k in range(N.size):
             scale = max(scale, abs(N[k]))
         return N[a] - value, scale
+    if kind == m.SUM:
+        gap, period = _sum(control, x, e) - value, control.event_period[e]
+        if period > 0.0:
+            # the same on every turn, without a jump half a turn off
+            return period / TURN * math.sin(TURN * gap / period), scale + 1.0
+        return gap, scale + control.size
     scale += control.size
     if kind == m.COORDINATE:
         return x[a] - value, scale
@@ -264,7 +291,7 @@ def next_root(control: Control, memory: Memory, work: Work) -> int:
         return _next_event(control, memory, work)
     row = work.roots[work.turn]
     work.best, work.left, work.left_f, work.look = row[0], row[0], math.inf, 0
-    if row[2] == 0.0:
+    if row[2] == 0.0 and control.event_kind[work.watch] != m.SUM:
         return _keep(control, memory, work)
     return _ask(control, memory, work, row[0], m.GOT_ROOT)
 
@@ -274,13 +301,17 @@ def got_root(control: Control, memory: Memory, work: Work) -> int:
     """What the projected state still lacks at LEFT; Newton's method with the slope of the polynomial, as long as it gains."""
     row = work.roots[work.turn]
     gap, scale = _measure(control, work, work.watch)
+    if _opposite(control, work, work.watch):
+        work.turn += 1
+        work.phase = m.CROSSINGS
+        return 0
     if not abs(gap) < 0.5 * work.left_f:
         return _keep(control, memory, work)
     work.best, work.left_f = work.left, abs(gap)
     slope, e = row[2], work.watch
     if control.event_kind[e] == m.LENGTH and not control.event_sampled[e]:
         slope /= 2.0 * abs(control.event_value[e])
-    new = work.left - gap / slope
+    new = work.left - gap / slope if slope != 0.0 else work.left
     work.look += 1
     if abs(gap) <= 1e-16 * scale or work.look > TURNS or not abs(new - row[0]) <= 1e-3 or not 0.0 <= new <= 1.0:
         return _keep(control, memory, work)

@@ -35,7 +35,7 @@ _KEPT = 2_000_000
 # columns of Samples.diagnostics
 DIAGNOSTICS = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations")
 # kinds of watched quantities
-LENGTH, COORDINATE, FORCE = 0, 1, 2
+LENGTH, COORDINATE, FORCE, SUM = 0, 1, 2, 3
 
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
@@ -134,10 +134,11 @@ class Control(Record):
     flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
     tape_ints, tape_reals : buffers of the tape of all sums, for power series; tape_laws (k, 5) : rest, period, force at rest,
     stiffness and damping of the elements on coordinates among them.
-    Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE; event_A, event_B (e,) flat coordinates, A of a force its row;
-    event_value (e,) m or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run ends there;
-    event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates of both
-    ends, -1 where prescribed.
+    Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE, SUM; event_A, event_B (e,) flat coordinates, A of a force
+    its row; event_value (e,) m, rad or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run
+    ends there; event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates
+    of both ends, -1 where prescribed; of a SUM terms event_ptr[e]:event_ptr[e + 1] in event_form, event_term, event_data (see
+    structure.terms), and event_period (e,) after which it is the same, or 0.
     """
 
     rtol: F0
@@ -178,6 +179,11 @@ class Control(Record):
     event_stops: I1
     event_sampled: I1
     event_at: I2
+    event_ptr: I1
+    event_form: I2
+    event_term: I2
+    event_data: F2
+    event_period: F1
     edge_at: I2
     element_at: I1
     element_ptr: I2
