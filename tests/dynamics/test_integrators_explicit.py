@@ -10,7 +10,7 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
-from kinetruss.dynamics.integrators import integrator_of
+from kinetruss.dynamics.integrators import Watched, integrator_of
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.structure.applied import USER_FORCE
 from kinetruss.library import mechanisms
@@ -145,7 +145,7 @@ def test_time_reversal():
 
 
 def coordinate_event(run_of, node, axis, value, direction=0, stop=False):
-    return (m.COORDINATE, 3 * run_of.node_index(node) + axis, 0, value, direction, stop)
+    return Watched(m.COORDINATE, 3 * run_of.node_index(node) + axis, 0, value, direction, stop)
 
 
 @pytest.mark.slow
@@ -171,7 +171,7 @@ def test_events_are_found_and_stop():
 def test_event_of_a_force():
     """The string of a pendulum let go at 2.5 rad goes slack in the language of bars: its force changes its sign."""
     model = mechanisms.pendulum(angle=2.5)
-    run = march(model, [0, 3.0], DOP853(), events=[(m.FORCE, 0, 0, 0.0, 1, True)])
+    run = march(model, [0, 3.0], DOP853(), events=[Watched(m.FORCE, 0, 0, 0.0, 1, True)])
     assert run.code == m.EVENT and run.N[-1, 0] == pytest.approx(0.0, abs=1e-9)
     # m v^2/l = -m g cos(theta) and v^2 = 2 g l (cos theta - cos 2.5): cos theta = 2/3 cos 2.5
     assert math.cos(angle(run)[-1]) == pytest.approx(2 / 3 * math.cos(2.5), abs=1e-9)

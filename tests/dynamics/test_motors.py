@@ -301,6 +301,16 @@ def test_events_record_and_stop():
     assert_allclose(run.motion.time.values[-1], run.events[-1].time)
 
 
+def test_other_coordinates_are_watched_beside_motors_and_angles_refused():
+    plain, same = (Event(**one, value=1.005) for one in ({"length": "M"}, {"coordinate": kt.LengthDrive("M")}))
+    options = {"samples": 11, "tasks": {"M": StepInput(voltage=12.0)}}
+    one, two = (dynamics.simulate(line(LACY, 50.0), 1.0, events={"far": event}, **options) for event in (plain, same))
+    assert_allclose(one.events[0].time, two.events[0].time, rtol=1e-9)
+    angle = Event(coordinate=kt.AngleDrive("M"), value=0.1)
+    with pytest.raises(InputError, match=r"events\.far: angles are not watched beside motors"):
+        dynamics.simulate(line(LACY, 50.0), 1.0, events={"far": angle}, **options)
+
+
 @pytest.mark.slow
 def test_beyond_the_largest_speed_is_told():
     weak = STEEP.with_(motor=STEEP.motor.with_(max_speed=20.0, max_current=0.5))

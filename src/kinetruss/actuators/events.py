@@ -187,7 +187,7 @@ def crossed(
             known[t] = values(t, dense(t))
         return known[t]
 
-    for i, (_, _, _, wanted, direction, _) in enumerate(events):
+    for i, (_, _, _, wanted, direction, *_) in enumerate(events):
 
         def gap(t: float, i: int = i, wanted: float = wanted) -> float:
             return float(row(t)[i] - wanted)

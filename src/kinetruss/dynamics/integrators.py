@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,9 +32,22 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Terms = list[tuple[int, list[int], list[float]]]
-Watched = tuple[int, int, int, float, int, bool, Terms, float]
-"""A watched quantity: kind (LENGTH, COORDINATE, FORCE, SUM), flat coordinates or constraint a, b, value, direction (1, -1, 0),
-whether it stops the run; the terms of a sum, and after what it is the same."""
+
+
+class Watched(NamedTuple):
+    """A watched quantity: kind (LENGTH, COORDINATE, FORCE, SUM), flat coordinates or constraint a, b, value, direction
+    (1, -1, 0), whether it stops the run; the terms of a sum, and after what it is the same (0: never).
+    """
+
+    kind: int
+    a: int
+    b: int
+    value: float
+    direction: int
+    stops: bool
+    terms: Terms = []
+    period: float = 0.0
+
 
 METHODS: dict[type, int] = {
     DOP853: m.EXPLICIT_RK,
@@ -126,7 +139,7 @@ def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
         sampled[k] = kind in (m.FORCE, m.SUM) or np.isin(flat, eq.held).any()
     columns = zip(*(one[:6] for one in events), strict=True) if events else [()] * 6
     names = ("event_kind", "event_A", "event_B", "event_value", "event_direction", "event_stops")
-    terms = [one[6] for one in events]
+    terms = [one.terms for one in events]
     kinds, places, data = zip(*(term for own in terms for term in own), strict=True) if any(terms) else ((), (), ())
     return {
         **dict(zip(names, columns, strict=True)),
@@ -136,7 +149,7 @@ def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
         "event_form": addresses_of(np.array(kinds, np.int64)),
         "event_term": np.array(places, np.int64).reshape(-1, 4),
         "event_data": np.array(data, float).reshape(-1, 7),
-        "event_period": [one[7] for one in events],
+        "event_period": [one.period for one in events],
     }
 
 
@@ -268,7 +281,7 @@ def watched(system: System, eq: Equations, events: Mapping[str, Any]) -> list[Wa
     InputError : the force of a damped, slack or free bar, or of a free drive: no multiplier of the equations gives it.
     """
     return [
-        (*_quantity(system, eq, name, event), WAYS[event.direction], bool(event.stop), *_terms(system, event))
+        Watched(*_quantity(system, eq, name, event), WAYS[event.direction], bool(event.stop), *_terms(system, event))
         for name, event in events.items()
     ]
 
