@@ -211,10 +211,10 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
         kind = "coupling" if name in model.couplings else model.force_elements.get(name, ("drive",))[0]
         torque = forces.data[f"{kind}_force"].sel({kind: name}).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
-            if (kind := system.term_kind[t]) not in (FIXED_AXIS, AROUND):
+            if (form := system.term_kind[t]) not in (FIXED_AXIS, AROUND):
                 continue
-            for end in (FIRST, LAST) if kind == AROUND else (FIRST,):
-                flats = system.term_at[t, [end, 1, 2] if kind == AROUND else [end, 1]]
+            for end in (FIRST, LAST) if form == AROUND else (FIRST,):
+                flats = system.term_at[t, [end, 1, 2] if form == AROUND else [end, 1]]
                 names = tuple(system.nodes[flat // 3] for flat in flats.tolist())
                 if own.issuperset(names):
                     yield names, torque[:, None, None] * term_weights(system, t, x, end)[0][:, : len(names)]

@@ -160,7 +160,7 @@ def force(s: Scalars, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
 
 
 @kernel
-def energy(s: Scalars, t: float, x: F1) -> float:  # noqa: ARG001
+def energy(s: Scalars, x: F1) -> float:
     """As kernels.structure.element_table.energy."""
     scratch, total = np.empty(SCRATCH), 0.0
     for k in range(s.law.size):
@@ -330,7 +330,7 @@ def _flat_of(s: Scalars, k: int, j: int) -> int:
 
 
 @kernel
-def tangent(s: Scalars, t: float, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:  # noqa: ARG001
+def tangent(s: Scalars, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
     """As kernels.structure.element_table.tangent: (beta dF/dq + gamma dF/dq') g g^T + beta F H, g and H gradient and Hessian
     of q, in the order of `local`.
     """

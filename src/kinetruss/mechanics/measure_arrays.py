@@ -12,6 +12,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.coordinates.forms import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.model import Model, turns
+from kinetruss.model.data import FORCE_ELEMENTS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,7 +55,9 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
     first = len(sums) - len(model.force_elements)
     for m, (name, (kind, one)) in enumerate(model.force_elements.items(), first):
         if found["measure_period"][m] == 0.0 and any(turns(part) for part, _ in one.parts):
-            raise InputError(f"{kind}s: {name}: the factors of its angles are in no ratio of whole numbers. Mend the factors.")
+            raise InputError(
+                f"{FORCE_ELEMENTS[kind]}: {name}: the factors of its angles are in no ratio of whole numbers. Mend the factors."
+            )
     return found | {"force_elements": tuple(model.force_elements), "force_element_measure": np.arange(first, len(sums))}
 
 

@@ -100,7 +100,7 @@ def tangent_fill(
     for i in range(base.size):
         value[i] = base[i]
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
-    element_tangents(eq, 0.0, record.element_at, record.element_ptr, x, v, beta, gamma, value)
+    element_tangents(eq, record.element_at, record.element_ptr, x, v, beta, gamma, value)
     _add_rows(eq.kind, ws.u, ws.target, N, record.row_at, record.gradient_at, beta, value)
     if eq.edge_A.size:
         add_continua(eq, record.edge_at, x, beta, value)

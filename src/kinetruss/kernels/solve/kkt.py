@@ -354,7 +354,7 @@ def kinetic(eq: Equations, ws: Workspace, x: F1, v: F1) -> float:
 def potential(eq: Equations, x: F1) -> float:
     """Energy of weights, of bars with a law, springs, membranes and solids, J; given forces have none."""
     energy = law_energies(eq, x)
-    energy += element_energies(eq, 0.0, x)
+    energy += element_energies(eq, x)
     if eq.edge_A.size:
         energy += continua_energy(eq, x)
     # -f_0 . x of weights and constant forces

@@ -21,9 +21,9 @@ def force(s: Record, t: float, x: F1, v: F1, f: F1) -> None:
 
 
 @Interface
-def energy(s: Record, t: float, x: F1) -> float:
+def energy(s: Record, x: F1) -> float:
     """Energy stored, J."""
-    raise NotImplementedError
+    raise NotImplementedError  # never called: a declaration, of which Interface reads the annotations
 
 
 @Interface
@@ -32,7 +32,7 @@ def balance(s: Record, t: float, x: F1, v: F1, out: F1) -> None:
 
 
 @Interface
-def tangent(s: Record, t: float, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
+def tangent(s: Record, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
     """Add beta K + gamma C to the lower triangle of a matrix in value; K, C : minus the derivatives of the forces by x and v.
 
     at (elements, w w) : places of the entries between the w coordinates of an element.
@@ -56,11 +56,11 @@ def element_forces(s: Structure, t: float, x: F1, v: F1, f: F1) -> None:
 
 
 @kernel_inline
-def element_energies(s: Structure, t: float, x: F1) -> float:
+def element_energies(s: Structure, x: F1) -> float:
     """Energy stored in all elements, J."""
     e, ints, reals, total = s.element, s.element_ints, s.element_reals, 0.0
     for k in range(e.shape[0]):
-        total += _energy(e[k, ENERGY], (ints[e[k, INTS] : e[k, INTS_END]], reals[e[k, REALS] : e[k, REALS_END]], t, x))
+        total += _energy(e[k, ENERGY], (ints[e[k, INTS] : e[k, INTS_END]], reals[e[k, REALS] : e[k, REALS_END]], x))
     return total
 
 
@@ -73,14 +73,14 @@ def element_balances(s: Structure, t: float, x: F1, v: F1, out: F1) -> None:
 
 
 @kernel_bare
-def element_tangents(s: Structure, t: float, places: I1, ptr: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
+def element_tangents(s: Structure, places: I1, ptr: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
     """Add beta K + gamma C of all elements; places : of kind k in places[ptr[k, 0]:], ptr[k, 1:] rows and columns."""
     e, ints, reals = s.element, s.element_ints, s.element_reals
     for k in range(e.shape[0]):
         first, rows, columns = ptr[k, 0], ptr[k, 1], ptr[k, 2]
         at = places[first : first + rows * columns].reshape(rows, columns)
         own = (ints[e[k, INTS] : e[k, INTS_END]], reals[e[k, REALS] : e[k, REALS_END]])
-        _tangent(e[k, TANGENT], (own[0], own[1], t, at, x, v, beta, gamma, value))
+        _tangent(e[k, TANGENT], (own[0], own[1], at, x, v, beta, gamma, value))
 
 
 @kernel_inline
