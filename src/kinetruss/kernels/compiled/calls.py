@@ -20,7 +20,15 @@ from kinetruss.kernels.compiled.jit import HOT, keeper
 from kinetruss.kernels.compiled.record import Record
 from kinetruss.kernels.compiled.words import Array, Kind, intrinsic, kind_of, number_of
 
-__all__ = ["Interface", "caller", "entry_of", "function_of", "words_of"]
+__all__ = ["Interface", "called", "caller", "entry_of", "function_of", "words_of"]
+
+
+def called(context: Any, builder: Any, address: Any, words: list[Any], result: Any) -> Any:
+    """What the function at an address returns for some words, in compiled code."""
+    nothing = result == types.void
+    form = ir.FunctionType(ir.VoidType() if nothing else context.get_value_type(result), [one.type for one in words])
+    found = builder.call(builder.inttoptr(address, form.as_pointer()), words)
+    return context.get_dummy_value() if nothing else found
 
 
 def caller(signature: Any) -> Any:
@@ -37,11 +45,7 @@ def caller(signature: Any) -> Any:
             for k, one in enumerate(made.args[1].types):
                 value = builder.extract_value(args[1], k)
                 words.append(context.make_array(one)(context, builder, value).data if isinstance(one, types.Array) else value)
-            nothing = signature.return_type == types.void
-            returned = ir.VoidType() if nothing else context.get_value_type(signature.return_type)
-            form = ir.FunctionType(returned, [word.type for word in words])
-            found = builder.call(builder.inttoptr(args[0], form.as_pointer()), words)
-            return context.get_dummy_value() if nothing else found
+            return called(context, builder, args[0], words, signature.return_type)
 
         return signature.return_type(types.int64, given), codegen
 
@@ -114,12 +118,7 @@ class Interface:
                     raise TypingError(f"{name} takes {kind}, not {one}.")
 
             def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-                words = words_of(context, builder, kinds, signature.args[1], args[1])
-                nothing = result == types.void
-                returned = ir.VoidType() if nothing else context.get_value_type(result)
-                form = ir.FunctionType(returned, [one.type for one in words])
-                found = builder.call(builder.inttoptr(args[0], form.as_pointer()), words)
-                return context.get_dummy_value() if nothing else found
+                return called(context, builder, args[0], words_of(context, builder, kinds, signature.args[1], args[1]), result)
 
             return result(types.int64, given), codegen
 

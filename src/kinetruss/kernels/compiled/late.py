@@ -24,10 +24,9 @@ from typing import Any, get_type_hints
 import llvmlite.binding
 import numba
 from llvmlite import ir
-from numba import types
 from numba.core.errors import TypingError
 
-from kinetruss.kernels.compiled.calls import entry_of, function_of, words_of
+from kinetruss.kernels.compiled.calls import called, entry_of, function_of, words_of
 from kinetruss.kernels.compiled.jit import DRAFT, HOT, as_called, kernel, kernel_bare
 from kinetruss.kernels.compiled.words import Kind, intrinsic, kind_of, number_of
 
@@ -122,13 +121,8 @@ class _Cell:
 
             def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
                 words = words_of(context, builder, kinds, signature.args[0], args[0])
-                nothing = result == types.void
-                form = ir.FunctionType(
-                    ir.VoidType() if nothing else context.get_value_type(result), [one.type for one in words]
-                )
                 cell = builder.module.globals.get(symbol) or ir.GlobalVariable(builder.module, ir.IntType(64), symbol)
-                found = builder.call(builder.inttoptr(builder.load(cell), form.as_pointer()), words)
-                return context.get_dummy_value() if nothing else found
+                return called(context, builder, builder.load(cell), words, result)
 
             return result(given), codegen
 
