@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.integrators import described
-from kinetruss.elements.kinds import present
+from kinetruss.elements.kinds import present, switches
 from kinetruss.errors import AnalysisError, few
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import NEAR
@@ -161,7 +161,8 @@ def _events(work: Integration, t: float) -> list[str]:
     if work.status is Status.EVENT:
         k = int(came[-1, 0])
         found.append(f"Stopped by {described(names[k], events[names[k]])} at t = {came[-1, 1]:.9g} s.")
-    never = [described(name, events[name]) for k, name in enumerate(names) if k not in came[:, 0]]
+    own = switches(work.problem.system)
+    never = [described(name, events[name]) for k, name in enumerate(names) if k not in came[:, 0] and name not in own]
     if never:
         found.append(f"Did not come up to t = {t:.6g} s: {few(never, SHOWN, '; ')}.")
     return found

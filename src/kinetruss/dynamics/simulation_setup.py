@@ -15,6 +15,7 @@ from kinetruss.dynamics.simulation_problem import Problem
 from kinetruss.dynamics.singular_starts import by_default, refuse_series, singular_note, singular_start
 from kinetruss.dynamics.starting import completed_velocities, given_positions, given_velocities, named_coordinates, start_notes
 from kinetruss.dynamics.user_forces import user_force_of
+from kinetruss.elements.kinds import switches
 from kinetruss.errors import InputError, ModelError, few, shown
 from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
@@ -152,7 +153,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
         ws=ws,
         user=user,
         method=method,
-        events=dict(run.events),
+        events={**run.events, **_switches(system, run, motors)},
         tasks=dict(run.tasks),
         load_case=load_case,
         x0=x,
@@ -170,6 +171,12 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     found = replace(found, singular=singular_start(found))
     said = singular_note(found) if found.singular and found.singular.near else _soft_note(reduced, eq, x)
     return replace(found, notes=(*found.notes, *said))
+
+
+def _switches(system: System, run: Run, motors: Any) -> dict[str, Any]:
+    """Events of elements, besides those of the run; beside motors, no angles."""
+    own = {name: one for name, one in switches(system).items() if name not in run.events}
+    return {name: one for name, one in own.items() if motors is None or one.unit != "rad"}
 
 
 def _checked(model: Model, t_end: float, options: Options) -> Run:

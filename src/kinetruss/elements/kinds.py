@@ -45,6 +45,11 @@ def spans_of(system: System) -> dict[str, slice]:
     return {name: slice(*pair) for name, pair in zip(parts_of(system), pairwise(ends), strict=True)}
 
 
+def switches(system: System) -> dict[str, Any]:
+    """Events by name at which a law changes its form."""
+    return {name: event for part in parts_of(system).values() for name, event in part.switches.items()}
+
+
 class Element(NamedTuple):
     """table : the record of all elements of this kind in a system, or None. coordinates (elements, w) of its record, flat, -1
     for none. kernels : by column of the table of kinds (kernels.structure.element_table), interface and kernel. loses : whether

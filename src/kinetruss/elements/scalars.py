@@ -8,8 +8,9 @@ its address; all the rest is compiled once.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -65,7 +66,8 @@ def terms_of(system: System, measures: NDArray[np.int64]) -> dict[str, Any]:
 
 class Part(NamedTuple):
     """The elements of one kind: names, of those that a person knows; the law; why there is no power series of a law that is
-    not linear, with {!r} for the name; and the other fields of `Scalars`, `kind` of the terms in place of their code.
+    not linear, with {!r} for the name; the other fields of `Scalars`, `kind` of the terms in place of their code; events where
+    the law changes its form, for simulations to tell.
     """
 
     names: tuple[str, ...]
@@ -82,6 +84,7 @@ class Part(NamedTuple):
     numbers: NDArray[Any]
     table_ptr: NDArray[Any]
     table: NDArray[Any]
+    switches: Mapping[str, Any] = MappingProxyType({})
 
 
 @record

@@ -276,7 +276,41 @@ _UNITS = {"length": "m, N and s", "angle": "rad, N m and s"}
 Points = Annotated[tuple[tuple[Number, Number], ...], Field(min_length=2)]
 
 
-class Spring(Record):
+class ForceElement(Record):
+    """What elements with a law on a coordinate have in common.
+
+    coordinate : on which it acts, as a drive that would move it.
+    terms : a sum of coordinates in its place: pairs of coordinate and factor.
+    """
+
+    element: ClassVar[str]
+    plain: ClassVar[tuple[str, ...]]
+    """Fields whose unit is that of a length or an angle, as the coordinate is."""
+    coordinate: Measured | None = None
+    terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)] | None = None
+
+    @property
+    def parts(self) -> tuple[tuple[Any, float], ...]:
+        """Coordinates and their factors."""
+        return self.terms if self.terms is not None else ((self.coordinate, 1.0),)
+
+    def check_coordinate(self) -> None:
+        """There is one coordinate or a sum; units that were written must be those of it: the numbers then are plain ones."""
+        if (self.coordinate is None) == (self.terms is None):
+            raise ValueError(f"a {self.element} acts on one coordinate or on a sum of them. Give coordinate, or terms.")
+        kinds = {"angle" if turns(one) else "length" for one, _ in self.parts}
+        for name in self.plain:
+            value = getattr(self, name)
+            if isinstance(value, Tagged):
+                if value.quantity and self.coordinate is not None and value.quantity not in kinds:
+                    kind = kinds.pop()
+                    raise ValueError(
+                        f"{name} has the unit of {'a length' if kind == 'angle' else 'an angle'}. Use {_UNITS[kind]}."
+                    )
+                self.__dict__[name] = float(value)
+
+
+class Spring(ForceElement):
     """A law on a coordinate: what resists the angle of a hinge, a length, an offset from a line, or a sum of such.
 
     The coordinate c is given as the drive that would move it (`coordinate`), or as a sum of factor times coordinate (`terms`,
@@ -305,8 +339,7 @@ class Spring(Record):
     """
 
     element: ClassVar[str] = "spring"
-    coordinate: Measured | None = None
-    terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)] | None = None
+    plain: ClassVar[tuple[str, ...]] = ("stiffness", "rest", "damping", "friction", "slip", "play", "preload")
     stiffness: SpringStiffness = 0.0
     rest: Coordinate | None = None
     damping: SpringDamping = 0.0
@@ -316,15 +349,8 @@ class Spring(Record):
     preload: SpringForce = 0.0
     table: Points | None = None
 
-    @property
-    def parts(self) -> tuple[tuple[Any, float], ...]:
-        """Coordinates and their factors."""
-        return self.terms if self.terms is not None else ((self.coordinate, 1.0),)
-
     @model_validator(mode="after")
     def _sound(self) -> Spring:
-        if (self.coordinate is None) == (self.terms is None):
-            raise ValueError("a spring acts on one coordinate or on a sum of them. Give coordinate, or terms.")
         if not (self.stiffness or self.damping or self.friction or self.preload or self.table):
             raise ValueError("the spring has no force. Give stiffness, damping, friction, preload or table.")
         if self.table and self.stiffness:
@@ -336,21 +362,8 @@ class Spring(Record):
         for before, after in pairwise(self.table or ()):
             if after[0] <= before[0] or after[1] < before[1]:
                 raise ValueError(f"table: {after} follows {before}. Give ascending deflections, and forces that do not fall.")
-        self._check_units()
+        self.check_coordinate()
         return self
-
-    def _check_units(self) -> None:
-        """Units that were written must be those of the coordinate; the numbers then are plain ones."""
-        kinds = {"angle" if turns(one) else "length" for one, _ in self.parts}
-        for name in ("stiffness", "rest", "damping", "friction", "slip", "play", "preload"):
-            value = getattr(self, name)
-            if isinstance(value, Tagged):
-                if value.quantity and self.coordinate is not None and value.quantity not in kinds:
-                    kind = kinds.pop()
-                    raise ValueError(
-                        f"{name} has the unit of {'a length' if kind == 'angle' else 'an angle'}. Use {_UNITS[kind]}."
-                    )
-                self.__dict__[name] = float(value)
 
     if TYPE_CHECKING:
 
