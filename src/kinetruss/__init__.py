@@ -135,6 +135,7 @@ if TYPE_CHECKING:
         Spring as Spring,
         StepInput as StepInput,
         StepResponse as StepResponse,
+        Stop as Stop,
         TableInput as TableInput,
         Taylor as Taylor,
         TitleBlock as TitleBlock,

@@ -41,6 +41,13 @@ def _spring(coordinate: object, **numbers: float) -> dict[str, object]:
     return {"springs": {"law": kt.Spring(coordinate=coordinate, **numbers)}}
 
 
+def _near(coordinate: object, **numbers: float) -> kt.Stop:
+    """A stop so near on both sides that the places at random are beyond it."""
+    model = PLANE if coordinate is TURN else SPACE
+    value = float(compile(model.with_(**_spring(coordinate, stiffness=1.0))).measure_start[-1])
+    return kt.Stop(coordinate=coordinate, lower=value - 1e-4, upper=value + 1e-4, **numbers)
+
+
 MODELS = {
     "spring": {
         "on a hinge": SPACE.with_(**_spring(HINGE, stiffness=3.0, damping=0.4, preload=0.2, rest=0.9)),
@@ -52,6 +59,11 @@ MODELS = {
         ),
         "on an angle of the plane": PLANE.with_(**_spring(TURN, stiffness=3.0, damping=0.4, rest=0.3)),
         "on an offset": PLANE.with_(**_spring(OffsetCoordinate(point="C", line=("A", "B")), stiffness=9.0, damping=0.2)),
+    },
+    "stop": {
+        "on a hinge": SPACE.with_(stops={"ends": _near(HINGE, stiffness=300.0, damping=0.1, exponent=1.5)}),
+        "on a length": SPACE.with_(stops={"ends": _near(kt.LengthDrive("CE"), stiffness=300.0, damping=0.1)}),
+        "on an angle of the plane": PLANE.with_(stops={"ends": _near(TURN, stiffness=300.0, exponent=2.0)}),
     },
     "friction": {
         "about pins": PLANE.with_(

@@ -12,6 +12,7 @@ from kinetruss.elements import scalars
 from kinetruss.elements.caching import cached
 from kinetruss.elements.pin_friction import pins
 from kinetruss.elements.spring import springs
+from kinetruss.elements.stop import stops
 from kinetruss.kernels.structure.element_table import INTS, INTS_END, REALS, REALS_END
 from kinetruss.model.data import FORCE_ELEMENTS
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from kinetruss.kernels.compiled.record import Record
     from kinetruss.mechanics.system import System
 
-ON_COORDINATES = {"friction": pins, "spring": springs}
+ON_COORDINATES = {"friction": pins, "spring": springs, "stop": stops}
 """Kinds of elements on coordinates (elements.scalars): friction, whose elements have no names, and those of a model."""
 
 

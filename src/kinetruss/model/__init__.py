@@ -125,6 +125,7 @@ if TYPE_CHECKING:
         Rattle as Rattle,
         Taylor as Taylor,
     )
+    from kinetruss.model.stops import Stop as Stop
     from kinetruss.model.table import Filled as Filled, ReadOnly as ReadOnly, Table as Table
     from kinetruss.model.targets import (
         TARGETS as TARGETS,

@@ -22,6 +22,7 @@ from kinetruss.model.record import GravityVector, Name, Number, Record, Velocity
 from kinetruss.model.references import NodeName
 from kinetruss.model.runs import BaseRotation, Condition, Run
 from kinetruss.model.sections import Material, MaterialOrName, Section, SectionOrName
+from kinetruss.model.stops import Stop
 from kinetruss.model.table import Filled, ReadOnly, Table
 from kinetruss.model.trajectories import Trajectory
 
@@ -156,6 +157,8 @@ class ModelData(Record):
     """Linear relations between drives, e.g. of gears."""
     springs: Table[Name, Spring] = ReadOnly()
     """Springs, dampers, friction and play on lengths and angles."""
+    stops: Table[Name, Stop] = ReadOnly()
+    """Stops on lengths, angles and other coordinates: a gap, and contact behind it."""
     poses: Table[Name, Pose] = ReadOnly()
     """Coordinates of a platform or tip by name, for trajectories and tasks."""
     trajectories: Table[Name, Trajectory] = ReadOnly()

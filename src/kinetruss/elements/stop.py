@@ -1,0 +1,78 @@
+"""Stops on coordinates: contact beyond a gap, V = k d^(n + 1)/(n + 1), R = k d^n damping d', never a pull.
+
+K. H. Hunt, F. R. E. Crossley, J. Appl. Mech. 42 (1975) 440-445, eq. 8.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, measures_of, terms_of
+from kinetruss.errors import InputError
+from kinetruss.kernels.compiled.jit import kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2
+from kinetruss.model.simulation import Event
+
+if TYPE_CHECKING:
+    from kinetruss.mechanics.system import System
+
+LOWER, UPPER, STIFFNESS, EXPONENT, DAMPING = range(5)
+"""Numbers of a stop; both ends as distances from the value in the model."""
+
+
+@kernel_bare
+def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, out: F1) -> None:  # noqa: ARG001
+    """As elements.scalars.law."""
+    for k in range(5):
+        out[k] = 0.0
+    side = 1.0 if e > numbers[UPPER] else -1.0
+    d = e - numbers[UPPER] if side > 0.0 else numbers[LOWER] - e
+    if d <= 0.0:
+        return
+    k, n, moving = numbers[STIFFNESS], numbers[EXPONENT], numbers[DAMPING] * side * rate
+    push = k * d**n
+    out[KEPT], out[STORED] = side * push, push * d / (n + 1.0)
+    if moving <= -1.0:
+        # the surfaces part faster than the contact follows
+        out[TAKEN] = -side * push
+        return
+    out[TAKEN] = side * push * moving
+    out[STIFF] = k * n * d ** (n - 1.0) * (1.0 + moving)
+    out[DAMPED] = push * numbers[DAMPING]
+
+
+def stops(system: System) -> Part:
+    """The stops of a model."""
+    records, measures = system.model.stops, measures_of(system, "stop")
+    start, numbers, switches = system.measure_start[measures], np.zeros((len(records), 5)), {}
+    for k, (name, one) in enumerate(records.items()):
+        ends = {"lower": one.lower, "upper": one.upper}
+        for end, sign in (("lower", 1.0), ("upper", -1.0)):
+            if (value := ends[end]) is None:
+                continue
+            if sign * (start[k] - value) < 0.0:
+                raise InputError(
+                    f"stops.{name}.{end}: the coordinate is {start[k]:.6g} in the model, beyond the stop at {value:.6g}. "
+                    "Move the nodes or the stop."
+                )
+            if one.coordinate is not None:
+                switches[f"{name}.{end}"] = Event(coordinate=one.coordinate, value=value, stop=False)
+        low, high = (-math.inf if one.lower is None else one.lower), (math.inf if one.upper is None else one.upper)
+        numbers[k] = low - start[k], high - start[k], one.stiffness, one.exponent, one.damping
+    none = np.zeros(len(records), np.int64)
+    return Part(
+        names=tuple(records),
+        law=law,
+        bent="the stop {!r} is met or left",
+        loses=numbers[:, DAMPING] > 0.0,
+        linear=none,
+        rest=start,
+        numbers=numbers,
+        table_ptr=np.zeros(len(records) + 1, np.int64),
+        table=np.zeros((0, 4)),
+        switches=switches,
+        **terms_of(system, measures),
+    )
