@@ -87,6 +87,7 @@ def kernel(x, v, a, force, gravity, rods, two, xi, orient=-1, third_node=None):
     V, M = np.empty((1, parts, len(xi), across)), np.empty((1, parts, len(xi), across))
     members = Members.of({
         "segments": 2, "p": p, "q": q, "orient": [orient], "two_rods": [two], "acting": np.zeros(2), "spread": np.zeros(0),
+        "along": np.zeros((0, 4)),
         "clamped_ptr": np.zeros(3), "clamped": np.zeros((0, 2)),
         "rods": np.array([rods]), "reference": start_references(stack[0], p, q), "gravity": [*gravity, *[0.0] * (3 - dim)],
     })  # fmt: skip

@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.actions import Action, Bars, CarriedBy, Instants, NotOnBars, bars_of, couple_on_ends, cross
+from kinetruss.dynamics.actions import Action, CarriedBy, Instants, NotOnBars, couple_on_ends, cross
 from kinetruss.kernels.coordinates.forms import AROUND, OFFSET
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.kernels.structure.terms import term_gradients
 from kinetruss.mechanics import cached
+from kinetruss.mechanics.bars import Bars, bars_of
 from kinetruss.model.hub_expansion import Pivot, pivots_of
 
 if TYPE_CHECKING:

@@ -3,14 +3,12 @@
 The equations have forces on nodes only. The couple of a drive, the pin of a coupling in the middle of a bar, a load or a mass
 on it enter them as equivalent forces f_A, f_B at the ends of the bar. Here each is put back at its place on the bar, as the
 force q = f_A + f_B at a place s (a fraction from A) and the couple c = d x (f_B - s q) there, d from A to B; or spread along
-the bar, linear in xi, with the same f_A, f_B. The forces of the joints are reduced by as much: joint forces balance the bar
-together with its actions.
+the bar or a part of it, linear in xi, with the same f_A, f_B. The forces of the joints are reduced by as much: joint forces
+balance the bar together with its actions.
 """
 
 from __future__ import annotations
 
-import math
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -19,12 +17,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.elements.kinds import spans_of
-from kinetruss.mechanics import CABLE, FREE, System, cached
+from kinetruss.elements.loads.load import Spread
+from kinetruss.mechanics import System
 from kinetruss.mechanics.elements import scalar_motions
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from numpy.typing import NDArray
 
     from kinetruss.mechanics.loads import Loads
@@ -83,7 +80,7 @@ class Action:
     source : name of a drive, coupling, load, body, hub or bearing, or of the node of a pin with friction; kind : which of them.
     member : index.
     worth : function for the equivalent end forces f_A, f_B (t, 2, 3), N. place : function for the fraction from A (t,), or a
-        number; None: spread along the bar. counted : the row belongs to the member itself, so that its joint forces include
+        number; or how it is spread. counted : the row belongs to the member itself, so that its joint forces include
         the action.
     torque : gives the couple about z (t,), N m, of an action that is nothing else; else it follows from worth and place.
     """
@@ -92,7 +89,7 @@ class Action:
     kind: str
     member: int
     worth: Callable[[Instants], NDArray[np.float64]]
-    place: float | Callable[[Instants], NDArray[np.float64]] | None
+    place: float | Callable[[Instants], NDArray[np.float64]] | Spread
     counted: bool = False
     torque: Callable[[Instants], NDArray[np.float64]] | None = None
 
@@ -126,13 +123,15 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
     couple = np.zeros((count, len(actions), 3))
     for k, action in enumerate(actions):
         worth[:, k] = action.worth(here)
-        if action.place is None:
+        if isinstance(action.place, Spread):
             place[:, k] = np.nan
         else:
             place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
         if action.torque is not None:
             couple[:, k, 2] = action.torque(here)
-    levers = np.array([k for k, one in enumerate(actions) if one.torque is None and one.place is not None], np.int64)
+    levers = np.array(
+        [k for k, one in enumerate(actions) if one.torque is None and not isinstance(one.place, Spread)], np.int64
+    )
     if len(levers):
         member, ends = np.array([actions[k].member for k in levers]), worth[:, levers]
         d = here.x[:, here.system.q[member]] - here.x[:, here.system.p[member]]
@@ -162,87 +161,3 @@ def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]
     for c, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
         found[..., c] = a[..., i] * b[..., j] - a[..., j] * b[..., i]
     return found
-
-
-# The bar that joins two nodes, and the end at which it is held.
-
-
-class Bars:
-    """Members by the pair of nodes that they join, and the pivot of each.
-
-    Nodes are indices. Free bars and cables carry no transverse force, so they do not count here. Of several bars between two
-    nodes the first counts, a brace of a body last.
-    """
-
-    def __init__(self, system: System) -> None:
-        model = system.model
-        self.system = system
-        self.brace = [name in model.bars and model.bars[name].brace for name in system.members]
-        self.ground = {system.node_index(name) for name, axes in model.fixed.items() if len(axes) == model.dim}
-        self.index = {name: i for i, name in enumerate(system.members)}
-        self._at: list[list[int]] = [[] for _ in system.nodes]
-        for i in range(len(system.members)):
-            for node in self.ends(i):
-                self._at[node].append(i)
-        self._joining: dict[frozenset[int], int] = {}
-        for i in sorted(range(len(system.members)), key=lambda i: self.brace[i]):
-            if system.kind[i] != FREE and system.law[i] != CABLE:
-                self._joining.setdefault(frozenset(self.ends(i)), i)
-        self._distance = self._distances()
-
-    def ends(self, i: int) -> tuple[int, int]:
-        """Nodes A and B of member i."""
-        return int(self.system.p[i]), int(self.system.q[i])
-
-    def between(self, a: int, b: int) -> int:
-        """The member that joins two nodes, -1 if there is none."""
-        return self._joining.get(frozenset((a, b)), -1)
-
-    def pivot(self, i: int) -> int:
-        """The end of member i (0 is A) with fewer members between it and a fixed node; A if both are equal."""
-        a, b = self.ends(i)
-        return int(self._distance[b] < self._distance[a])
-
-    def touching(self, nodes: Iterable[int]) -> tuple[str, ...]:
-        """Members with an end at one of the nodes; if one body has all these nodes, only members between its nodes."""
-        wanted = set(nodes)
-        for body in self.system.model.bodies.values():
-            own = {self.system.node_index(name) for name in body.nodes}
-            if wanted <= own:
-                return self.inside(own)
-        return tuple(self.system.members[i] for i in self._near(wanted) if not self.brace[i])
-
-    def inside(self, nodes: set[int]) -> tuple[str, ...]:
-        """Members with both ends among the nodes, without braces of bodies."""
-        return tuple(self.system.members[i] for i in self._between(nodes) if not self.brace[i])
-
-    def braced(self, nodes: set[int]) -> bool:
-        """True if a brace of a body has both ends among the nodes."""
-        return any(self.brace[i] for i in self._between(nodes))
-
-    def _near(self, nodes: set[int]) -> list[int]:
-        return sorted({i for node in nodes for i in self._at[node]})
-
-    def _between(self, nodes: set[int]) -> list[int]:
-        return [i for i in self._near(nodes) if nodes.issuperset(self.ends(i))]
-
-    def _distances(self) -> list[float]:
-        """Number of members between each node and the nearest fixed one (n,); infinite if there is no path."""
-        found = [math.inf] * len(self._at)
-        for node in self.ground:
-            found[node] = 0.0
-        waiting = deque(self.ground)
-        while waiting:
-            one = waiting.popleft()
-            for i in self._at[one]:
-                for other in self.ends(i):
-                    if found[other] == math.inf:
-                        found[other] = found[one] + 1.0
-                        waiting.append(other)
-        return found
-
-
-@cached()
-def bars_of(system: System) -> Bars:
-    """The bars of a system."""
-    return Bars(system)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.action_couples import actions_of_drives, actions_of_hinges
-from kinetruss.dynamics.actions import Acting, Action, CarriedBy, Instants, NotOnBars, bars_of, evaluate
+from kinetruss.dynamics.actions import Acting, Action, CarriedBy, Instants, NotOnBars, evaluate
 from kinetruss.dynamics.bearing_friction import actions_of_bearings
 from kinetruss.dynamics.hub_arms import (
     actions_of_bodies,
@@ -21,6 +21,7 @@ from kinetruss.dynamics.hub_arms import (
 )
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, cached, compile, ends_of
+from kinetruss.mechanics.bars import bars_of
 from kinetruss.mechanics.elements import named_motions
 from kinetruss.model import NodalForce
 from kinetruss.model.data import FORCE_ELEMENTS

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from kinetruss.dynamics.motion_tables import Table, drive_tables, stack, table_of
+from kinetruss.elements.kinds import load_arrays
+from kinetruss.elements.loads.load import Turning
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
 from kinetruss.kernels.structure.equations import (
@@ -23,7 +25,7 @@ from kinetruss.kinematics.time_tables import check_support
 from kinetruss.mechanics import System
 from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.elements import continua_arrays
-from kinetruss.mechanics.loads import Follower, case_loads, history_of, on_ground, unit_loads_of
+from kinetruss.mechanics.loads import case_loads, history_of, unit_loads_of
 from kinetruss.mechanics.solvers import mark_dropped, solver_arrays, workspace_for
 from kinetruss.mechanics.tables import elements, pair_weights
 from kinetruss.model import (
@@ -35,7 +37,6 @@ from kinetruss.model import (
     Hold,
     LengthDrive,
     LoadCase,
-    NodalForce,
 )
 
 if TYPE_CHECKING:
@@ -206,20 +207,12 @@ def _masses(system: System, load_case: str | None) -> dict[str, Any]:
 def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> dict[str, Any]:
     """Nodal loads and given drive forces as tables in time; a constant force is a table of one entry."""
     found: list[tuple[int, int, int, int, Any, Any]] = []
-    turning: list[tuple[Follower, Any, Any]] = []
+    turning: list[Turning] = []
     model = system.model
     case = LoadCase() if load_case is None else model.load_cases[load_case]
     factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
     for name, share in factors.items():
-        load = model.loads[name]
-        if not isinstance(load, NodalForce):
-            _on_body(system, name, share, found, turning)
-            continue
-        rows = [load.force] if load.forces is None else load.forces
-        for c, column in enumerate(zip(*rows, strict=True)):
-            if share and any(column):
-                flat = 3 * system.node_index(load.node) + c
-                found.append((-1, COORDINATE_FORCE, flat, flat, load.times or (0.0,), share * np.array(column)))
+        _load(system, name, share, found, turning)
     for name, task in tasks.items():
         if isinstance(task, GivenForce):
             times, amounts = ((0.0,), (task.constant,)) if task.times is None else (task.times, task.table)
@@ -236,42 +229,25 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
         "force_ptr": np.cumsum([0, *(len(column) for column in times)]).astype(np.int64),
         "force_time": np.concatenate([*times, np.zeros(0)]).astype(float),
         "force_value": np.concatenate([*values, np.zeros(0)]).astype(float),
-    } | _followers(turning)
+    } | load_arrays(turning)
 
 
-def _on_body(system: System, name: str, share: float, found: list[Any], turning: list[Any]) -> None:
-    """A load on a body: constant forces on coordinates, else followers."""
+def _load(system: System, name: str, share: float, found: list[Any], turning: list[Turning]) -> None:
+    """A load: constant forces on coordinates, else such as depend on positions."""
     load = system.model.loads[name]
-    if on_ground(system, name):
-        return
     times = load.times or (0.0,)
-    for follower, amount in zip(unit_loads_of(system, name), share * history_of(load, np.array(times)).T, strict=True):
+    if not (units := unit_loads_of(system, name)):
+        return
+    for unit, amount in zip(units, share * history_of(load, np.array(times)).T, strict=True):
         if not np.any(amount):
             continue
-        if not follower.constant:
-            turning.append((follower, times, amount))
+        if not unit.constant:
+            turning.append(Turning(unit, times, amount))
             continue
-        for node, force in zip(follower.nodes, follower.forces(np.zeros((len(follower.nodes), 3))), strict=True):
+        for node, force in zip(unit.nodes, unit.forces(np.zeros((len(unit.nodes), 3))), strict=True):
             for c in np.flatnonzero(force):
                 flat = 3 * int(node) + int(c)
                 found.append((-1, COORDINATE_FORCE, flat, flat, times, force[c] * amount))
-
-
-def _followers(turning: list[tuple[Follower, Any, Any]]) -> dict[str, Any]:
-    """Arrays of the loads that turn with what they act on."""
-    followers = [follower for follower, _, _ in turning]
-    return {
-        "follower_mode": np.array([follower.mode for follower in followers], np.int64),
-        "follower_node_ptr": np.cumsum([0, *(len(follower.nodes) for follower in followers)]).astype(np.int64),
-        "follower_node": np.concatenate([*(3 * follower.nodes for follower in followers), np.zeros(0, np.int64)]).astype(
-            np.int64
-        ),
-        "follower_ptr": np.cumsum([0, *(len(times) for _, times, _ in turning)]).astype(np.int64),
-        "follower_time": np.concatenate([*(times for _, times, _ in turning), np.zeros(0)]).astype(float),
-        "follower_value": np.concatenate([*(amount for _, _, amount in turning), np.zeros(0)]).astype(float),
-        "follower_data": np.concatenate([*(follower.data for follower in followers), np.zeros((0, 4))]),
-        "follower_vector": np.concatenate([*(follower.vector[None] for follower in followers), np.zeros((0, 4))]),
-    }
 
 
 def _target(system: System, name: str) -> tuple[int, int, int]:

@@ -9,17 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.dynamics.action_couples import bars_of_hinges, hinge_bodies, hinges_of
-from kinetruss.dynamics.actions import Action, Bars, Instants, NotOnBars, bars_of, couple_on_ends
+from kinetruss.dynamics.actions import Action, Instants, NotOnBars, couple_on_ends
 from kinetruss.dynamics.bearing_friction import friction_on_hub
+from kinetruss.elements.kinds import LOADS
+from kinetruss.elements.loads.body_loads import bar_of, hub_bodies, share
+from kinetruss.elements.loads.load import OnMember, Spread
 from kinetruss.elements.pin_friction import pins_of
 from kinetruss.mechanics import cached, ends_of, turned
-from kinetruss.model import BodyCouple, BodyForce, NodalForce, Pressure, body_mass
-from kinetruss.model.bodies import barycentric, placed
+from kinetruss.mechanics.bars import Bars, bars_of
+from kinetruss.model import BodyCouple, body_mass
 from kinetruss.model.hub_arms import arm_through, arms_of, clamped_at, is_grounded, loops
 
 if TYPE_CHECKING:
@@ -27,11 +30,6 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import System
     from kinetruss.model import Body
-
-
-def hub_bodies(system: System) -> set[str]:
-    """Names of the bodies of hubs."""
-    return {f"{hub}.hub" for hub in system.model.hubs} & set(system.model.bodies)
 
 
 @cached()
@@ -111,9 +109,9 @@ def couples_through_members(system: System, names: Iterable[str]) -> Iterator[Ac
 
 def _bent(i: int, load: str, sign: float, here: Instants) -> NDArray[np.float64]:
     """Two opposite forces (t, 2, 3), N, equivalent to the part of a couple across arm i."""
-    if here.loads is None or load not in here.loads.couples:
+    if here.loads is None or load not in here.loads.amounts:
         return np.zeros((len(here.x), 2, 3))
-    return couple_on_ends(here.system, here.x, i, sign * here.loads.couples[load])
+    return couple_on_ends(here.system, here.x, i, sign * here.loads.amounts[load])
 
 
 def _shared_with_others(system: System, bars: Bars, hub: str, own: set[int]) -> bool:
@@ -200,10 +198,10 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
     braces.
     """
     for name, body in system.model.bodies.items():
-        i = _bar_of(system, bars, body)
+        i = bar_of(system, bars, body)
         if i >= 0:
             if body.mass:
-                place = None if body.center is None else _share(system, bars, i, body, None)
+                place = Spread() if body.center is None else share(system, bars, i, body, None)
                 worth = partial(_inertia, i, *_mass(system, bars, i, body))
                 yield Action(source=name, kind="body", member=i, worth=worth, place=place)
             continue
@@ -214,47 +212,16 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
 
 
 def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
-    """A force or a couple on a bar or on a body of two nodes acts at its place; a pressure on an edge along its bar."""
-    model = system.model
+    """Loads act on members between their ends where their kinds say so."""
     for name in names:
-        load = model.loads[name]
-        if isinstance(load, NodalForce):
-            continue
-        if isinstance(load, Pressure):
-            yield from _pressure(system, bars, name, load)
-            continue
-        body = model.bodies.get(load.body)
-        if body is None and load.body not in bars.index:
-            continue  # on the frame of a node of beams
-        i = bars.index[load.body] if body is None else _bar_of(system, bars, body)
-        if i >= 0:
-            place = _place(system, i, load) if body is None else _share(system, bars, i, body, getattr(load, "at", None))
-            yield Action(source=name, kind="load", member=i, worth=partial(_load, i, name), place=place)
-        elif (
-            load.body not in hub_bodies(system)
-            and body is not None
-            and (inside := bars.inside({system.node_index(node) for node in body.nodes}))
-        ):
-            yield NotOnBars(source=name, kind="load", nodes=tuple(body.nodes), members=inside)
-
-
-def _bar_of(system: System, bars: Bars, body: Body) -> int:
-    """The bar between the nodes of a body of two nodes, -1 if there is none or it is an active member."""
-    if len(body.nodes) != 2 or set(body.carried_by(system.dim)) != set(body.nodes):
-        return -1
-    i = bars.between(*(system.node_index(node) for node in body.nodes))
-    return -1 if i >= 0 and system.two_rods[i] else i
-
-
-def _share(system: System, bars: Bars, i: int, body: Body, at: Any) -> float:
-    """Fraction from end A of bar i of the start position of a point of a body, by default its centre of mass."""
-    points = system.x0[list(bars.ends(i)), : system.dim]
-    if at is None and body.center is None:
-        return 0.5
-    if at is None:
-        origin, axes = placed(body.frame, system.dim)
-        at = origin + axes.T @ np.array(body.center, float)
-    return float(barycentric(points, np.array(at, float))[0][1])
+        load = system.model.loads[name]
+        for one in LOADS[type(load)].places(system, bars, load):
+            if isinstance(one, OnMember):
+                yield Action(
+                    source=name, kind="load", member=one.member, worth=partial(_load, one.member, name), place=one.place
+                )
+            else:
+                yield NotOnBars(source=name, kind="load", nodes=one.nodes, members=one.members)
 
 
 def _mass(system: System, bars: Bars, i: int, body: Body) -> tuple[NDArray[np.float64], float]:
@@ -272,12 +239,6 @@ def _inertia(i: int, m: NDArray[np.float64], skew: float, here: Instants) -> NDA
     return np.asarray(np.einsum("ij,tjc->tic", m, b) + skew * np.stack([turned[:, 1], -turned[:, 0]], axis=1))
 
 
-def _place(system: System, i: int, load: BodyForce | BodyCouple) -> float:
-    """Fraction from end A of a bar of the plane; by default, and for couples, its middle."""
-    at = getattr(load, "at", None)
-    return 0.5 if at is None else float(at[0]) / float(np.linalg.norm(system.x0[system.q[i]] - system.x0[system.p[i]]))
-
-
 def _load(i: int, name: str, here: Instants) -> NDArray[np.float64]:
     """Equivalent forces of a load at the ends of bar i."""
     found = np.zeros((len(here.x), 2, 3))
@@ -286,17 +247,3 @@ def _load(i: int, name: str, here: Instants) -> NDArray[np.float64]:
             if one == name:
                 found[:, int(node == here.system.q[i])] += here.loads.force[:, k]
     return found
-
-
-def _pressure(system: System, bars: Bars, name: str, load: Pressure) -> Found:
-    nodes = [system.node_index(node) for node in load.face]
-    sheets: tuple[Any, ...] = (*system.model.membranes.values(), *system.model.solids.values())
-    if any(set(load.face) <= set(one.nodes) for one in sheets):
-        return  # it acts on the membrane or solid
-    i = bars.between(nodes[0], nodes[1]) if len(nodes) == 2 else -1
-    if i >= 0 and not system.two_rods[i]:
-        yield Action(source=name, kind="load", member=i, worth=partial(_load, i, name), place=None)
-        return
-    beams = tuple(beam for beam, one in system.model.beams.items() if set(one.ends) <= set(load.face))
-    if inside := (*bars.inside(set(nodes)), *beams):
-        yield NotOnBars(source=name, kind="load", nodes=tuple(load.face), members=inside)

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.dynamics.actions import Action, CarriedBy
 from kinetruss.dynamics.bar_actions import acting_along
+from kinetruss.elements.loads.load import Spread
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.own_motion import check_motion
@@ -123,7 +124,7 @@ class Instant:
         made = []
         for k, action in enumerate(found.actions):
             worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
-            place = 0.5 if action.place is None else acting.place[0, k]
+            place = 0.5 if isinstance(action.place, Spread) else acting.place[0, k]
             lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
             made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
         return tuple(made)

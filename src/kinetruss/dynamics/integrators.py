@@ -349,7 +349,7 @@ def _named(coordinate: Any) -> list[str]:
 
 def jumps(eq: Equations, all_pieces: bool = False) -> list[float]:
     """Times (s) at which the slope of a load, or the value, rate or acceleration of a drive or support, may jump."""
-    found = {float(t) for t in (*eq.force_time, *eq.follower_time)}
+    found = {float(t) for t in (*eq.force_time, *eq.load_time)}
     for d in range(len(eq.motion_kind)):
         if eq.motion_kind[d] != POLYNOMIAL:
             continue

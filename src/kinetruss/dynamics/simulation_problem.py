@@ -75,7 +75,7 @@ class Problem:
     @property
     def isolated(self) -> bool:
         """True if nothing supplies energy: no moving drive or support, no given force, no user force."""
-        in_time = len(self.eq.force_kind) or len(self.eq.follower_mode) or len(self.eq.motion_kind)
+        in_time = len(self.eq.force_kind) or len(self.eq.load) or len(self.eq.motion_kind)
         return not (self.user.given or in_time)
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -10,11 +10,14 @@ import numpy as np
 
 from kinetruss.elements import scalars
 from kinetruss.elements.caching import cached
+from kinetruss.elements.loads import body_loads, nodal, pressures
+from kinetruss.elements.loads.load import Load, Turning
 from kinetruss.elements.pin_friction import pins
 from kinetruss.elements.spring import springs
 from kinetruss.elements.stop import stops
-from kinetruss.kernels.structure.element_table import INTS, INTS_END, REALS, REALS_END
+from kinetruss.kernels.structure.element_table import FORCE, INTS, INTS_END, REALS, REALS_END, force
 from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.loads import BodyCouple, BodyForce, NodalForce, Pressure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -75,6 +78,15 @@ ELEMENTS = (Element(on_coordinates, scalars.coordinates, scalars.KERNELS, lambda
 """All kinds, in the order of their sums."""
 
 
+LOADS: dict[type, Load] = {
+    NodalForce: nodal.FORCES,
+    BodyForce: body_loads.FORCES,
+    BodyCouple: body_loads.COUPLES,
+    Pressure: pressures.PRESSURES,
+}
+"""Kinds of loads by their records."""
+
+
 def present(system: System) -> list[tuple[Element, Record]]:
     """The kinds that a system has, with their records."""
     found = ((one, one.table(system)) for one in ELEMENTS)
@@ -84,12 +96,27 @@ def present(system: System) -> list[tuple[Element, Record]]:
 @cached()
 def element_arrays(system: System) -> dict[str, NDArray[Any]]:
     """The fields of `Structure` for elements."""
+    return _table("element", [(one.kernels, record) for one, record in present(system)])
+
+
+def load_arrays(loads: Sequence[Turning]) -> dict[str, NDArray[Any]]:
+    """The fields of `Equations` for loads that depend on positions."""
+    kinds: dict[Any, list[Turning]] = {}
+    for one in loads:
+        kinds.setdefault(type(one.load), []).append(one)
+    times = np.unique([t for one in loads for t in one.times])
+    rows = [({FORCE: (force, kind.kernel)}, kind.table(own)) for kind, own in kinds.items()]
+    return _table("load", rows) | {"load_time": times.astype(float)}
+
+
+def _table(name: str, kinds: Sequence[tuple[Mapping[int, tuple[Any, Any]], Record]]) -> dict[str, NDArray[Any]]:
+    """A table of kinds (kernels.structure.element_table) from their kernels by column, and records."""
     rows: list[NDArray[np.int64]] = []
     ints: list[NDArray[Any]] = [np.zeros(0, np.int64)]
     reals: list[NDArray[Any]] = [np.zeros(0)]
-    for one, record in present(system):
+    for kernels, record in kinds:
         row = np.zeros(REALS_END + 1, np.int64)
-        for column, (interface, kernel) in one.kernels.items():
+        for column, (interface, kernel) in kernels.items():
             row[column] = interface.address(kernel)
         for buffers, own, begin, end in ((ints, record.ints, INTS, INTS_END), (reals, record.reals, REALS, REALS_END)):
             row[begin] = sum(map(len, buffers))
@@ -97,7 +124,7 @@ def element_arrays(system: System) -> dict[str, NDArray[Any]]:
             buffers.append(own)
         rows.append(row)
     return {
-        "element": np.array(rows, np.int64).reshape(-1, REALS_END + 1),
-        "element_ints": np.concatenate(ints),
-        "element_reals": np.concatenate(reals),
+        name: np.array(rows, np.int64).reshape(-1, REALS_END + 1),
+        f"{name}_ints": np.concatenate(ints),
+        f"{name}_reals": np.concatenate(reals),
     }

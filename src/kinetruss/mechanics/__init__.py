@@ -6,6 +6,7 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.elements.caching import cached as cached
+    from kinetruss.elements.loads.follower import turned as turned
     from kinetruss.kernels.structure.structure import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
     from kinetruss.mechanics.arrangement import (
         Arrangement as Arrangement,
@@ -48,7 +49,6 @@ if TYPE_CHECKING:
         row_directions as row_directions,
         row_ends as row_ends,
         row_scales as row_scales,
-        turned as turned,
     )
     from kinetruss.mechanics.system import ByIdentity as ByIdentity, System as System, compile as compile
 

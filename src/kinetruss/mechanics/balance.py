@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from kinetruss.elements.loads.follower import turned
 from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics.arrangement import rearrange
 from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.elements import continua_energy, named_laws, named_motions, resting_forces, scalar_forces
-from kinetruss.mechanics.loads import Follower, Loads, case_loads
+from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.measures import measure_gradients, measure_hessian, measured
 from kinetruss.mechanics.row_gradients import (
@@ -22,7 +23,6 @@ from kinetruss.mechanics.row_gradients import (
     constraint_jacobian,
     ends_of,
     row_scales,
-    turned,
 )
 from kinetruss.mechanics.rows import factors_of
 from kinetruss.mechanics.system import System
@@ -30,6 +30,8 @@ from kinetruss.model import Free, GivenForce, Hold, Model, task_faults
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.elements.loads.load import UnitLoad
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,7 +52,7 @@ class Balance:
     push: NDArray[np.float64]
     torque: NDArray[np.float64]
     turn: NDArray[np.float64]
-    followers: tuple[tuple[Follower, float], ...] = ()
+    followers: tuple[tuple[UnitLoad, float], ...] = ()
 
     def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Tensions (m,), N, by constitutive laws and given drive forces at positions x (n, 3)."""

@@ -12,6 +12,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.elements.caching import cached
+from kinetruss.elements.loads.follower import turned
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.measures import measure_curvature, measure_flats, measure_gradients
 
@@ -28,11 +29,6 @@ RANK_TOLERANCE = 1e-9
 
 Three = tuple["NDArray[Any]", "NDArray[Any]", "NDArray[Any]"]
 """A quantity with its first and second rate."""
-
-
-def turned(u: NDArray[Any]) -> NDArray[Any]:
-    """Vectors (..., 3) turned by 90 degrees in the plane, counter-clockwise; complex ones allowed."""
-    return np.stack([-u[..., 1], u[..., 0], np.zeros_like(u[..., 0])], axis=-1)
 
 
 def ends_of(

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array
 from scipy.sparse.linalg import splu
 
+from kinetruss.elements.loads.follower import turned
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.measures import measure_turning
 from kinetruss.mechanics.row_gradients import (
@@ -20,7 +21,6 @@ from kinetruss.mechanics.row_gradients import (
     direction_rates,
     row_ends,
     row_scales,
-    turned,
 )
 
 if TYPE_CHECKING:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
 
@@ -23,6 +24,10 @@ from kinetruss.model.record import (
 from kinetruss.model.references import LoadName, NodeName
 from kinetruss.model.table import Table
 from kinetruss.units import parse
+
+if TYPE_CHECKING:
+    from kinetruss.errors import Fault
+    from kinetruss.model.data import ModelData
 
 Shape = Literal["spline", "monotone"]
 """The interpolation of a table."""
@@ -47,7 +52,13 @@ def check_table(times: tuple[float, ...], values: tuple[object, ...], what: str)
 class InTime(Record):
     """A value, or a table of values in time."""
 
-    def _one_form(self, one: str, many: str) -> None:
+    amount: ClassVar[str] = "force"
+    amounts: ClassVar[str] = "forces"
+    """Fields of the value, and of the table."""
+
+    @model_validator(mode="after")
+    def _one_form(self) -> Self:
+        one, many = self.amount, self.amounts
         value, table, times = getattr(self, one), getattr(self, many), getattr(self, "times", None)
         if (value is None) == (table is None):
             has = f"neither a {one} nor a table of {many}" if value is None else f"both a {one} and a table of {many}"
@@ -58,6 +69,13 @@ class InTime(Record):
             if len(times) < 2:
                 raise ValueError(f"has a table of {len(times)} times. Give at least two, or one constant {one}.")
             check_times(times)
+        return self
+
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002
+        """What does not fit the model: by default vectors that have not its dimension."""
+        from kinetruss.model import load_checks
+
+        return load_checks.vectors(self, dim, path)
 
 
 class NodalForce(InTime):
@@ -76,11 +94,6 @@ class NodalForce(InTime):
     force: ForceVector | None = None
     times: Annotated[tuple[Time, ...], Series] | None = None
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
-
-    @model_validator(mode="after")
-    def _sound(self) -> NodalForce:
-        self._one_form("force", "forces")
-        return self
 
 
 class LoadCase(Record):
@@ -158,10 +171,10 @@ class BodyForce(InTime):
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
     follows: Flag = False
 
-    @model_validator(mode="after")
-    def _form(self) -> BodyForce:
-        self._one_form("force", "forces")
-        return self
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: D102
+        from kinetruss.model import load_checks
+
+        return load_checks.on_body(model, self, dim, path)
 
 
 class BodyCouple(InTime):
@@ -177,6 +190,7 @@ class BodyCouple(InTime):
     Nodal forces f_i = a x (r_i - mean r) with (sum |d|^2 1 - d d^T) a = M: the smallest forces equivalent to the couple.
     """
 
+    amount, amounts = "moment", "moments"
     body: Name
     moment: _Moment | None = None
     times: _Times = None
@@ -185,13 +199,17 @@ class BodyCouple(InTime):
     member: Name | None = None
 
     @model_validator(mode="after")
-    def _form(self) -> BodyCouple:
-        self._one_form("moment", "moments")
+    def _enters(self) -> BodyCouple:
         if self.member is not None and self.follows:
             raise ValueError(
                 "enters through a member and follows its body. Leave out follows: give moments in time, global axes."
             )
         return self
+
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: D102
+        from kinetruss.model import load_checks
+
+        return load_checks.on_body(model, self, dim, path)
 
 
 class Pressure(InTime):
@@ -206,16 +224,17 @@ class Pressure(InTime):
     depth : of the structure across the plane, m.
     """
 
+    amount, amounts = "pressure", "pressures"
     face: Annotated[tuple[NodeName, ...], Field(min_length=2, max_length=3), Series]
     pressure: _Stress | None = None
     times: _Times = None
     pressures: Annotated[tuple[_Stress, ...], Series] | None = None
     depth: PositiveLength = 1.0
 
-    @model_validator(mode="after")
-    def _form(self) -> Pressure:
-        self._one_form("pressure", "pressures")
-        return self
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002, D102
+        from kinetruss.model import load_checks
+
+        return load_checks.face(self, dim, path)
 
 
 def _kind(value: Any) -> str:

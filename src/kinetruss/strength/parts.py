@@ -11,9 +11,10 @@ import numpy as np
 from kinetruss.dynamics.action_couples import couples_at_hinges
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.bearing_friction import friction_on_arms
+from kinetruss.elements.loads.load import Spread
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.peaks import GENERAL, RECTANGLE, ROUND, UNKNOWN
-from kinetruss.kernels.sections.records import Histories, Members, Polynomials
+from kinetruss.kernels.sections.records import COUPLE, FORCE, POINT, Histories, Members, Polynomials
 from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, section_polynomials
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import CABLE, System, cached, compile, ends_of
@@ -204,7 +205,7 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
     arrays, twisted = forces.arrays, set[str]()
     if couples := _couples(model):
         case = forces.load_case if forces.load_case in model.load_cases else None
-        given = case_loads(compile(model), arrays["time"].values, case, rotating=True).couples
+        given = case_loads(compile(model), arrays["time"].values, case, rotating=True).amounts
         by_end: dict[tuple[str, int], str] = {}
         for name, load in couples.items():
             arm = arm_through(model, load.body, str(load.member))
@@ -293,29 +294,34 @@ def histories(model: Model, forces: Forces) -> Given:
         joint_force = joint_force.copy()
         joint_force[:, system.is_body] = np.nan  # the distribution of its mass is unknown, so it has no sections
     on, worth, place = _actions(system, forces)
-    spread = np.any(np.isnan(place), axis=0)
+    actions = actions_of(system, forces.load_case).actions if on else ()
+    places = tuple(one.place if isinstance(one.place, Spread) else None for one in actions)
     return Given(
-        members=_members(system, tuple(forces.attrs["gravity"]), on, tuple(spread.tolist())),
+        members=_members(system, tuple(forces.attrs["gravity"]), on, places),
         histories=Histories(position, velocity, acceleration, joint_force, worth, place),
     )
 
 
 @cached()
-def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], spread: tuple[bool, ...]) -> Members:
+def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], places: tuple[Spread | None, ...]) -> Members:
     """The members of a model, under actions on these members; not to be written to."""
     index = {name: k for k, name in enumerate(system.members)}
     acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
     orient, reference = orientation(system)
     clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * len(index) + 1))
+    spread = np.array([POINT if one is None else FORCE if one.couple is None else COUPLE for one in places], np.int64)
+    along = np.array([(0.0,) * 4 if one is None else (one.begin, one.end, *(one.couple or (0.0, 0.0))) for one in places])
+    along = along.reshape(-1, 4)
     return Members.of(
         {
-            "segments": most_segments(acting, np.array(spread, np.bool_), clamped_ptr),
+            "segments": most_segments(acting, spread, along, clamped_ptr),
             "p": system.p,
             "q": system.q,
             "orient": orient,
             "two_rods": system.two_rods,
             "acting": acting,
             "spread": spread,
+            "along": along,
             "clamped_ptr": clamped_ptr,
             "clamped": system.clamped[:, 1:],
             "rods": system.own_rods,

@@ -9,6 +9,9 @@ from kinetruss.kernels.compiled.record import F1, F2, I0, I1, Floats, Record, re
 from kinetruss.kernels.structure.mass import direction, turning
 from kinetruss.kernels.structure.structure import States
 
+POINT, FORCE, COUPLE = 0, 1, 2
+"""An action at a point, and those spread along a part of a bar."""
+
 
 @record
 class Members(Record):
@@ -19,7 +22,8 @@ class Members(Record):
     length m, rotary inertia kg m^2 of a bar or base, then of a tube. acting (m + 1,) : actions acting[k]:acting[k + 1] are on
     member k. clamped_ptr (2 m + 1,) : masses clamped[clamped_ptr[j]:clamped_ptr[j + 1]] are on the base of member k, j = 2 k,
     or on its tube, j = 2 k + 1; clamped (c, 2) : fraction from the end towards A, ascending, and kg, besides those in rods.
-    spread (actions,) : 1 of those along the whole bar. gravity (3,) m/s^2.
+    spread (actions,) : POINT, FORCE or COUPLE; along (actions, 4) : of one that is spread the fractions from A where it begins
+    and ends, and of a couple its amount a length there over the mean. gravity (3,) m/s^2.
     """
 
     segments: I0
@@ -30,6 +34,7 @@ class Members(Record):
     acting: I1
     spread: I1
     clamped_ptr: I1
+    along: F2
     clamped: F2
     rods: F2
     reference: F2
@@ -40,8 +45,8 @@ class Histories(NamedTuple):
     """What members go through: how their nodes move, what their joints do, what acts on them between their ends.
 
     position, velocity, acceleration (t, n, dim) m, m/s, m/s^2. joint_force (t, m, 2, dim) : on the member at its ends A, B, N.
-    worth (t, actions, 2, dim) : forces at A and B that an action is worth, N. place (t, actions) : its fraction from A; on an
-    active member an end.
+    worth (t, actions, 2, dim) : forces at A and B that an action is worth, N. place (t, actions) : its fraction from A, of one
+    at a point; on an active member an end.
     """
 
     position: Floats

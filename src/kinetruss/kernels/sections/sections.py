@@ -17,7 +17,8 @@ What else acts on a bar between its ends is given by the forces f_A, f_B at the 
 
     S falls by q = f_A + f_B,  M by c = d x (f_B - s q),  d from A to B
 
-or spread along the bar as q(xi) = q0 + q1 xi with q0 = 4 f_A - 2 f_B, q1 = 6 (f_B - f_A). Places part a bar into segments.
+or spread from xi = b to xi = b + w, eta = (xi - b)/w: a force q(eta) = q0 + q1 eta with q0 = 4 q - 6 r and q1 = 12 r - 6 q,
+r = (f_B - b q)/w; a couple c (a0 + (a1 - a0) eta), a0 + a1 = 2, with f_B = -f_A. Where actions begin or end, segments do.
 Source: free bodies of Lacy (1991, chapters 2 and 4), with the acceleration of the moving rods written out.
 """
 
@@ -29,7 +30,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import Floats, Ints
-from kinetruss.kernels.sections.records import Histories, Members, Polynomials
+from kinetruss.kernels.sections.records import FORCE, POINT, Histories, Members, Polynomials
 
 __all__ = [
     "COEFFICIENTS",
@@ -177,15 +178,53 @@ def _end_couple(members: Members, histories: Histories, i: int, k: int, end: flo
 
 
 @kernel_inline
+def _place(members: Members, histories: Histories, i: int, e: int) -> float:
+    """Where action e // 2 begins (e even) or ends, as a fraction from A; a point has no end."""
+    if members.spread[e // 2] == POINT:
+        return histories.place[i, e // 2] if e % 2 == 0 else WHOLE
+    return members.along[e // 2, e % 2]
+
+
+@kernel_inline
 def _next(members: Members, histories: Histories, i: int, k: int, before: float, last: int) -> int:
-    """The action on member k at a point that comes next behind the place `before` of action `last`; -1 behind all."""
-    acting, spread, place, found = members.acting, members.spread, histories.place, -1
+    """The beginning or end of an action on member k that comes next behind the place `before` of `last`; -1 behind all."""
+    found, nearest = -1, WHOLE
     # the nearest of those behind; equal places in the order of the actions
-    for n in range(acting[k], acting[k + 1]):
-        later = place[i, n] > before or (place[i, n] == before and n > last)
-        if later and spread[n] == 0 and (found < 0 or place[i, n] < place[i, found]):
-            found = n
+    for e in range(2 * members.acting[k], 2 * members.acting[k + 1]):
+        s = _place(members, histories, i, e)
+        if (s > before or (s == before and e > last)) and s < nearest:
+            found, nearest = e, s
     return found
+
+
+@kernel_inline
+def _integral(begin: float, width: float, q0: float, q1: float) -> Any:
+    """int q0 + q1 eta from eta = 0, as coefficients of 1, xi, xi^2, eta = (xi - begin)/width."""
+    d2 = 0.5 * q1 / (width * width)
+    d1 = q0 / width - 2.0 * begin * d2
+    return begin * (begin * d2 - q0 / width), d1, d2
+
+
+@kernel_inline
+def _falls(histories: Histories, i: int, n: int, along: Floats, frame: Frame) -> Any:
+    """Coefficients of the integral of a force that is spread, and the whole of it, in member axes."""
+    at_a, at_b = _seen(_at(histories.worth[i], n, 0), frame), _seen(_at(histories.worth[i], n, 1), frame)
+    b, width = along[n, 0], along[n, 1] - along[n, 0]
+    q = (at_a[0] + at_b[0], at_a[1] + at_b[1], at_a[2] + at_b[2])
+    r = _times(1.0 / width, _less(at_b, _times(b, q)))
+    q0, q1 = _less(_times(4.0, q), _times(6.0, r)), _less(_times(12.0, r), _times(6.0, q))
+    x0, x1, x2 = _integral(b, width, q0[0], q1[0])
+    y0, y1, y2 = _integral(b, width, q0[1], q1[1])
+    z0, z1, z2 = _integral(b, width, q0[2], q1[2])
+    return (x0, y0, z0), (x1, y1, z1), (x2, y2, z2), q
+
+
+@kernel_inline
+def _turn(out: Polynomials, at: Any, linear: Any, square: Any) -> None:
+    """Add what couples along a segment take, by powers of xi, to its M2 and M3."""
+    row = out.coef[at[0], at[1], at[2]]
+    row[10], row[11] = row[10] + linear[0], row[11] + square[0]
+    row[14], row[15] = row[14] + linear[1], row[15] + square[1]
 
 
 @kernel_inline
@@ -193,28 +232,45 @@ def _bar(members: Members, histories: Histories, k: int, out: Polynomials, at: A
     """All segments of bar k: a new one begins wherever something acts between its ends. force : without that; w : u''."""
     row, part, i = at
     c0, c1, c2 = force
-    L, turn, acting, spread = frame.length, _times(members.rods[k, 2], w), members.acting, members.spread
-    # spread loads: the part of S(xi) that is linear and quadratic in xi
-    for n in range(acting[k], acting[k + 1]):
-        if spread[n] != 0:
-            worth = histories.worth[i]
-            at_a, at_b = _seen(_at(worth, n, 0), frame), _seen(_at(worth, n, 1), frame)
-            c1 = _less(c1, _less(_times(4.0, at_a), _times(2.0, at_b)))
-            c2 = _less(c2, _times(3.0, _less(at_b, at_a)))
-    j, k2, k3 = 0, 0.0, 0.0
-    n = _next(members, histories, i, k, -1.0, -1)
-    # a point load jumps T and V, its couple jumps M: a new segment begins there
-    while n >= 0 and histories.place[i, n] < 1.0:
-        s = histories.place[i, n]
+    L, turn, along = frame.length, _times(members.rods[k, 2], w), members.along
+    j, k2, k3, l2, l3, n2, n3 = 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    e = _next(members, histories, i, k, -1.0, -1)
+    # a new segment behind each place where S or M get another form
+    while e >= 0:
+        n, s = e // 2, _place(members, histories, i, e)
+        if s >= 1.0:
+            break
         if s > 0.0 and (j == 0 or s > out.ends[row, part, j - 1]):
             _write(out, (row, part, j), (c0, c1, c2), L, turn, (k2, k3), False)
+            _turn(out, (row, part, j), (l2, l3), (n2, n3))
             out.ends[row, part, j] = s
             j += 1
-        q, m2, m3 = _acting(histories, i, n, frame)
-        c0 = _less(c0, q)
-        k2, k3 = k2 + L * q[2] * s - m2, k3 - L * q[1] * s - m3
-        n = _next(members, histories, i, k, s, n)
+        begins = 1.0 if e % 2 == 0 else -1.0
+        if members.spread[n] == POINT:
+            # T and V fall by the force, M by the couple
+            q, m2, m3 = _acting(histories, i, n, frame)
+            c0 = _less(c0, q)
+            k2, k3 = k2 + L * q[2] * s - m2, k3 - L * q[1] * s - m3
+        elif members.spread[n] == FORCE:
+            # S falls by the integral of q, at the end by the whole in its place; M goes on without a jump
+            d0, d1, d2, q = _falls(histories, i, n, along, frame)
+            whole = _times(0.5 - 0.5 * begins, q)
+            d0 = _less(_times(begins, d0), _times(-1.0, whole))
+            d1, d2 = _times(begins, d1), _times(begins, d2)
+            c0, c1, c2 = _less(c0, d0), _less(c1, d1), _less(c2, d2)
+            k2 += L * s * (d0[2] + s * (0.5 * d1[2] + s * d2[2] * (1 / 3)))
+            k3 -= L * s * (d0[1] + s * (0.5 * d1[1] + s * d2[1] * (1 / 3)))
+        else:
+            # M falls by the integral of c, at the end by the whole in its place
+            at_b = _seen(_at(histories.worth[i], n, 1), frame)
+            m2, m3 = -L * at_b[2], L * at_b[1]
+            b, a0 = along[n, 0], along[n, 2]
+            g0, g1, g2 = _integral(b, along[n, 1] - b, a0, along[n, 3] - a0)
+            g0, g1, g2 = begins * g0 + 0.5 - 0.5 * begins, begins * g1, begins * g2
+            k2, k3, l2, l3, n2, n3 = k2 - g0 * m2, k3 - g0 * m3, l2 - g1 * m2, l3 - g1 * m3, n2 - g2 * m2, n3 - g2 * m3
+        e = _next(members, histories, i, k, s, e)
     _write(out, (row, part, j), (c0, c1, c2), L, turn, (k2, k3), False)
+    _turn(out, (row, part, j), (l2, l3), (n2, n3))
     out.ends[row, part, j], out.nut[row, part] = WHOLE, WHOLE
 
 
@@ -380,10 +436,11 @@ def _evaluate(given: Polynomials, xi: Floats, T: Floats, V: Floats, M: Floats, i
             j += 1
 
 
-def most_segments(acting: Ints, spread: Ints, clamped_ptr: Ints) -> int:
+def most_segments(acting: Ints, spread: Ints, along: Floats, clamped_ptr: Ints) -> int:
     """How many segments a part has at most; 2 at least, and one more a mass, for the rods of an active member."""
-    points = np.append(0, np.cumsum(np.logical_not(spread)))
-    return 1 + max(int(np.diff(points[acting]).max(initial=1)), 1 + int(np.diff(clamped_ptr).max(initial=0)))
+    inside = (along[:, 0] > 0.0).astype(np.int64) + (along[:, 1] < 1.0)
+    places = np.append(0, np.cumsum(np.where(spread == POINT, 1, inside)))
+    return 1 + max(int(np.diff(places[acting]).max(initial=1)), 1 + int(np.diff(clamped_ptr).max(initial=0)))
 
 
 @kernel_bare

@@ -48,11 +48,16 @@ _force, _energy, _balance, _tangent, _swap = (one.call for one in (force, energy
 
 
 @kernel_inline
-def element_forces(s: Structure, t: float, x: F1, v: F1, f: F1) -> None:
-    """Add the nodal forces of all elements to f."""
-    e, ints, reals = s.element, s.element_ints, s.element_reals
+def forces_of(e: I2, ints: I1, reals: F1, t: float, x: F1, v: F1, f: F1) -> None:
+    """Add the nodal forces of all kinds of a table to f."""
     for k in range(e.shape[0]):
         _force(e[k, FORCE], (ints[e[k, INTS] : e[k, INTS_END]], reals[e[k, REALS] : e[k, REALS_END]], t, x, v, f))
+
+
+@kernel_inline
+def element_forces(s: Structure, t: float, x: F1, v: F1, f: F1) -> None:
+    """Add the nodal forces of all elements to f."""
+    forces_of(s.element, s.element_ints, s.element_reals, t, x, v, f)
 
 
 @kernel_inline

@@ -35,8 +35,8 @@ class Equations(Structure):
     term_data (t, 7) as in structure.terms, behind them those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
     Given forces: force_kind, force_A, force_B (g,) coordinates (of a SUM_FORCE first and last term), force_ptr (g + 1,),
     force_time, force_value; force_drive (g,) or -1.
-    Loads on bodies: follower_mode (p,), follower_node of p at node_ptr[p]:node_ptr[p + 1], flat, with follower_data (nodes, 4),
-    follower_vector (p, 4) (mechanics.loads); amounts in time as those of given forces.
+    Loads that depend on positions: load, load_ints, load_reals, a table of kinds as `element`, with forces alone
+    (elements.loads); load_time, at which their amounts bend, s.
     Membranes, solids and beams: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
     tetrahedron_*, six_*, eight_* : edges of each element and what they resist with (kernels.structure.continua); damp_* :
     beams with damping, in the plane six, in space eight.
@@ -102,14 +102,10 @@ class Equations(Structure):
     sparse_base: F1
     augmentation: F1
     sparse_bar_block: I2
-    follower_mode: I1
-    follower_node_ptr: I1
-    follower_node: I1
-    follower_ptr: I1
-    follower_time: F1
-    follower_value: F1
-    follower_data: F2
-    follower_vector: F2
+    load: I2
+    load_ints: I1
+    load_reals: F1
+    load_time: F1
     edge_A: I1
     edge_B: I1
     edge_rest: F1

@@ -1,0 +1,100 @@
+"""What a kind of load consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from kinetruss.kernels.compiled.record import Record
+    from kinetruss.mechanics.bars import Bars
+    from kinetruss.mechanics.system import System
+
+STEP = 1e-30
+
+
+class Spread(NamedTuple):
+    """From `begin` to `end` of a member, as fractions from A: a force that changes linearly, so that it has the given forces at
+    the ends of the member; or a couple whose amount a length has the ratio of `couple` at both.
+    """
+
+    begin: float = 0.0
+    end: float = 1.0
+    couple: tuple[float, float] | None = None
+
+
+class OnMember(NamedTuple):
+    """Where a load acts on a member, an index: at a fraction from end A, or spread."""
+
+    member: int
+    place: float | Spread
+
+
+class OnOthers(NamedTuple):
+    """Nodes on which a load acts that no one bar joins, and the members there whose bending is not known; names."""
+
+    nodes: tuple[str, ...]
+    members: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class UnitLoad:
+    """The forces on `nodes` (k,) of one component of a load, of the amount 1.
+
+    Of those that depend on positions: kernel, with the interface kernels.structure.element_table.force, on the record that
+    `table` makes of all of its class.
+    """
+
+    kernel: ClassVar[Any]
+    nodes: NDArray[np.int64]
+
+    @classmethod
+    def table(cls, loads: Sequence[Turning]) -> Record:
+        """The record of these loads."""
+        raise NotImplementedError
+
+    @property
+    def constant(self) -> bool:
+        """True if the nodal forces do not depend on positions."""
+        raise NotImplementedError
+
+    def forces(self, r: NDArray[Any]) -> NDArray[Any]:
+        """Nodal forces (..., k, 3), N, with the nodes at r (..., k, 3), which may be complex."""
+        raise NotImplementedError
+
+    def tangent(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Derivatives (3 k, 3 k) of the nodal forces with the nodes at r (k, 3), by complex steps (Squire & Trapp, 1998).
+
+        Loads that turn have no potential: it is not symmetric.
+        """
+        size = r.size
+        stepped = np.broadcast_to(r, (size, *r.shape)) + 1j * STEP * np.eye(size).reshape(size, *r.shape)
+        return np.asarray(self.forces(stepped).imag.reshape(size, size).T / STEP)
+
+
+class Turning(NamedTuple):
+    """A unit load that depends on positions, and its amounts at times, s: linear in between, constant outside."""
+
+    load: UnitLoad
+    times: Sequence[float]
+    amounts: NDArray[np.float64]
+
+
+class Load(NamedTuple):
+    """A kind of load. units : the unit load of each component of the history of a record. places : where it acts on members."""
+
+    units: Callable[[System, Any], tuple[UnitLoad, ...]]
+    places: Callable[[System, Bars, Any], Iterator[OnMember | OnOthers]]
+
+
+def tables_of(loads: Sequence[Turning]) -> dict[str, Any]:
+    """Amounts of loads one behind the other: table_ptr (k + 1,), time and value."""
+    return {
+        "table_ptr": np.cumsum([0, *(len(one.times) for one in loads)]),
+        "time": np.concatenate([np.asarray(one.times, float) for one in loads]),
+        "value": np.concatenate([one.amounts for one in loads]),
+    }
