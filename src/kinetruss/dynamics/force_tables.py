@@ -19,6 +19,7 @@ from kinetruss.dynamics.bar_actions import (
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
 from kinetruss.elements.kinds import on_coordinates, present
+from kinetruss.elements.local_axes import local_axes
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.records import Actives, interface
 from kinetruss.kernels.structure.lengths import end_tensions
@@ -29,7 +30,6 @@ from kinetruss.mechanics import System, cached
 from kinetruss.mechanics.beam_elements import MODES
 from kinetruss.mechanics.elements import beam_losses, named_motions, refuse_turns, strain_balance
 from kinetruss.mechanics.loads import Loads
-from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.tables import elements, nodal_loads, structure_of

@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.dynamics.actions import Action, CarriedBy
 from kinetruss.dynamics.bar_actions import acting_along
 from kinetruss.elements.loads.load import Spread
+from kinetruss.elements.local_axes import local_axes
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.own_motion import check_motion
@@ -18,7 +19,6 @@ from kinetruss.mechanics import System, compile, direction_rates, measure_gradie
 from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.elements import resting_forces
 from kinetruss.mechanics.loads import Loads, case_loads
-from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
 from kinetruss.model import Model

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from kinetruss.elements.local_axes import local_axes
 from kinetruss.kinematics.jacobians import sensitivities, state_of
 from kinetruss.mechanics import System, compile, direction_rates, turned
 from kinetruss.mechanics.coordinates import coordinate_values, coordinates
-from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable

@@ -36,6 +36,7 @@ from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.elements.loads.load import OnBeam
     from kinetruss.model import Material
 
 
@@ -79,6 +80,13 @@ class BeamElements:
             turned = (1 - xi)[None, :, None] * self.axes[:, None, c] + xi[None, :, None] * self.ends[:, None, c]
             found += np.einsum("g,k,kgv,kgw->kvw", weight, inertia * self.length, turned, turned)
         return np.asarray(found)
+
+    def shares(self, load: OnBeam) -> NDArray[np.float64]:
+        """What each node of the beam takes of a load along it (v,), m: l int q(xi) fields(xi) dxi."""
+        xi, weight = _gauss()
+        place, q = load.begin + (load.end - load.begin) * xi, load.first + (load.last - load.first) * xi
+        own = self.fields(place)[load.beam]
+        return np.asarray(self.length[load.beam] * (load.end - load.begin) * (weight * q) @ own)
 
     def fields(self, xi: NDArray[np.float64]) -> NDArray[np.float64]:
         """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of its length."""

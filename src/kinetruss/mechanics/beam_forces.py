@@ -12,8 +12,11 @@ from kinetruss.mechanics.beam_elements import MODES, BeamElements, hermite, herm
 from kinetruss.model.bracing import CHORD
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
+    from kinetruss.elements.loads.load import OnBeam
     from kinetruss.mechanics.system import System
 
 
@@ -97,11 +100,13 @@ def section_forces(
     linear: bool = False,
     given: Floats = None,
     v: Floats = None,
+    loads: Sequence[tuple[OnBeam, Floats]] = (),
 ) -> dict[str, NDArray[np.float64]]:
     """Section forces at the shares xi (s,) of beams, along x (times, n, 3); load (times, n, 3) m/s^2 is g - x''.
 
     given : (times, k, modes) forces of the modes of beams that keep their shape, N m, NaN of the others. v : velocities
-    (times, n, 3), m/s, of which beams with damping have further forces.
+    (times, n, 3), m/s, of which beams with damping have further forces. loads : those along beams with their history
+    (times, 3), N/m.
 
     force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
     (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
@@ -114,13 +119,14 @@ def section_forces(
     read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
     q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
     place = x0[None] if linear else x
-    ends = _by_nodes(found, stress, place, load, frame)
+    ends = _by_nodes(found, stress, place, load, frame, loads)
     force_p, moment_p = ends[0][:, :, 0], ends[1][:, :, 0]
     # the chord of a bent beam is shorter than the beam
     at = place[:, found.nodes]
     chord = np.linalg.norm(at[:, :, at.shape[2] // 2] - at[:, :, 0], axis=-1)[:, :, None, None]
     every = np.append(xi, 1.0)[:, None]
     once, twice = _integrals(q, every[:, 0])
+    _add_loads(loads, every[:, 0], frame, once, twice)
     once, twice = once * l[:, :, None], twice * l[:, :, None] * chord
     force = -force_p[:, :, None] - once
     turn_p, turn_q = _turning(found, load, frame)
@@ -167,9 +173,11 @@ def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: F
     return np.stack(list(stress.values()), axis=-1), turned
 
 
-def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats) -> tuple[Floats, Floats]:
+def _by_nodes(
+    found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats, loads: Sequence[tuple[OnBeam, Floats]]
+) -> tuple[Floats, Floats]:
     """Forces and moments of both ends on beams, (times, k, 2, 3), in their axes `frame`: forces sum S B of the stresses (times,
-    k, modes) at positions x, less what mass times load, m/s^2, puts on the same nodes.
+    k, modes) at positions x, less what mass times load, m/s^2, and loads along beams put on the same nodes.
     """
     v = found.nodes.shape[1]
     i, j = np.triu_indices(v, 1)
@@ -177,6 +185,9 @@ def _by_nodes(found: BeamElements, stress: Floats, x: Floats, load: Floats, fram
     pair = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
     nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
     nodal += np.einsum("tkwc,wv->tkvc", pair, np.eye(v)[j] - np.eye(v)[i])
+    for one, history in loads:
+        push = np.einsum("tac,ta->tc", frame[:, one.beam], history) if one.turns else history
+        nodal[:, one.beam] -= found.shares(one)[:, None] * push[:, None]
     forces, moments = [], []
     for first in (0, v // 2):
         own = slice(first, first + v // 2)
@@ -230,6 +241,19 @@ def _integrals(q: Floats, xi: Floats) -> tuple[Floats, Floats]:
     once = np.einsum("sm,tkma->tksa", power / (m + 1), q)
     twice = np.einsum("sm,tkma->tksa", power * xi[:, None] / ((m + 1) * (m + 2)), q)
     return once, twice
+
+
+def _add_loads(loads: Sequence[tuple[OnBeam, Floats]], xi: Floats, frame: Floats, once: Floats, twice: Floats) -> None:
+    """Add int q and int (xi - t) q of loads along beams from 0 to the shares xi, in the axes of the beams."""
+    for one, history in loads:
+        q = history if one.turns else np.einsum("tac,tc->ta", frame[:, one.beam], history)
+        width, rise = one.end - one.begin, one.last - one.first
+        eta = np.clip((xi - one.begin) / width, 0.0, 1.0)
+        # behind the end the whole acts at its centre
+        single = width * eta * (one.first + rise * eta / 2)
+        double = width**2 * eta**2 * (one.first / 2 + rise * eta / 6) + np.maximum(xi - one.end, 0.0) * single
+        once[:, one.beam] += single[:, None] * q[:, None]
+        twice[:, one.beam] += double[:, None] * q[:, None]
 
 
 def _frames(found: BeamElements, x: Floats) -> Floats:

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import Table, instant, number, quantity
+from kinetruss.elements.local_axes import local_axes
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.local_axes import local_axes
 from kinetruss.model import inner_parts
 from kinetruss.report.page import Page
 from kinetruss.report.run_data import pose_at

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import xarray as xr
 
+from kinetruss.elements.kinds import LOADS
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import section_forces
@@ -19,6 +20,7 @@ from kinetruss.strength.section_forces import fractions_of
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from kinetruss.elements.loads.load import OnBeam
     from kinetruss.mechanics import BeamElements
 
 
@@ -74,7 +76,8 @@ def beams(
     load = _gravity(system, result, case, load_case is None) - _history(system, result, data, x, "acceleration")
     given = result.arrays["mode_force"].values if isinstance(result, Forces) and "mode_force" in result.arrays else None
     v = _history(system, result, data, x, "velocity") if elements.damping.any() else None
-    found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given, v=v)
+    loads = _along(system, case, len(x), data)
+    found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given, v=v, loads=loads)
     values = _sections(found, dim) | _stresses(model, elements, found) | _ends(found, dim)
     return _dataset(values if timed else {name: array[0] for name, array in values.items()}, timed, data, elements, xi, dim)
 
@@ -120,6 +123,22 @@ def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArra
             found = np.zeros_like(found)
             found[..., : system.dim] = listed
     return found
+
+
+def _along(system: System, case: str | None, count: int, data: xr.Dataset | None) -> list[tuple[OnBeam, NDArray[np.float64]]]:
+    """Loads along beams of a case, with their history (times, 3)."""
+    model = system.model
+    chosen = model.load_cases[case].loads if case is not None else None
+    found = [
+        (name, one)
+        for name in (model.loads if chosen is None else chosen)
+        for one in LOADS[type(model.loads[name])].on_beams(system, model.loads[name])
+    ]
+    if not found:
+        return []
+    t = np.zeros(count) if data is None or "time" not in data.coords else data["time"].values
+    amounts = case_loads(system, t, case, rotating=True).amounts
+    return [(one, np.pad(amounts[name], ((0, 0), (0, 3 - system.dim)))) for name, one in found]
 
 
 def _history(system: System, result: Any, data: xr.Dataset | None, x: NDArray[np.float64], name: str) -> NDArray[np.float64]:

@@ -12,6 +12,7 @@ from kinetruss.dynamics.action_couples import couples_at_hinges
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.bearing_friction import friction_on_arms
 from kinetruss.elements.loads.load import Spread
+from kinetruss.elements.local_axes import orientation
 from kinetruss.errors import InputError
 from kinetruss.kernels.sections.peaks import GENERAL, RECTANGLE, ROUND, UNKNOWN
 from kinetruss.kernels.sections.records import COUPLE, FORCE, POINT, Histories, Members, Polynomials
@@ -19,7 +20,6 @@ from kinetruss.kernels.sections.sections import COEFFICIENTS, most_segments, sec
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import CABLE, System, cached, compile, ends_of
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.mechanics.local_axes import orientation
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Active, Bar, BodyCouple, Model
 from kinetruss.model.hub_arms import arm_through

@@ -84,11 +84,27 @@ class Turning(NamedTuple):
     amounts: NDArray[np.float64]
 
 
+class OnBeam(NamedTuple):
+    """A load along elastic beam `beam`, an index, from `begin` to `end` as fractions from A: linear from first to last times
+    the history of the load, N/m, in global axes, or where it `turns` in those of the deformed beam.
+    """
+
+    beam: int
+    begin: float
+    end: float
+    first: float
+    last: float
+    turns: bool
+
+
 class Load(NamedTuple):
-    """A kind of load. units : the unit load of each component of the history of a record. places : where it acts on members."""
+    """A kind of load. units : the unit load of each component of the history of a record. places : where it acts on members.
+    on_beams : where it acts along elastic beams.
+    """
 
     units: Callable[[System, Any], tuple[UnitLoad, ...]]
     places: Callable[[System, Bars, Any], Iterator[OnMember | OnOthers]]
+    on_beams: Callable[[System, Any], Iterator[OnBeam]] = lambda system, load: iter(())  # noqa: ARG005
 
 
 def tables_of(loads: Sequence[Turning]) -> dict[str, Any]:
