@@ -105,6 +105,8 @@ if TYPE_CHECKING:
         LoadCase as LoadCase,
         Material as Material,
         Measured as Measured,
+        MemberCouple as MemberCouple,
+        MemberLoad as MemberLoad,
         Membrane as Membrane,
         Mission as Mission,
         Model as Model,

@@ -10,14 +10,14 @@ import numpy as np
 
 from kinetruss.elements import scalars
 from kinetruss.elements.caching import cached
-from kinetruss.elements.loads import body_loads, nodal, pressures
+from kinetruss.elements.loads import along, body_loads, nodal, pressures
 from kinetruss.elements.loads.load import Load, Turning
 from kinetruss.elements.pin_friction import pins
 from kinetruss.elements.spring import springs
 from kinetruss.elements.stop import stops
 from kinetruss.kernels.structure.element_table import FORCE, INTS, INTS_END, REALS, REALS_END, force
 from kinetruss.model.data import FORCE_ELEMENTS
-from kinetruss.model.loads import BodyCouple, BodyForce, NodalForce, Pressure
+from kinetruss.model.loads import BodyCouple, BodyForce, MemberCouple, MemberLoad, NodalForce, Pressure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -83,6 +83,8 @@ LOADS: dict[type, Load] = {
     BodyForce: body_loads.FORCES,
     BodyCouple: body_loads.COUPLES,
     Pressure: pressures.PRESSURES,
+    MemberLoad: along.LOADS,
+    MemberCouple: along.COUPLES,
 }
 """Kinds of loads by their records."""
 

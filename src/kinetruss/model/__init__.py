@@ -52,6 +52,8 @@ if TYPE_CHECKING:
         BodyForce as BodyForce,
         History as History,
         LoadCase as LoadCase,
+        MemberCouple as MemberCouple,
+        MemberLoad as MemberLoad,
         NodalForce as NodalForce,
         Pressure as Pressure,
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
 
 from kinetruss.model.record import (
+    Distance,
     Flag,
     ForceVector,
     GravityVector,
@@ -21,7 +23,7 @@ from kinetruss.model.record import (
     Series,
     Time,
 )
-from kinetruss.model.references import LoadName, NodeName
+from kinetruss.model.references import LoadName, NodeName, Ref
 from kinetruss.model.table import Table
 from kinetruss.units import parse
 
@@ -59,7 +61,7 @@ class InTime(Record):
     @model_validator(mode="after")
     def _one_form(self) -> Self:
         one, many = self.amount, self.amounts
-        value, table, times = getattr(self, one), getattr(self, many), getattr(self, "times", None)
+        value, table, times = (getattr(self, name, None) for name in (one, many, "times"))
         if (value is None) == (table is None):
             has = f"neither a {one} nor a table of {many}" if value is None else f"both a {one} and a table of {many}"
             raise ValueError(f"has {has}. Give one: {one}, or times and {many}.")
@@ -129,6 +131,7 @@ class History(Record):
 
 _Times = Annotated[tuple[Time, ...], Series] | None
 _Stress = Annotated[float, Of("stress")]
+LineLoad = Annotated[tuple[Annotated[float, Of("force per length")], ...], Field(min_length=2, max_length=3), Series]
 
 
 def _moment(value: Any) -> Any:
@@ -237,11 +240,100 @@ class Pressure(InTime):
         return load_checks.face(self, dim, path)
 
 
+BEYOND = 1e-9
+
+
+class AlongMember(InTime):
+    """What loads along members have in common."""
+
+    member: Annotated[Name, Ref("bar or beam", "bars", "beams")]
+    times: _Times = None
+    shape: Annotated[tuple[Number, Number], Series] = (1.0, 1.0)
+    start: Distance | None = None
+    end: PositiveLength | None = None
+
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+        """What does not fit the model: the member, or a place beyond its ends."""
+        from kinetruss.errors import Fault
+
+        if self.amount == "force":
+            yield from super().faults(model, dim, path)
+        one = model.bars.get(self.member) or model.beams.get(self.member)
+        if one is None or not all(node in model.nodes for node in one.ends):
+            return
+        about = (("bars", self.member), ("beams", self.member))
+        couple, beam = isinstance(self, MemberCouple), self.member in model.beams
+        if couple and (beam or dim == 3):
+            message = f"is a couple along {'a beam' if beam else 'a bar in space'}."
+            yield Fault((*path, "member"), message, "Name a bar of a planar model, or give couples on bodies.", about=about)
+        elif one.kind not in (("elastic",) if beam else ("rigid", "driven", "elastic")):
+            message = f"acts along the {one.kind} {'beam' if beam else 'bar'} {self.member!r}."
+            mend = "Name an elastic beam." if beam else "Name a rigid, driven or elastic bar: others carry nothing across them."
+            yield Fault((*path, "member"), message, mend, about=about)
+        length = math.dist(*(model.nodes[node].at for node in one.ends))
+        start, end = self.start or 0.0, length if self.end is None else self.end
+        if max(start, end) > (1.0 + BEYOND) * length:
+            message = f"is {max(start, end):.6g} m along {self.member!r}, which is {length:.6g} m long."
+            key = "end" if end > length else "start"
+            yield Fault((*path, key), message, "Stay between its ends: places count from the first.", about=about)
+        elif start >= end:
+            message = f"is {start:.6g} m, not before the end at {end:.6g} m."
+            yield Fault((*path, "start"), message, "Give start a smaller value than end.", about=about)
+
+
+class MemberLoad(AlongMember):
+    """A force along a member, N/m: uniform or trapezoidal, on all of it or on a part.
+
+    force : constant force a length, N/m. Lengths are those of the model: the whole does not change when the member does.
+    times, forces : a table in place of `force`, s and N/m.
+    member : name of a bar that is rigid, driven or elastic, or of an elastic beam.
+    shape : factors of the force where it begins and where it ends, linear in between; (0, 1) is a triangle.
+    start, end : where it begins and ends, m from the first end of the member; by default at the ends.
+    axes : ``global``: it keeps its direction; ``member``: its components are along the axes of the member, with which it turns
+        (1 from the first end to the second; the others as in `strength.sections`).
+
+    >>> import kinetruss as kt
+    >>> kt.MemberLoad(member="arm", force=(0, "-2 kN/m"), shape=(0, 1)).force
+    (0.0, -2000.0)
+    """
+
+    force: LineLoad | None = None
+    forces: Annotated[tuple[LineLoad, ...], Series] | None = None
+    axes: Literal["global", "member"] = "global"
+
+
+class MemberCouple(AlongMember):
+    """A couple along a bar of a planar model, N m/m, counter-clockwise: uniform or trapezoidal, on all of it or on a part.
+
+    moment : constant couple a length, N m/m.
+    times, moments : a table in place of `moment`, s and N m/m.
+    member : name of a bar that is rigid, driven or elastic.
+    shape : factors of the couple where it begins and where it ends, linear in between; their sum is not 0.
+    start, end : where it begins and ends, m from the first end of the member; by default at the ends.
+
+    >>> import kinetruss as kt
+    >>> kt.MemberCouple(member="crank", moment="30 N m/m", start=0.1).moment
+    30.0
+    """
+
+    amount, amounts = "moment", "moments"
+    moment: Annotated[float, Of("moment per length")] | None = None
+    moments: Annotated[tuple[Annotated[float, Of("moment per length")], ...], Series] | None = None
+
+    @model_validator(mode="after")
+    def _whole(self) -> MemberCouple:
+        if not sum(self.shape):
+            raise ValueError(f"has the shape {self.shape}, whose sum is 0. Give two couples, each on its part of the member.")
+        return self
+
+
 def _kind(value: Any) -> str:
     """The type of a load given as a table of fields."""
     if isinstance(value, Record):
         return type(value).__name__
     fields = set(value) if isinstance(value, dict) else set()
+    if "member" in fields and "body" not in fields:
+        return "MemberCouple" if fields & {"moment", "moments"} else "MemberLoad"
     if fields & {"moment", "moments"}:
         return "BodyCouple"
     if fields & {"face", "pressure", "pressures"}:
@@ -253,6 +345,8 @@ Load = Annotated[
     Annotated[NodalForce, Tag("NodalForce")]
     | Annotated[BodyForce, Tag("BodyForce")]
     | Annotated[BodyCouple, Tag("BodyCouple")]
-    | Annotated[Pressure, Tag("Pressure")],
+    | Annotated[Pressure, Tag("Pressure")]
+    | Annotated[MemberLoad, Tag("MemberLoad")]
+    | Annotated[MemberCouple, Tag("MemberCouple")],
     Discriminator(_kind),
 ]

@@ -1,0 +1,211 @@
+"""Loads along members: forces along bars and elastic beams, couples along bars of a plane.
+
+A force of q N/m from xi = b to xi = e of a member of length L does the work int q . dr L dxi on r = sum_j H_j(xi) r_j: along a
+bar H = 1 - xi, xi, along an elastic beam Hermite's polynomials of the nodes at its ends (mechanics.beam_elements). So node j
+takes w_j q, w_j = L int (a + (c - a)(xi - b)/(e - b)) H_j dxi with the shape a, c. In the axes of the member q turns with
+
+    1 = d/|d|,    plane: 2 = J 1;    space: 2 = (h - (h . 1) 1)/|...|, 3 = 1 x 2
+
+d from end A to B, h the direction that spans the plane 1-2 with it. It has no potential then.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinetruss.elements.loads.follower import FLAT_COUPLE, FORCE, Follower, turned
+from kinetruss.elements.loads.load import Load, OnBeam, OnMember, OnOthers, Spread, Turning, UnitLoad, tables_of
+from kinetruss.elements.local_axes import orientation
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
+from kinetruss.kernels.structure.tables import entry_at
+
+if TYPE_CHECKING:
+    from kinetruss.mechanics.bars import Bars
+    from kinetruss.mechanics.system import System
+    from kinetruss.model.loads import MemberCouple, MemberLoad
+
+
+@record
+class Turned(Record):
+    """axis (k,) 0, 1, 2 along which load k acts; planar (k,). node[ptr[k]:ptr[k + 1]] flat coordinates of its nodes, with data
+    (nodes, 3): w, and the factors of d and h; reference (k, 3) the constant part of h. value at time, s, from table_ptr[k] on.
+    """
+
+    axis: I1
+    planar: I1
+    ptr: I1
+    node: I1
+    table_ptr: I1
+    time: F1
+    value: F1
+    data: F2
+    reference: F2
+
+
+@kernel_bare
+def _sum(s: Turned, k: int, column: int, x: F1) -> Vector:
+    """Sum of a factor times the places of the nodes of load k."""
+    a, b, c = 0.0, 0.0, 0.0
+    for i in range(s.ptr[k], s.ptr[k + 1]):
+        at, factor = s.node[i], s.data[i, column]
+        a, b, c = a + factor * x[at], b + factor * x[at + 1], c + factor * x[at + 2]
+    return a, b, c
+
+
+@kernel_bare
+def _axis(s: Turned, k: int, x: F1) -> Vector:
+    """The axis of the member along which load k acts."""
+    ux, uy, uz = _sum(s, k, 1, x)
+    size = 1.0 / math.sqrt(ux * ux + uy * uy + uz * uz)
+    ux, uy, uz = ux * size, uy * size, uz * size
+    if s.axis[k] == 0:
+        return ux, uy, uz
+    if s.planar[k] != 0:
+        return -uy, ux, 0.0
+    hx, hy, hz = _sum(s, k, 2, x)
+    hx, hy, hz = hx + s.reference[k, 0], hy + s.reference[k, 1], hz + s.reference[k, 2]
+    along = hx * ux + hy * uy + hz * uz
+    hx, hy, hz = hx - along * ux, hy - along * uy, hz - along * uz
+    size = 1.0 / math.sqrt(hx * hx + hy * hy + hz * hz)
+    hx, hy, hz = hx * size, hy * size, hz * size
+    if s.axis[k] == 1:
+        return hx, hy, hz
+    return uy * hz - uz * hy, uz * hx - ux * hz, ux * hy - uy * hx
+
+
+@kernel
+def force(s: Turned, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.force."""
+    # w_j q, q along an axis of the member
+    for k in range(s.axis.size):
+        amount = entry_at(s.time, s.value, s.table_ptr[k], s.table_ptr[k + 1], t)
+        qx, qy, qz = _axis(s, k, x)
+        for i in range(s.ptr[k], s.ptr[k + 1]):
+            at, share = s.node[i], amount * s.data[i, 0]
+            f[at] += share * qx
+            f[at + 1] += share * qy
+            f[at + 2] += share * qz
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TurnedLoad(UnitLoad):
+    """A load of 1 N/m along an axis of the member; nodes (k,), and the fields of `Turned`."""
+
+    kernel: ClassVar[Any] = force
+    axis: int
+    planar: bool
+    data: NDArray[np.float64]
+    reference: NDArray[np.float64]
+
+    @property
+    def constant(self) -> bool:
+        """As UnitLoad.constant."""
+        return False
+
+    def forces(self, r: NDArray[Any]) -> NDArray[Any]:
+        """As UnitLoad.forces."""
+        share, along, across = self.data.T
+        d = np.einsum("j,...jc->...c", along, r)
+        one = d / np.sqrt(np.sum(d * d, axis=-1, keepdims=True))
+        axis = one
+        if self.axis and self.planar:
+            axis = turned(one)
+        elif self.axis:
+            h = self.reference + np.einsum("j,...jc->...c", across, r)
+            h = h - one * np.sum(h * one, axis=-1, keepdims=True)
+            axis = h / np.sqrt(np.sum(h * h, axis=-1, keepdims=True))
+            axis = axis if self.axis == 1 else np.cross(one, axis)
+        return np.asarray(share[:, None] * axis[..., None, :])
+
+    @classmethod
+    def table(cls, loads: Sequence[Turning]) -> Turned:
+        """As UnitLoad.table."""
+        own: list[Any] = [one.load for one in loads]
+        return Turned.of(
+            tables_of(loads)
+            | {
+                "axis": np.array([one.axis for one in own]),
+                "planar": np.array([one.planar for one in own], np.int64),
+                "ptr": np.cumsum([0, *(len(one.nodes) for one in own)]),
+                "node": np.concatenate([3 * one.nodes for one in own]),
+                "data": np.concatenate([one.data for one in own]),
+                "reference": np.stack([one.reference for one in own]),
+            }
+        )
+
+
+def _length(system: System, load: MemberLoad | MemberCouple) -> float:
+    """Length of the member in the model, m."""
+    model = system.model
+    ends = (model.beams if load.member in model.beams else model.bars)[load.member].ends
+    return math.dist(*(model.nodes[node].at for node in ends))
+
+
+def _span(system: System, load: MemberLoad | MemberCouple) -> tuple[float, float]:
+    """Where a load begins and ends, as fractions from end A."""
+    length = _length(system, load)
+    return (load.start or 0.0) / length, 1.0 if load.end is None else load.end / length
+
+
+def _on_beams(system: System, load: MemberLoad) -> Iterator[OnBeam]:
+    beams = None if system.continua is None else system.continua.beams
+    if beams is not None and load.member in beams.names:
+        yield OnBeam(beams.names.index(load.member), *_span(system, load), *load.shape, load.axes == "member")
+
+
+def _along_bar(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    """Nodes (k,) with data (k, 3), and reference (3,), of a load along a bar."""
+    i = system.members.index(load.member)
+    (begin, end), (first, last) = _span(system, load), load.shape
+    # three points are exact: w_j = L int q H_j dxi
+    at, weight = np.polynomial.legendre.leggauss(3)
+    eta = 0.5 * (1.0 + at)
+    q, xi = 0.5 * weight * (end - begin) * _length(system, load) * (first + (last - first) * eta), begin + (end - begin) * eta
+    node, reference = orientation(system)
+    nodes = [system.p[i], system.q[i], *([] if node[i] < 0 else [node[i]])]
+    data = np.array([[q @ (1.0 - xi), -1.0, -1.0], [q @ xi, 1.0, 0.0], [0.0, 0.0, 1.0]])[: len(nodes)]
+    if node[i] < 0:
+        data[:, 2] = 0.0
+    return np.array(nodes, np.int64), data, reference[i]
+
+
+def _loads(system: System, load: MemberLoad) -> tuple[UnitLoad, ...]:
+    (nodes, data, reference), axes = (_along_beam if [*_on_beams(system, load)] else _along_bar)(system, load), np.eye(3)
+    if load.axes == "member":
+        planar = system.dim == 2
+        return tuple(TurnedLoad(nodes=nodes, data=data, reference=reference, planar=planar, axis=c) for c in range(system.dim))
+    taken = data[:, 0] != 0.0
+    nodes, shared = nodes[taken], np.pad(data[taken, :1], ((0, 0), (2, 1)))
+    return tuple(Follower(mode=FORCE, nodes=nodes, data=shared, vector=np.append(one, 0.0)) for one in axes[: system.dim])
+
+
+def _along_beam(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    """The same of a load along an elastic beam; h is the mean of axis 2 at both ends."""
+    (one,), beams = _on_beams(system, load), cast("Any", system.continua).beams
+    v = beams.nodes.shape[1]
+    across = beams.axes[one.beam, 1] + beams.ends[one.beam, 1]
+    return beams.nodes[one.beam], np.stack([beams.shares(one), np.eye(v)[v // 2] - np.eye(v)[0], across], axis=1), np.zeros(3)
+
+
+def _couples(system: System, load: MemberCouple) -> tuple[UnitLoad, ...]:
+    i, (begin, end) = system.members.index(load.member), _span(system, load)
+    whole = 0.5 * sum(load.shape) * (end - begin) * _length(system, load)
+    nodes, data = np.array([system.p[i], system.q[i]], np.int64), np.zeros((2, 4))
+    return (Follower(mode=FLAT_COUPLE, nodes=nodes, data=data, vector=np.array([0.0, 0.0, whole, 0.0])),)
+
+
+def _places(system: System, bars: Bars, load: MemberLoad | MemberCouple) -> Iterator[OnMember | OnOthers]:
+    if load.member in bars.index:
+        first, last = load.shape
+        couple = None if load.amount == "force" else (2.0 * first / (first + last), 2.0 * last / (first + last))
+        yield OnMember(bars.index[load.member], Spread(*_span(system, load), couple))
+
+
+LOADS, COUPLES = Load(_loads, _places, _on_beams), Load(_couples, _places)
