@@ -55,6 +55,17 @@ def test_section_forces_of_a_trapezoid_on_a_part_of_a_bar(q, shape, places):
     np.testing.assert_allclose(found.section_M.sel(moment="3"), wanted[:, 1], atol=1e-11 * scale)
 
 
+def test_linear_statics_has_the_same_section_forces(tmp_path):
+    load = kt.MemberLoad(member="bar", force=(200.0, -900.0), shape=(1, 0.2), start=0.3, end=1.7)
+    model = supported(load, angle=0.4, runs={"rest": kt.Run(analysis="statics.linear")})
+    wanted = kt.strength.sections(model, kt.runs.forces_at_rest(model), 9).data
+    block = kt.run(model, "rest")
+    found = kt.strength.sections(model, block.forces["all"], 9).data
+    for name in ("section_T", "section_V", "section_M"):
+        np.testing.assert_allclose(found[name], wanted[name], atol=1e-6)
+    assert block.verdict.utilisation.sel(member="bar").max() > 0
+
+
 @pytest.mark.parametrize("angle", [0.0, 0.7, 2.5])
 def test_a_load_in_the_axes_of_the_member_turns_with_it(angle):
     load = kt.MemberLoad(member="bar", force=(300.0, -500.0), axes="member", shape=(1, 2), start=0.5)

@@ -168,6 +168,13 @@ def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x:
     return found
 
 
+def take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
+    """Subtract the actions on members from the joint forces (times, members, 2, 3)."""
+    for k, action in enumerate(found.actions):
+        if not action.counted:
+            joint[:, action.member] -= acting.worth[:, k]
+
+
 def action_variables(system: System, acting: Acting) -> dict[str, Column]:
     """Variables of actions in a Forces record; empty if there are none."""
     if not acting.place.shape[1]:

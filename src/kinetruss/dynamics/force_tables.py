@@ -16,6 +16,7 @@ from kinetruss.dynamics.bar_actions import (
     actions_of,
     adds_tension,
     mean_tension,
+    take_off,
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
 from kinetruss.elements.kinds import on_coordinates, present
@@ -159,7 +160,7 @@ def forces_of(
     by = _carried_by(system, mean, reaction, solved.get("bearing", np.zeros((count, 0, 3))))
     states = States(solved["x"], _relative(solved).v, solved["a"])
     found, acting = acting_along(system, loads, states, drive_force, coupling_force, carried=by)
-    _take_off(joint, found, acting)
+    take_off(joint, found, acting)
     (tension,) = allocate((count, len(system.members), 2))
     end_tensions(system.p, system.q, solved["x"], joint, tension)
     if any(adds_tension(action) for action in found.actions):
@@ -260,13 +261,6 @@ def _relative(solved: dict[str, Any]) -> States:
     """Positions, velocities and accelerations relative to the base."""
     found = solved.get("relative")
     return States(solved["x"], solved["v"], solved["a"]) if found is None else cast("States", found)
-
-
-def _take_off(joint: NDArray[np.float64], found: BarActions, acting: Acting) -> None:
-    """Subtract the actions on members from the joint forces (times, members, 2, 3)."""
-    for k, action in enumerate(found.actions):
-        if not action.counted:
-            joint[:, action.member] -= acting.worth[:, k]
 
 
 @cached()

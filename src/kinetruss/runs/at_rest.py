@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray as xr
 
 from kinetruss import dynamics, flexible, kinematics, statics
-from kinetruss.dynamics.bar_actions import actions_of
+from kinetruss.dynamics.bar_actions import acting_along, action_coordinates, action_variables, actions_of, take_off
 from kinetruss.dynamics.prescribed import at_rest
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.mechanics import compile
+from kinetruss.kernels.structure.structure import States
+from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.model import LengthDrive, Model
 from kinetruss.model.runs import FLEXIBLE
@@ -102,10 +104,10 @@ def _linear(plan: Plan) -> Block:
     said = " ".join(dict.fromkeys(one.message for one in found.values() if one.message))
     place = np.array([node.at for node in model.nodes.values()])
     motion = _resting(model, place).with_(message=said)
-    laden = [case for case, one in found.items() if actions_of(system, case).actions]
+    laden = [case for case in found if any(one.kind != "load" for one in actions_of(system, case).actions)]
     forces = {case: _forces(model, one, motion, case) for case, one in found.items() if case not in laden}
     if laden:
-        said = f"{said} Section forces are not computed under {', '.join(laden)}: loads act on members between their joints."
+        said = f"{said} Section forces are not computed under {', '.join(laden)}: members are acted on between their joints."
         motion = motion.with_(message=said.strip())
     if not forces:
         block = Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
@@ -131,10 +133,25 @@ def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     units, named = force_units(compile(model), "drive")
     data = data.assign(drive_force=variable(("time", "drive"), drive, units["drive"], "drive force or torque"))
     data = data.assign_coords({"drive": list(model.all_drives), **named})
-    own = model.load_cases.get(case)
+    system, own = compile(model), model.load_cases.get(case)
+    if actions_of(system, case).actions:
+        data = _between(system, data, case if case in model.load_cases else None)
     gravity = (None if own is None else own.gravity) or model.gravity or (0.0,) * model.dim
     data.attrs = {"kind": "forces", "load_case": case, "not_unique": [], "at_rest": 1, "gravity": list(gravity)}
     return Forces(data=data, message=motion.message, provenance=found.provenance, motion=motion, load_case=case)
+
+
+def _between(system: System, data: xr.Dataset, case: str | None) -> xr.Dataset:
+    """Forces with the loads on members between their joints, which the joints do not have to pass on."""
+    still = np.zeros((1, system.x0.size))
+    states = States(system.x0.reshape(1, -1), still, still)
+    loads = case_loads(system, np.zeros(1), case).at(states.x)
+    drive, coupling = np.zeros((1, len(system.drives))), np.zeros((1, len(system.model.couplings)))
+    found, acting = acting_along(system, loads, states, drive, coupling)
+    joint = np.pad(data["joint_force"].values, ((0, 0), (0, 0), (0, 0), (0, 3 - system.dim)))
+    take_off(joint, found, acting)
+    data = data.assign(joint_force=data["joint_force"].copy(data=joint[..., : system.dim]))
+    return data.assign(action_variables(system, acting)).assign_coords(action_coordinates(system, found))
 
 
 def _timed(found: Result) -> Result:

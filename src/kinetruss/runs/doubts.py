@@ -87,9 +87,7 @@ def doubts(run: Ran) -> Iterator[str]:
 def cases_left_out(run: Ran) -> list[str]:
     """A sentence on load cases with displacements and without section forces, so that no check includes them."""
     names = [case for case in run.statics if run.forces and case not in run.forces]
-    return (
-        [f"Not included: strength under {', '.join(names)}, whose loads act on members between their joints."] if names else []
-    )
+    return [f"Not included: strength under {', '.join(names)}: members are acted on between their joints."] if names else []
 
 
 def remarks(run: Ran) -> str:
