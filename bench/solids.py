@@ -39,7 +39,7 @@ def measured(least: int = 100_000, rounds: int = 15) -> dict:
     `ratio` is the median of the ratios of each round to the copy beside it, so that a busy machine spoils both alike.
     """
     import kinetruss as kt
-    from kinetruss.kernels.structure.continua import edge_blocks, edge_forces
+    from kinetruss.elements.continua import edge_blocks, force
     from kinetruss.mechanics import compile
 
     start = time.perf_counter()
@@ -52,13 +52,13 @@ def measured(least: int = 100_000, rounds: int = 15) -> dict:
     compiled = time.perf_counter()
     body = system.continua
     x = (system.x0 + 1e-3 * np.random.default_rng(0).standard_normal(system.x0.shape)).reshape(-1)
-    A, B = 3 * body.p.astype(np.int64), 3 * body.q.astype(np.int64)
-    s, q, f, blocks = np.empty(len(A)), np.empty(len(A)), np.zeros(x.size), np.empty((len(A), 9))
+    table, A, B = body.record, body.record.A, body.record.B
+    s, q, f, v, blocks = np.empty(len(A)), np.zeros(len(A)), np.zeros(x.size), np.zeros(x.size), np.empty((len(A), 9))
     run = {
-        "force": lambda: edge_forces(A, B, body.rest, body.tables, x, s, q, f),
-        "tangent": lambda: edge_blocks(A, B, q, body.tables, x, blocks),
+        "force": lambda: force(table, 0.0, x, v, f),
+        "tangent": lambda: edge_blocks(table, q, x, blocks),
     }
-    edge, stiff = body.groups[4]
+    edge, stiff = table.tetrahedron_edge, table.tetrahedron
     ends = A.nbytes + B.nbytes
     touched = {
         # ends and rest, stretches written and read, densities written and read, the elements, positions and forces

@@ -24,10 +24,9 @@ from kinetruss.kernels.structure.equations import (
 from kinetruss.kinematics.time_tables import check_support
 from kinetruss.mechanics import System
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.elements import continua_arrays
 from kinetruss.mechanics.loads import case_loads, history_of, unit_loads_of
 from kinetruss.mechanics.solvers import mark_dropped, solver_arrays, workspace_for
-from kinetruss.mechanics.tables import elements, pair_weights
+from kinetruss.mechanics.tables import pair_weights, structure_arrays
 from kinetruss.model import (
     TRAJECTORY_TASKS,
     AngleDrive,
@@ -71,7 +70,6 @@ def equations(
     reduced = released(system, not_prescribed(system, tasks))
     tables, column = _motions(system, tasks, trajectory, t_end)
     fields = _masses(system, load_case) | _prescribed_coordinates(reduced, column) | _forces(system, load_case, tasks)
-    fields |= continua_arrays(system)
     fields |= stack(list(tables.values()))
     eq, ws = _assembled(system, reduced, fields, column, solver, False)
     if eq.solver == SPARSE and _some_dropped(system, eq, ws):
@@ -195,7 +193,7 @@ def _prescribed_coordinates(system: System, column: dict[str, int]) -> dict[str,
 
 def _masses(system: System, load_case: str | None) -> dict[str, Any]:
     """Constant and changing masses, laws, and weight."""
-    loads, found = case_loads(system, np.zeros(1), load_case, rotating=True), elements(system)
+    loads, found = case_loads(system, np.zeros(1), load_case, rotating=True), structure_arrays(system)
     g = loads.gravity
     constant = system.lump[:, None] * loads.lump_gravity + found["share"][:, None] * g
     weight = pair_weights(found["pair"], g)

@@ -29,11 +29,11 @@ from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import System, cached
 from kinetruss.mechanics.beam_elements import MODES
-from kinetruss.mechanics.elements import beam_losses, named_motions, refuse_turns, strain_balance
+from kinetruss.mechanics.elements import named_motions, refuse_turns
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.rotating_base import ROTATION
-from kinetruss.mechanics.tables import elements, nodal_loads, structure_of
+from kinetruss.mechanics.tables import nodal_loads, structure_arrays, structure_of
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
 from kinetruss.results.wide_tables import element_axes, element_columns, force_units
 
@@ -87,7 +87,7 @@ def fictitious_forces(system: System, states: States, space: States) -> NDArray[
 @cached()
 def _masses(system: System) -> Structure:
     """The element tables of masses alone."""
-    table = elements(system)
+    table = structure_arrays(system)
     return Structure.of(table | {name: values[:0] for name, values in table.items() if name.startswith(("law", "element"))})
 
 
@@ -358,9 +358,6 @@ def _power(
     (x, v, a), held = _relative(solved), _fixed_coordinates(system)
     energy = np.empty((len(x), 3))
     energies(structure_of(system), nodal_loads(loads), States(x, v, a), energy)
-    if system.continua is not None:
-        energy[:, :2] += strain_balance(system.continua, x, v)
-        energy[:, 2] += beam_losses(system.continua, x, v)
     # sums of rows, not einsum, whose order of terms is another for one sample alone than for many
     power = (drive_force * read.drive_velocity).sum(axis=1)
     if len(loads.node):
@@ -375,7 +372,6 @@ def _power(
     power -= (solved["rest"][:, held] * v[:, held]).sum(axis=1)
     time = ("time",)
     resists = system.damping.any() or any(one.loses(record) for one, record in present(system)) or "bearing" in solved
-    resists = resists or (system.continua is not None and system.continua.damped)
     lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),

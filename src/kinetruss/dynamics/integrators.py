@@ -110,7 +110,7 @@ def control(
     table[1, 1:] = np.nextafter(times[1:], np.inf)
     table[2, :-2] = np.nextafter(times[1:-1], -np.inf)
     length = _member_lengths(system)[eq.free]
-    stiff = eq.law_A.size or eq.edge_A.size or eq.element.size
+    stiff = eq.law_A.size or eq.element.size
     pattern = tangent_record(eq, system) if isinstance(method, EnergyMomentum | GeneralizedAlpha | Radau) and stiff else {}
     reach = float(np.abs(system.x0).max(initial=0.0))
     return Control.of_method(

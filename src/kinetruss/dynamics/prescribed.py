@@ -33,7 +33,7 @@ from kinetruss.mechanics import (
     row_directions,
 )
 from kinetruss.mechanics.beam_shapes import FixedShapes, fixed_shapes
-from kinetruss.mechanics.elements import material_stiffness, with_continua_forces
+from kinetruss.mechanics.elements import continua_forces, material_stiffness
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.model import Model
@@ -76,7 +76,7 @@ def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDA
     """Largest residual (times, 3 n) at free coordinates, N, where beams, membranes or solids are not in balance; else 0."""
     if system.continua is None or not len(x):
         return 0.0
-    largest = float(np.abs(with_continua_forces(system, loads, x).force).max(initial=0.0))
+    largest = max(float(np.abs(part).max(initial=0.0)) for part in (loads.force, continua_forces(system.continua, x)))
     stiff = float(np.abs(material_stiffness(system, x[0].reshape(-1, 3)).diagonal()).max())
     off = float(np.abs(rest[:, system.free]).max(initial=0.0))
     return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
@@ -106,7 +106,6 @@ def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float6
 
 def apply_loads(system: System, loads: Any, states: States, ends: EndForces) -> None:
     """Fill `rest` of the ends with f - M a, N, and `joint` with inertia, weight and elastic forces of members."""
-    loads = with_continua_forces(system, loads, states.x, states.v)
     applied(structure_of(system), nodal_loads(loads), states, ends)
 
 
@@ -294,7 +293,6 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
         solved["off"] = out_of_balance(system, loads, x, rest)
         solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint)
         return solved
-    loads = with_continua_forces(system, loads, x, states.v)
     for part, used in _pieces(system, arrangement, x, values):
         given = nodal_loads(loads)
         given = given._replace(force=given.force[part], t=given.t[part] if len(given.t) > 1 else given.t)

@@ -225,7 +225,6 @@ def _conserved(problem: Problem) -> bool:
         and problem.motors is None
         and not len(problem.z0)
         and not np.any(problem.eq.law[:, 2])
-        and not problem.eq.damp_six.size + problem.eq.damp_eight.size
         and not any(one.loses(record) for one, record in present(problem.system))
     )
 

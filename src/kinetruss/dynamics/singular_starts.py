@@ -431,7 +431,6 @@ def without_series(problem: Problem) -> str | None:
         (changing, "rods of {!r} change their inertia with its length"),
         (cables, "the cable {!r} may be taut or slack"),
         (eq.load, "a load turns with its body"),
-        (eq.edge_A, "membranes or solids resist"),
         ([why for one in ELEMENTS if (why := one.without_series(system))], "{}"),
         ([problem.user] if problem.user.given else [], problem.user.words),
         ([problem.motors] if problem.motors is not None else [], "motors have inputs"),

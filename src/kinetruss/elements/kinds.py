@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.elements import scalars
+from kinetruss.elements import continua, scalars
 from kinetruss.elements.caching import cached
 from kinetruss.elements.loads import along, body_loads, nodal, pressures
 from kinetruss.elements.loads.load import Load, Turning
@@ -74,7 +74,10 @@ def _bent(system: System) -> str | None:
     return None
 
 
-ELEMENTS = (Element(on_coordinates, scalars.coordinates, scalars.KERNELS, lambda s: bool(s.loses.any()), _bent),)
+ELEMENTS = (
+    Element(on_coordinates, scalars.coordinates, scalars.KERNELS, lambda s: bool(s.loses.any()), _bent),
+    Element(continua.table, continua.coordinates, continua.KERNELS, continua.loses, continua.without_series),
+)
 """All kinds, in the order of their sums."""
 
 
@@ -95,7 +98,6 @@ def present(system: System) -> list[tuple[Element, Record]]:
     return [(one, record) for one, record in found if record is not None]
 
 
-@cached()
 def element_arrays(system: System) -> dict[str, NDArray[Any]]:
     """The fields of `Structure` for elements."""
     return _table("element", [(one.kernels, record) for one, record in present(system)])

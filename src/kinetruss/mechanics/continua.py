@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.continua import EdgeElements, edge_elements
 from kinetruss.mechanics.beam_elements import BeamElements, beam_elements
 from kinetruss.model import Material, Model, Orthotropic, body_mass
 from kinetruss.model.beam_frames import rigid_beams
@@ -101,20 +102,14 @@ class Continua:
     patches: tuple[Patch, ...]
     beams: BeamElements | None
 
-    @property
-    def damped(self) -> bool:
-        """True if a beam has damping."""
-        return self.beams is not None and bool(self.beams.damping.any())
-
     @cached_property
-    def tables(self) -> tuple[NDArray[Any], ...]:
-        """edge, stiff of elements with 3, 4, 6 and 8 nodes, for kernels."""
-        found: list[NDArray[Any]] = []
-        for v in (3, 4, 6, 8):
-            w = v * (v - 1) // 2
-            nothing = np.zeros((0, w), np.int32), np.zeros((0, w * (w + 1) // 2))
-            found += self.groups.get(v, nothing)
-        return tuple(found)
+    def record(self) -> EdgeElements:
+        """What kernels take."""
+        delays: dict[int, NDArray[np.float64]] = {}
+        if self.beams is not None:
+            v, own = self.beams.nodes.shape[1], self.beams.damping
+            delays[v] = np.concatenate([np.zeros(len(self.groups[v][0]) - len(own)), own])  # beams are the last elements
+        return edge_elements(self.p, self.q, self.rest, self.groups, delays)
 
 
 def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:

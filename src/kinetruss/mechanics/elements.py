@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
@@ -10,16 +9,14 @@ from scipy.sparse import coo_array, csr_array
 
 from kinetruss.elements import scalars
 from kinetruss.elements.caching import cached
+from kinetruss.elements.continua import edge_blocks, edge_densities, force as edge_forces
 from kinetruss.elements.kinds import on_coordinates, spans_of
 from kinetruss.errors import AnalysisError
-from kinetruss.kernels.structure.continua import edge_blocks, edge_densities, edge_forces
-from kinetruss.mechanics.beam_elements import damping_forces, mode_rates
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics.continua import Continua
-    from kinetruss.mechanics.loads import Loads
     from kinetruss.mechanics.system import System
 
 
@@ -132,14 +129,7 @@ def _whole(system: System) -> scalars.Scalars:
     return cast("scalars.Scalars", on_coordinates(system))
 
 
-# Membranes and solids in the equations: forces, energy and tangent stiffness at given positions, consistent masses.
-
-DAMPED = ["damp_six_edge", "damp_six", "damp_eight_edge", "damp_eight"]
-"""Arrays of beams with damping."""
-
-
-def _ends(found: Continua) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    return 3 * found.p.astype(np.int64), 3 * found.q.astype(np.int64)
+# Membranes, solids and beams at rest: forces, energy and tangent stiffness at given positions.
 
 
 def squared_changes(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -151,16 +141,15 @@ def squared_changes(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float
 def densities(found: Continua, s: NDArray[np.float64]) -> NDArray[np.float64]:
     """Force densities of the edges (e,), N/m, from changes s (e,), m^2, of their squared lengths."""
     q = np.empty(len(s))
-    edge_densities(found.tables, s, q)
+    edge_densities(found.record, s, q)
     return q
 
 
 def continua_forces(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Forces on the nodes (times, 3 n), N, at positions x (times, 3 n)."""
-    A, B = _ends(found)
-    s, q, out = np.empty(len(A)), np.empty(len(A)), np.zeros_like(x)
+    out, rest = np.zeros_like(x), np.zeros(x.shape[1])
     for i in range(len(x)):
-        edge_forces(A, B, found.rest, found.tables, x[i], s, q, out[i])
+        edge_forces(found.record, 0.0, x[i], rest, out[i])
     return out
 
 
@@ -187,11 +176,12 @@ def continua_stiffness(
 
     q (e,) : force densities of the geometric part, by default those at x. material : include the material part as well.
     """
-    A, B = _ends(found)
+    A, B = found.record.A, found.record.B
     density = densities(found, squared_changes(found, x)) if q is None else q
-    blocks = np.empty((len(A), 9))
-    tables = found.tables if material else tuple(part[:0] for part in found.tables)
-    edge_blocks(A, B, density, tables, np.ascontiguousarray(x, float).reshape(-1), blocks)
+    # geometric part -q 1 of K_pq
+    blocks = -density[:, None] * np.eye(3).reshape(-1)
+    if material:
+        edge_blocks(found.record, density, np.ascontiguousarray(x, float).reshape(-1), blocks)
     n = x.shape[0]
     # K_pp = -sum of K_pq over the neighbours q, symmetric but for round-off
     own = np.zeros((n, 9))
@@ -222,64 +212,3 @@ def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.fl
     # squared_changes to first order in u: 2 d . (u_q - u_p)
     added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
     return continua_stiffness(found, x, added, material=False)
-
-
-def continua_arrays(system: System) -> dict[str, Any]:
-    """Arrays of the equations of motion (kernels.structure.equations); empty without membranes and solids."""
-    names = [f"{one}_{part}" for one in ("triangle", "tetrahedron", "six", "eight") for part in ("edge", "stiffness")]
-    found = system.continua
-    if found is None:
-        whole = np.zeros((0, 1), np.int64)
-        names += DAMPED
-        empty = {name: whole if name.endswith("edge") else np.zeros((0, 1)) for name in names}
-        return {"edge_A": whole[:, 0], "edge_B": whole[:, 0], "edge_rest": np.zeros(0)} | empty
-    A, B = _ends(found)
-    tables = dict(zip(names, found.tables, strict=True))
-    return {"edge_A": A, "edge_B": B, "edge_rest": found.rest} | tables | _damped(found)
-
-
-def beam_losses(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Power (times,), W, that the damping of beams takes, sum b R m'^2, along x, v (times, 3 n)."""
-    if found.beams is None or not found.beams.damping.any():
-        return np.zeros(len(x))
-    rates = mode_rates(found.beams, x.reshape(len(x), -1, 3), np.broadcast_to(v, x.shape).reshape(len(x), -1, 3))
-    return np.asarray(np.einsum("k,ks,tks->t", found.beams.damping, found.beams.rigidity, rates**2))
-
-
-def _damped(found: Continua) -> dict[str, Any]:
-    """Edges, and the damping b 2 G, of beams with a damping time b."""
-    arrays: list[Any] = []
-    for v in (6, 8):
-        edge, stiff = found.tables[4:6] if v == 6 else found.tables[6:]
-        delay = np.zeros(len(edge))
-        if found.beams is not None and found.beams.nodes.shape[1] == v:
-            delay[len(edge) - len(found.beams.names) :] = found.beams.damping  # beams are the last elements
-        chosen = delay > 0
-        arrays += [edge[chosen], stiff[chosen] * delay[chosen, None]]
-    return dict(zip(DAMPED, arrays, strict=True))
-
-
-def strain_balance(found: Continua, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Strain energy (J) and its rate (W), (times, 2), along x, v (times, 3 n)."""
-    energy = [continua_energy(found, one.reshape(-1, 3)) for one in x]
-    return np.stack([energy, -np.einsum("tc,tc->t", v, continua_forces(found, x))], axis=1)
-
-
-def with_continua_forces(system: System, loads: Loads, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> Loads:
-    """The loads plus the forces of membranes, solids and beams along x, v (times, 3 n), one more load at each of their nodes;
-    v : at rest if it is not given, or one row for all times.
-    """
-    found = system.continua
-    if found is None:
-        return loads
-    n = len(system.nodes)
-    push = continua_forces(found, x).reshape(len(x), n, 3)
-    if found.beams is not None and found.beams.damping.any() and v is not None and np.any(v):
-        push += damping_forces(found.beams, x.reshape(push.shape), np.broadcast_to(v, x.shape).reshape(push.shape))
-    nodes = np.union1d(found.p, found.q)
-    return replace(
-        loads,
-        loads=(*loads.loads, *(f"continua on {system.nodes[i]}" for i in nodes)),
-        node=np.concatenate([loads.node, nodes]).astype(loads.node.dtype),
-        force=np.concatenate([np.broadcast_to(loads.force, (len(x), *loads.force.shape[1:])), push[:, nodes]], axis=1),
-    )

@@ -251,13 +251,12 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     place, row_place = _tangent_order(eq, system)
     n = place.size + row_place.size
     mass = mass_matrix(system, system.x0)[eq.free][:, eq.free].tocoo()
-    ends = [np.column_stack([eq.law_A, eq.law_B]), np.column_stack([eq.A, eq.B]), np.column_stack([eq.edge_A, eq.edge_B])]
+    ends = [np.column_stack([eq.law_A, eq.law_B]), np.column_stack([eq.A, eq.B])]
     where = np.full(eq.local.size + 1, -1, np.int64)
     where[eq.free] = place
     members = [where[(pair[:, :, None] + np.arange(3)).reshape(-1, 6)] for pair in ends]
     members[1][eq.sum_row] = -1
-    kinds = [where[one.coordinates(record)] for one, record in present(system)]
-    members += kinds
+    members += [where[one.coordinates(record)] for one, record in present(system)]
     pairs = [_tangent_pairs(m) for m in members]
     terms = int(eq.sum_ptr[-1]) if len(eq.sum_ptr) else 0
     sums = where[(eq.term_at[:terms, :, None] + np.arange(3)).reshape(-1, 12)]
@@ -273,7 +272,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     scale = max(float(np.abs(mass.data).max(initial=0.0)), 1e-300)
     base[below.size + place] += REGULAR * scale
     base[below.size + row_place] = -REGULAR / scale
-    # places of square blocks: bars with a law, rows, edges, elements
+    # places of square blocks: bars with a law, rows, elements
     blocks = [find(*pair).reshape(len(m), m.shape[1] ** 2) for m, pair in zip(members, pairs, strict=True)]
     return {
         "ptr": ptr,
@@ -288,9 +287,8 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         "base": base,
         "values": np.zeros_like(base),
         "space": np.zeros(n),
-        "edge_at": blocks[2],
-        "element_at": np.concatenate([*(one.reshape(-1) for one in blocks[3:]), np.zeros(0)]),
-        "element_ptr": np.array(_places_of(blocks[3:])).reshape(-1, 3),
+        "element_at": np.concatenate([*(one.reshape(-1) for one in blocks[2:]), np.zeros(0)]),
+        "element_ptr": np.array(_places_of(blocks[2:])).reshape(-1, 3),
     }
 
 
@@ -315,8 +313,8 @@ def _tangent_order(eq: Any, system: System) -> tuple[Ints, Ints]:
     """Places of free coordinates and of rows: nodes by reverse Cuthill-McKee, each row after the later of its free nodes."""
     nodes = eq.local.size // 3
     one, other = _neighbours(system)
-    A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, eq.edge_A, one]) // 3
-    B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, eq.edge_B, other]) // 3
+    A = np.concatenate([eq.A, eq.law_A, eq.pair_A, eq.varying_A, one]) // 3
+    B = np.concatenate([eq.B, eq.law_B, eq.pair_B, eq.varying_B, other]) // 3
     graph = csr_array((np.ones(2 * A.size), (np.concatenate([A, B]), np.concatenate([B, A]))), shape=(nodes, nodes))
     rank = np.empty(nodes, np.int64)
     # nodes in a narrow band, each row behind the last of its nodes

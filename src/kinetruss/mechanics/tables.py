@@ -21,8 +21,13 @@ if TYPE_CHECKING:
 
 @cached()
 def structure_of(system: System) -> Structure:
-    """The record of `elements`."""
-    return Structure.of(elements(system))
+    """The record of a structure."""
+    return Structure.of(structure_arrays(system))
+
+
+def structure_arrays(system: System) -> dict[str, NDArray[Any]]:
+    """Fields of `Structure` by name; read-only."""
+    return elements(system) | element_arrays(system)
 
 
 def nodal_loads(loads: Loads) -> NodalLoads:
@@ -32,12 +37,12 @@ def nodal_loads(loads: Loads) -> NodalLoads:
 
 @cached()
 def elements(system: System) -> dict[str, NDArray[Any]]:
-    """Fields of `Structure` by name; read-only."""
+    """Fields of `Structure` by name, without the table of kinds; read-only."""
     share = system.node_mass - system.lump
     if system.continua is not None:
         share = share + system.continua.lump
     own = {"lump": system.lump, "share": share}
-    return _pairs(system) | _varying(system) | _laws(system) | element_arrays(system) | own
+    return _pairs(system) | _varying(system) | _laws(system) | own
 
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:

@@ -13,7 +13,6 @@ from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.integrate.tangent import tangent_factor, tangent_solve
 from kinetruss.kernels.solve.kkt import add_constraint_forces, factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
 from kinetruss.kernels.structure.applied import applied
-from kinetruss.kernels.structure.continua import swap_continua
 from kinetruss.kernels.structure.element_table import swap_elements
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import bar_tension, law_energy, law_tension, length_rate
@@ -181,10 +180,7 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
     applied(eq, user, t_e, xe, ve, f)
     if midpoint:
         _swap_laws(eq, step.x0, step.x1, xe, ve, step.h, f)
-    if midpoint:
         swap_elements(eq, t_e, step.x0, step.x1, xe, ve, step.h, f)
-    if midpoint and eq.edge_A.size:
-        swap_continua(eq, step.x0, step.x1, xe, f)
     pivot = factor(eq, ws, xe)
     _unbalanced(eq, ws, xe, step.a, step.N, f, step.work)
     row_gaps(eq, step.x1, step.target, gap)

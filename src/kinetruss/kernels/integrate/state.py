@@ -184,7 +184,6 @@ class Control(Record):
     event_term: I2
     event_data: F2
     event_period: F1
-    edge_at: I2
     element_at: I1
     element_ptr: I2
     pairs: I2

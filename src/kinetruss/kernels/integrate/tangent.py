@@ -10,7 +10,6 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 from kinetruss.kernels.integrate.state import Control
-from kinetruss.kernels.structure.continua import add_continua, add_damping
 from kinetruss.kernels.structure.element_table import element_tangents
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_slopes, law_tension, length_rate
@@ -102,10 +101,6 @@ def tangent_fill(
     _add_laws(eq, record.law_at, x, v, beta, gamma, value)
     element_tangents(eq, record.element_at, record.element_ptr, x, v, beta, gamma, value)
     _add_rows(eq.kind, ws.u, ws.target, N, record.row_at, record.gradient_at, beta, value)
-    if eq.edge_A.size:
-        add_continua(eq, record.edge_at, x, beta, value)
-    if eq.damp_six_edge.size + eq.damp_eight_edge.size:
-        add_damping(eq, record.edge_at, x, gamma, value)
     if eq.sum_row.size:
         sum_entries(ws, record.sum_at, value)
 

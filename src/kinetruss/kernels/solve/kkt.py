@@ -13,7 +13,6 @@ from kinetruss.kernels.solve.kkt_sparse import sparse_factor, sparse_solve
 from kinetruss.kernels.solve.kkt_sweep import sweep_factor, sweep_solve
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied
-from kinetruss.kernels.structure.continua import continua_energy
 from kinetruss.kernels.structure.element_table import element_energies
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_energies
@@ -352,11 +351,9 @@ def kinetic(eq: Equations, ws: Workspace, x: F1, v: F1) -> float:
 
 @kernel_bare
 def potential(eq: Equations, x: F1) -> float:
-    """Energy of weights, of bars with a law, springs, membranes and solids, J; given forces have none."""
+    """Energy of weights, of bars with a law and of all elements, J; given forces have none."""
     energy = law_energies(eq, x)
     energy += element_energies(eq, x)
-    if eq.edge_A.size:
-        energy += continua_energy(eq, x)
     # -f_0 . x of weights and constant forces
     for c in range(x.size):
         energy -= eq.constant[c] * x[c]

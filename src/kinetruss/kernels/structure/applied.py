@@ -20,7 +20,6 @@ from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.compiled.words import intrinsic
 from kinetruss.kernels.structure import equations as e
-from kinetruss.kernels.structure.continua import add_continua_forces, add_damping_forces
 from kinetruss.kernels.structure.element_table import element_forces, forces_of
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.laws import add_law_forces
@@ -121,10 +120,6 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
         if eq.term_form.size:
             _couples(eq, t, x, f)
     forces_of(eq.load, eq.load_ints, eq.load_reals, t, x, v, f)
-    if eq.edge_A.size:
-        add_continua_forces(eq, x, f)
-    if eq.damp_six_edge.size + eq.damp_eight_edge.size:
-        add_damping_forces(eq, x, v, f)
     if user != 0:
         call_at(user, t, x, v, f)
 

@@ -37,9 +37,6 @@ class Equations(Structure):
     force_time, force_value; force_drive (g,) or -1.
     Loads that depend on positions: load, load_ints, load_reals, a table of kinds as `element`, with forces alone
     (elements.loads); load_time, at which their amounts bend, s.
-    Membranes, solids and beams: edge_A, edge_B (e,) flat ends, edge_rest (e,) squared lengths without stress; triangle_*,
-    tetrahedron_*, six_*, eight_* : edges of each element and what they resist with (kernels.structure.continua); damp_* :
-    beams with damping, in the plane six, in space eight.
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
@@ -106,21 +103,6 @@ class Equations(Structure):
     load_ints: I1
     load_reals: F1
     load_time: F1
-    edge_A: I1
-    edge_B: I1
-    edge_rest: F1
-    triangle_edge: I2
-    triangle_stiffness: F2
-    tetrahedron_edge: I2
-    tetrahedron_stiffness: F2
-    six_edge: I2
-    six_stiffness: F2
-    eight_edge: I2
-    eight_stiffness: F2
-    damp_six_edge: I2
-    damp_six: F2
-    damp_eight_edge: I2
-    damp_eight: F2
     sum_row: I1
     sum_ptr: I1
     term_form: I2

@@ -1,43 +1,59 @@
-"""Membranes, solids and beams: forces along the edges of their elements, the energy they store, their tangent stiffness.
+"""Membranes, solids and beams: elements whose energy is quadratic in the squared lengths of their edges.
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
 densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.continua`).
-Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to. `stiffness` is
-the upper triangle of 2 G by rows.
+Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to.
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
 +-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.
 
-Beams with a damping time b (Kelvin and Voigt) have the further densities q = b 2 G s' with s' = 2 d . d'; `damp` is b 2 G.
+Beams with a damping time b (Kelvin and Voigt) have the further densities q = b 2 G s' with s' = 2 d . d'.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
-from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Vector
-from kinetruss.kernels.structure.equations import Equations
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Record, Vector, record
+from kinetruss.kernels.structure import element_table
 
-Tables = tuple[Ints, F2, Ints, F2, Ints, F2, Ints, F2]
-"""Edges and stiffness of elements with 3, 4, 6 and 8 nodes."""
+if TYPE_CHECKING:
+    from kinetruss.mechanics.system import System
 
-__all__ = [
-    "add_continua",
-    "add_damping",
-    "add_damping_forces",
-    "continua_energy",
-    "edge_blocks",
-    "edge_densities",
-    "edge_forces",
-    "add_continua_forces",
-    "swap_continua",
-]
+
+@record
+class EdgeElements(Record):
+    """A, B (e,) flat ends of the edges, rest (e,) their squared lengths without stress, m^2.
+
+    By the number of nodes, with w edges between them: the edges (k, w) of each element in the order of the pairs (0, 1),
+    (0, 2), ... of its nodes, and the upper triangle of its stiffness 2 G by rows (k, w (w + 1)/2), N/m^3. damped_six,
+    damped_eight : the damping b 2 G, N s/m^3, of beams that have such, in the plane and in space.
+    """
+
+    A: I1
+    B: I1
+    triangle_edge: I2
+    tetrahedron_edge: I2
+    six_edge: I2
+    eight_edge: I2
+    damped_six_edge: I2
+    damped_eight_edge: I2
+    rest: F1
+    triangle: F2
+    tetrahedron: F2
+    six: F2
+    eight: F2
+    damped_six: F2
+    damped_eight: F2
 
 
 @kernel_bare
-def _triangles(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
+def _triangles(edge: I2, stiffness: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with three edges."""
     # q = 2 G s of each triangle, symmetric 3 x 3 by its upper triangle
     for k in range(edge.shape[0]):
@@ -49,7 +65,7 @@ def _triangles(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
 
 
 @kernel_bare
-def _tetrahedra(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
+def _tetrahedra(edge: I2, stiffness: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with six edges."""
     # q = 2 G s of each tetrahedron, symmetric 6 x 6 by its upper triangle
     for k in range(edge.shape[0]):
@@ -65,7 +81,7 @@ def _tetrahedra(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
 
 
 @kernel_bare
-def _many(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
+def _many(edge: I2, stiffness: F2, s: F1, q: F1) -> None:
     """q += 2 G s of elements with any number of edges."""
     w = edge.shape[1]
     # q = 2 G s of each element, symmetric by its upper triangle
@@ -83,126 +99,124 @@ def _many(edge: Ints, stiffness: F2, s: F1, q: F1) -> None:
 
 
 @kernel
-def edge_densities(tables: Tables, s: F1, q: F1) -> None:
-    """Force densities q (edges,), N/m, of stretches s (edges,), m^2. tables : of 3-, 4-, 6-, 8-node elements."""
+def edge_densities(s: EdgeElements, stretch: F1, q: F1) -> None:
+    """Force densities q (e,), N/m, of stretches (e,), m^2."""
     # elements add to the edges they share
     for i in range(q.size):
         q[i] = 0.0
-    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6, edge_8, stiffness_8 = tables
-    _triangles(edge_3, stiffness_3, s, q)
-    _tetrahedra(edge_4, stiffness_4, s, q)
-    _many(edge_6, stiffness_6, s, q)
-    _many(edge_8, stiffness_8, s, q)
+    _triangles(s.triangle_edge, s.triangle, stretch, q)
+    _tetrahedra(s.tetrahedron_edge, s.tetrahedron, stretch, q)
+    _many(s.six_edge, s.six, stretch, q)
+    _many(s.eight_edge, s.eight, stretch, q)
 
 
 @kernel_bare
-def _stretches(A: I1, B: I1, rest: F1, x: F1, s: F1) -> None:
+def _damped(s: EdgeElements) -> bool:
+    """Whether some elements have damping."""
+    return s.damped_six.size + s.damped_eight.size > 0
+
+
+@kernel_bare
+def _damping_densities(s: EdgeElements, rate: F1, q: F1) -> None:
+    """q += b 2 G s' of rates s' (e,), m^2/s."""
+    _many(s.damped_six_edge, s.damped_six, rate, q)
+    _many(s.damped_eight_edge, s.damped_eight, rate, q)
+
+
+@kernel_bare
+def _stretches(s: EdgeElements, x: F1, stretch: F1) -> None:
     # s = |d|^2 - |d_0|^2
-    for i in range(s.size):
-        a, b = A[i], B[i]
+    for i in range(stretch.size):
+        a, b = s.A[i], s.B[i]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        s[i] = dx * dx + dy * dy + dz * dz - rest[i]
+        stretch[i] = dx * dx + dy * dy + dz * dz - s.rest[i]
 
 
 @kernel_bare
-def _add_edge_forces(A: I1, B: I1, q: F1, x: F1, f: F1) -> None:
+def _rates(s: EdgeElements, x: F1, v: F1, rate: F1) -> None:
+    # s' = 2 d . d'
+    for i in range(rate.size):
+        a, b, total = s.A[i], s.B[i], 0.0
+        for c in range(3):
+            total += (x[b + c] - x[a + c]) * (v[b + c] - v[a + c])
+        rate[i] = 2.0 * total
+
+
+@kernel_bare
+def _add_edge_forces(s: EdgeElements, q: F1, x: F1, f: F1) -> None:
     # q d at A, -q d at B
     for i in range(q.size):
-        a, b = A[i], B[i]
+        a, b = s.A[i], s.B[i]
         for c in range(3):
-            force = q[i] * (x[b + c] - x[a + c])
-            f[a + c] += force
-            f[b + c] -= force
+            push = q[i] * (x[b + c] - x[a + c])
+            f[a + c] += push
+            f[b + c] -= push
 
 
 @kernel
-def edge_forces(A: I1, B: I1, rest: F1, tables: Tables, x: F1, s: F1, q: F1, f: F1) -> None:
-    """Add the forces of elements at x (3 n,) to f (3 n,), N. A, B (edges,) flat ends; s, q (edges,) are filled."""
-    _stretches(A, B, rest, x, s)
-    edge_densities(tables, s, q)
-    _add_edge_forces(A, B, q, x, f)
+def force(s: EdgeElements, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.force."""
+    stretch, q = np.empty(s.A.size), np.empty(s.A.size)
+    _stretches(s, x, stretch)
+    edge_densities(s, stretch, q)
+    if _damped(s):
+        _rates(s, x, v, stretch)
+        _damping_densities(s, stretch, q)
+    _add_edge_forces(s, q, x, f)
 
 
-@kernel_bare
-def _tables(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2, I2, F2]:
-    return (
-        eq.triangle_edge,
-        eq.triangle_stiffness,
-        eq.tetrahedron_edge,
-        eq.tetrahedron_stiffness,
-        eq.six_edge,
-        eq.six_stiffness,
-        eq.eight_edge,
-        eq.eight_stiffness,
-    )
+@kernel
+def energy(s: EdgeElements, x: F1) -> float:
+    """As kernels.structure.element_table.energy."""
+    stretch, q, total = np.empty(s.A.size), np.empty(s.A.size), 0.0
+    _stretches(s, x, stretch)
+    edge_densities(s, stretch, q)
+    # s^T G s/2 = q . s/4
+    for i in range(q.size):
+        total += 0.25 * q[i] * stretch[i]
+    return total
 
 
-@kernel_late(allocates=True)
-def add_continua_forces(eq: Equations, x: F1, f: F1) -> None:
-    """Add the forces of membranes and solids at x (3 n,) to f (3 n,), N."""
-    A, B = eq.edge_A, eq.edge_B
-    s, q = np.empty(A.size), np.empty(A.size)
-    edge_forces(A, B, eq.edge_rest, _tables(eq), x, s, q, f)
+@kernel
+def balance(s: EdgeElements, t: float, x: F1, v: F1, out: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.balance."""
+    count = s.A.size
+    stretch, rate, q = np.empty(count), np.empty(count), np.empty(count)
+    _stretches(s, x, stretch)
+    _rates(s, x, v, rate)
+    edge_densities(s, stretch, q)
+    # s^T G s/2 = q . s/4, and its rate q . s'/2
+    for i in range(count):
+        out[0] += 0.25 * q[i] * stretch[i]
+        out[1] += 0.5 * q[i] * rate[i]
+        q[i] = 0.0
+    _damping_densities(s, rate, q)
+    # what the damping takes, s'^T b G s' = q . s'/2
+    for i in range(count):
+        out[2] += 0.5 * q[i] * rate[i]
 
 
-@kernel_bare
-def _damping(eq: Equations) -> tuple[I2, F2, I2, F2, I2, F2, I2, F2]:
-    three, four = eq.triangle_edge[:0], eq.tetrahedron_edge[:0]
-    none_3, none_4 = eq.triangle_stiffness[:0], eq.tetrahedron_stiffness[:0]
-    return three, none_3, four, none_4, eq.damp_six_edge, eq.damp_six, eq.damp_eight_edge, eq.damp_eight
-
-
-@kernel_late(allocates=True)
-def add_damping_forces(eq: Equations, x: F1, v: F1, f: F1) -> None:
-    """Add the forces of the damping of beams at x, v (3 n,) to f (3 n,), N."""
-    A, B = eq.edge_A, eq.edge_B
-    s, q = np.empty(A.size), np.empty(A.size)
-    # s' = 2 d . d'
-    for i in range(A.size):
-        a, b, rate = A[i], B[i], 0.0
-        for c in range(3):
-            rate += (x[b + c] - x[a + c]) * (v[b + c] - v[a + c])
-        s[i] = 2.0 * rate
-    edge_densities(_damping(eq), s, q)
-    _add_edge_forces(A, B, q, x, f)
-
-
-@kernel_late(allocates=True)
-def swap_continua(eq: Equations, x0: F1, x1: F1, xe: F1, f: F1) -> None:
-    """Replace forces at xe = (x0 + x1)/2 in f by those of the mean stretches at x0 and x1: their work is the energy taken.
+@kernel
+def swap(s: EdgeElements, t: float, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.swap: forces of the mean stretches at x0 and x1, whose work is the energy taken.
 
     Energy is quadratic in the squared lengths and these in the positions, so this is the discrete gradient; the mean of the
     squared lengths exceeds that in the middle by |d1 - d0|^2/4.
     """
-    A, B = eq.edge_A, eq.edge_B
-    s, q = np.empty(A.size), np.empty(A.size)
+    stretch, q = np.empty(s.A.size), np.empty(s.A.size)
     # |d_1 - d_0|^2/4: mean of both squared lengths less that of the midpoint
-    for i in range(A.size):
-        a, b, square = A[i], B[i], 0.0
+    for i in range(stretch.size):
+        a, b, square = s.A[i], s.B[i], 0.0
         for c in range(3):
             change = (x1[b + c] - x0[b + c]) - (x1[a + c] - x0[a + c])
             square += change * change
-        s[i] = 0.25 * square
-    edge_densities(_tables(eq), s, q)
-    _add_edge_forces(A, B, q, xe, f)
-
-
-@kernel_late(allocates=True)
-def continua_energy(eq: Equations, x: F1) -> float:
-    """Energy stored in membranes and solids, J."""
-    A, B = eq.edge_A, eq.edge_B
-    s, q = np.empty(A.size), np.empty(A.size)
-    _stretches(A, B, eq.edge_rest, x, s)
-    edge_densities(_tables(eq), s, q)
-    energy = 0.0
-    # s^T G s/2 = q . s/4
-    for i in range(s.size):
-        energy += 0.25 * q[i] * s[i]
-    return energy
+        stretch[i] = 0.25 * square
+    edge_densities(s, stretch, q)
+    _add_edge_forces(s, q, xe, f)
 
 
 @kernel
-def _of_group(v: int, edge: Ints, stiffness: F2, d: F2, out: F2) -> None:
+def _of_group(v: int, edge: I2, stiffness: F2, d: F2, out: F2) -> None:
     """Material tangent of elements with v nodes added to out (edges, 9); d (edges, 3) from the first end to the second."""
     w = v * (v - 1) // 2
     full, y, own = np.empty((w, w)), np.empty((w, 3)), np.empty((v, v, 3))
@@ -283,7 +297,7 @@ def _of_edge(d: F2, sign: float, i: int) -> Vector:
 
 
 @kernel_bare
-def _of_tetrahedra(edge: Ints, stiffness: F2, d: F2, out: F2) -> None:
+def _of_tetrahedra(edge: I2, stiffness: F2, d: F2, out: F2) -> None:
     """`_of_group` of four nodes written out: it takes a third of the time. y as there."""
     # the same sum for each tetrahedron, with its six edges in registers
     for k in range(edge.shape[0]):
@@ -313,43 +327,41 @@ def _of_tetrahedra(edge: Ints, stiffness: F2, d: F2, out: F2) -> None:
         _add_products(out[i5], c1, y1, c3, y3, c5, y5)
 
 
-@kernel
-def edge_blocks(A: I1, B: I1, q: F1, tables: Tables, x: F1, out: F2) -> None:
-    """K_pq of the ends p < q of every edge into out (edges, 9), N/m, row by row; q (edges,) force densities at x (3 n,)."""
-    d = np.empty((A.size, 3))
-    # d of each edge; geometric part -q 1 of K_pq
-    for i in range(A.size):
+@kernel_bare
+def _differences(s: EdgeElements, x: F1, d: F2) -> None:
+    """d (e, 3) of each edge, from its first end to the second."""
+    # difference of the places of both ends
+    for i in range(d.shape[0]):
         for c in range(3):
-            d[i, c] = x[B[i] + c] - x[A[i] + c]
-            for k in range(3):
-                out[i, 3 * c + k] = -q[i] if c == k else 0.0
-    edge_3, stiffness_3, edge_4, stiffness_4, edge_6, stiffness_6, edge_8, stiffness_8 = tables
-    _of_group(3, edge_3, stiffness_3, d, out)
-    _of_tetrahedra(edge_4, stiffness_4, d, out)
-    _of_group(6, edge_6, stiffness_6, d, out)
-    _of_group(8, edge_8, stiffness_8, d, out)
+            d[i, c] = x[s.B[i] + c] - x[s.A[i] + c]
 
 
-@kernel_late(allocates=True)
-def add_continua(eq: Equations, at: I2, x: F1, beta: float, value: F1) -> None:
-    """Add beta K of membranes and solids at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
-    A, B = eq.edge_A, eq.edge_B
-    s, q, blocks = np.empty(A.size), np.empty(A.size), np.empty((A.size, 9))
-    tables = _tables(eq)
-    _stretches(A, B, eq.edge_rest, x, s)
-    edge_densities(tables, s, q)
-    edge_blocks(A, B, q, tables, x, blocks)
-    _add_blocks(at, blocks, beta, value)
+@kernel
+def edge_blocks(s: EdgeElements, q: F1, x: F1, out: F2) -> None:
+    """K_pq of the ends p < q of every edge into out (e, 9), N/m, row by row; q (e,) force densities at x (3 n,)."""
+    d = np.empty((q.size, 3))
+    _differences(s, x, d)
+    # geometric part -q 1 of K_pq
+    for i in range(q.size):
+        for k in range(9):
+            out[i, k] = -q[i] if k % 4 == 0 else 0.0
+    _of_group(3, s.triangle_edge, s.triangle, d, out)
+    _of_tetrahedra(s.tetrahedron_edge, s.tetrahedron, d, out)
+    _of_group(6, s.six_edge, s.six, d, out)
+    _of_group(8, s.eight_edge, s.eight, d, out)
 
 
-@kernel_late(allocates=True)
-def add_damping(eq: Equations, at: I2, x: F1, gamma: float, value: F1) -> None:
-    """Add gamma C of beams at x to the lower triangle of a matrix in value, its blocks at (edges, 36)."""
-    A, B = eq.edge_A, eq.edge_B
-    q, blocks = np.zeros(A.size), np.empty((A.size, 9))
-    # C has the form of the material part of K
-    edge_blocks(A, B, q, _damping(eq), x, blocks)
-    _add_blocks(at, blocks, gamma, value)
+@kernel
+def _damping_blocks(s: EdgeElements, x: F1, out: F2) -> None:
+    """C_pq of the ends p < q of every edge into out (e, 9), N s/m: of the form of the material part of K_pq."""
+    d = np.empty((out.shape[0], 3))
+    _differences(s, x, d)
+    # no force of the damping at rest, so no geometric part
+    for i in range(out.shape[0]):
+        for k in range(9):
+            out[i, k] = 0.0
+    _of_group(6, s.damped_six_edge, s.damped_six, d, out)
+    _of_group(8, s.damped_eight_edge, s.damped_eight, d, out)
 
 
 @kernel_bare
@@ -363,3 +375,67 @@ def _add_blocks(at: I2, blocks: F2, beta: float, value: F1) -> None:
                 if d <= c:
                     value[at[k, 6 * c + d]] -= 0.5 * (entry + beta * blocks[k, 3 * d + c])
                     value[at[k, 6 * (3 + c) + 3 + d]] -= 0.5 * (entry + beta * blocks[k, 3 * d + c])
+
+
+@kernel
+def tangent(s: EdgeElements, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:  # noqa: ARG001
+    """As kernels.structure.element_table.tangent: an edge at a time, w = 6; without what the rates add to K."""
+    stretch, q, blocks = np.empty(s.A.size), np.empty(s.A.size), np.empty((s.A.size, 9))
+    _stretches(s, x, stretch)
+    edge_densities(s, stretch, q)
+    edge_blocks(s, q, x, blocks)
+    _add_blocks(at, blocks, beta, value)
+    if _damped(s):
+        _damping_blocks(s, x, blocks)
+        _add_blocks(at, blocks, gamma, value)
+
+
+KERNELS = {
+    element_table.FORCE: (element_table.force, force),
+    element_table.ENERGY: (element_table.energy, energy),
+    element_table.BALANCE: (element_table.balance, balance),
+    element_table.TANGENT: (element_table.tangent, tangent),
+    element_table.SWAP: (element_table.swap, swap),
+}
+
+NODES = {"triangle": 3, "tetrahedron": 4, "six": 6, "eight": 8}
+"""Numbers of nodes of elements by their fields."""
+
+
+def edge_elements(
+    p: Ints, q: Ints, rest: Floats, groups: Mapping[int, tuple[Ints, Floats]], delays: Mapping[int, Floats]
+) -> EdgeElements:
+    """The record of edges between the nodes p, q (e,), of squared lengths rest (e,) without stress, m^2.
+
+    groups : edges and stiffness of elements by their number of nodes. delays : damping times (k,), s, of those that have such.
+    """
+    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "rest": rest}
+    for name, v in NODES.items():
+        w = v * (v - 1) // 2
+        edge, stiff = groups.get(v, (np.zeros((0, w), np.int64), np.zeros((0, w * (w + 1) // 2))))
+        found |= {f"{name}_edge": edge, name: stiff}
+        if f"damped_{name}" in EdgeElements.FIELDS:
+            delay = delays.get(v, np.zeros(len(edge)))
+            own = delay > 0.0
+            found |= {f"damped_{name}_edge": edge[own], f"damped_{name}": stiff[own] * delay[own, None]}
+    return EdgeElements.of(found)
+
+
+def table(system: System) -> EdgeElements | None:
+    """All membranes, solids and elastic beams of a system; None where there are none."""
+    return None if system.continua is None else system.continua.record
+
+
+def coordinates(s: EdgeElements) -> NDArray[np.int64]:
+    """Coordinates (e, 6) of the ends of the edges."""
+    return np.concatenate([s.A[:, None] + np.arange(3), s.B[:, None] + np.arange(3)], axis=1)
+
+
+def loses(s: EdgeElements) -> bool:
+    """Whether some elements have damping."""
+    return bool(s.damped_six.size + s.damped_eight.size)
+
+
+def without_series(system: System) -> str | None:
+    """As elements.kinds.Element.without_series."""
+    return None if system.continua is None else "membranes or solids resist"
