@@ -55,9 +55,10 @@ def switches(system: System) -> dict[str, Any]:
 
 
 class Element(NamedTuple):
-    """table : the record of all elements of this kind in a system, or None. coordinates (elements, w) of its record, flat, -1
-    for none. kernels : by column of the table of kinds (kernels.structure.element_table), interface and kernel. loses : whether
-    elements of its record take energy. without_series : why a system has no power series of these forces, or None.
+    """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
+    none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
+    (kernels.structure.element_table), interface and kernel. loses : whether elements of its record take energy.
+    without_series : why a system has no power series of these forces, or None.
     """
 
     table: Callable[[Any], Any]

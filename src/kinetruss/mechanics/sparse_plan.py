@@ -287,7 +287,7 @@ def tangent_record(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         "base": base,
         "values": np.zeros_like(base),
         "space": np.zeros(n),
-        "element_at": np.concatenate([*(one.reshape(-1) for one in blocks[2:]), np.zeros(0)]),
+        "element_at": np.concatenate([*(one.reshape(-1) for one in blocks[2:]), np.zeros(0, np.int64)]),
         "element_ptr": np.array(_places_of(blocks[2:])).reshape(-1, 3),
     }
 

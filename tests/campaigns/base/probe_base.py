@@ -30,7 +30,7 @@ from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, Stat
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import GREEN, System, compile, jacobian, measured
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.elements import continua_stiffness, strain_balance
+from kinetruss.mechanics.elements import beam_losses, continua_stiffness, strain_balance
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
 from kinetruss.mechanics.rows import row_derivatives
@@ -278,6 +278,7 @@ class Inverse:
         energies(structure_of(s), nodal_loads(l), States(x, v, a), out)
         if s.continua is not None:
             out[:, :2] += strain_balance(s.continua, x, v)
+            out[:, 2] += beam_losses(s.continua, x, v)
         power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3
         return Part(out[0], (("energy", "rate", "lost"),), np.array([q.energy_size(mass), power, power]) + 1e-300)
 

@@ -1,8 +1,8 @@
 """[[M + beta K + gamma C, J^T], [J, -delta]] = L D L^T for the implicit methods, K with the stiffness of forces in bars.
 
-K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers, c g g^T of friction
-about pins and of springs, V'' g g^T + F H of springs. The pattern is found once (mechanics.sparse_plan); delta is
-small: what it spoils, the next iteration of Newton's method mends; so it does the curvature of sums, left out.
+K, C : dN/dL u u^T of bars with a law, N/L (1 - u u^T) of all that carry a force, dN/dL' u u^T of dampers; those of all other
+elements (structure.element_table). The pattern is found once (mechanics.sparse_plan); delta is small: what it spoils, the next
+iteration of Newton's method mends; so it does the curvature of sums, left out.
 """
 
 from __future__ import annotations

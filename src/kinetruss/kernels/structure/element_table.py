@@ -35,7 +35,7 @@ def balance(s: Record, t: float, x: F1, v: F1, out: F1) -> None:
 def tangent(s: Record, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
     """Add beta K + gamma C to the lower triangle of a matrix in value; K, C : minus the derivatives of the forces by x and v.
 
-    at (elements, w w) : places of the entries between the w coordinates of an element.
+    at (rows, w w) : places of the entries between the w coordinates of each row of the coordinates of the kind.
     """
 
 
