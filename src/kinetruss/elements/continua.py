@@ -125,18 +125,20 @@ def _damping_densities(s: EdgeElements, rate: F1, q: F1) -> None:
 
 @kernel_bare
 def _stretches(s: EdgeElements, x: F1, stretch: F1) -> None:
+    A, B, rest = s.A, s.B, s.rest
     # s = |d|^2 - |d_0|^2
     for i in range(stretch.size):
-        a, b = s.A[i], s.B[i]
+        a, b = A[i], B[i]
         dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        stretch[i] = dx * dx + dy * dy + dz * dz - s.rest[i]
+        stretch[i] = dx * dx + dy * dy + dz * dz - rest[i]
 
 
 @kernel_bare
 def _rates(s: EdgeElements, x: F1, v: F1, rate: F1) -> None:
+    A, B = s.A, s.B
     # s' = 2 d . d'
     for i in range(rate.size):
-        a, b, total = s.A[i], s.B[i], 0.0
+        a, b, total = A[i], B[i], 0.0
         for c in range(3):
             total += (x[b + c] - x[a + c]) * (v[b + c] - v[a + c])
         rate[i] = 2.0 * total
@@ -144,9 +146,10 @@ def _rates(s: EdgeElements, x: F1, v: F1, rate: F1) -> None:
 
 @kernel_bare
 def _add_edge_forces(s: EdgeElements, q: F1, x: F1, f: F1) -> None:
+    A, B = s.A, s.B
     # q d at A, -q d at B
     for i in range(q.size):
-        a, b = s.A[i], s.B[i]
+        a, b = A[i], B[i]
         for c in range(3):
             push = q[i] * (x[b + c] - x[a + c])
             f[a + c] += push
@@ -203,10 +206,11 @@ def swap(s: EdgeElements, t: float, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f:
     Energy is quadratic in the squared lengths and these in the positions, so this is the discrete gradient; the mean of the
     squared lengths exceeds that in the middle by |d1 - d0|^2/4.
     """
-    stretch, q = np.empty(s.A.size), np.empty(s.A.size)
+    A, B = s.A, s.B
+    stretch, q = np.empty(A.size), np.empty(A.size)
     # |d_1 - d_0|^2/4: mean of both squared lengths less that of the midpoint
     for i in range(stretch.size):
-        a, b, square = s.A[i], s.B[i], 0.0
+        a, b, square = A[i], B[i], 0.0
         for c in range(3):
             change = (x1[b + c] - x0[b + c]) - (x1[a + c] - x0[a + c])
             square += change * change
@@ -330,10 +334,11 @@ def _of_tetrahedra(edge: I2, stiffness: F2, d: F2, out: F2) -> None:
 @kernel_bare
 def _differences(s: EdgeElements, x: F1, d: F2) -> None:
     """d (e, 3) of each edge, from its first end to the second."""
+    A, B = s.A, s.B
     # difference of the places of both ends
     for i in range(d.shape[0]):
         for c in range(3):
-            d[i, c] = x[s.B[i] + c] - x[s.A[i] + c]
+            d[i, c] = x[B[i] + c] - x[A[i] + c]
 
 
 @kernel
@@ -344,7 +349,8 @@ def edge_blocks(s: EdgeElements, q: F1, x: F1, out: F2) -> None:
     # geometric part -q 1 of K_pq
     for i in range(q.size):
         for k in range(9):
-            out[i, k] = -q[i] if k % 4 == 0 else 0.0
+            out[i, k] = 0.0
+        out[i, 0] = out[i, 4] = out[i, 8] = -q[i]
     _of_group(3, s.triangle_edge, s.triangle, d, out)
     _of_tetrahedra(s.tetrahedron_edge, s.tetrahedron, d, out)
     _of_group(6, s.six_edge, s.six, d, out)
