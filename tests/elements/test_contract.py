@@ -102,6 +102,8 @@ MODELS = {
 }  # fmt: skip
 CASES = [(kind, name) for kind, models in MODELS.items() for name in models]
 STEP = 1e-6
+BY_THE_MIDDLE = ("on a hinge", "of two terms", "on an offset")
+"""Steps by the midpoint rule keep the energy of these to the order of the step alone."""
 
 
 def test_every_kind_has_a_model():
@@ -238,9 +240,10 @@ def test_the_tangents_of_implicit_methods_are_those_of_the_force_at_rest(case):
             assert found == pytest.approx(wanted, abs=1e-6 * (1 + np.abs(numbers).max()))
 
 
-def test_a_step_by_the_midpoint_rule_keeps_the_energy(case):
+def test_a_step_by_the_midpoint_rule_keeps_the_energy(case, request):
     """To the last digits, or, of coordinates whose gradient in the middle is taken, to the third order of the step."""
     system, x, v = case
+    _, name = request.node.callspec.params["case"]
     for one, record in present(system):
         kernels, lacking = {column: kernel for column, (_, kernel) in one.kernels.items()}, []
         for size in (0.02, 0.01):
@@ -251,4 +254,4 @@ def test_a_step_by_the_midpoint_rule_keeps_the_energy(case):
             kernels[SWAP](record, 0.0, x0, x1, xe, ve, h, f)
             lacking.append(abs(float(f @ (x1 - x0)) + kernels[ENERGY](record, x1) - kernels[ENERGY](record, x0)))
         scale = 1.0 + abs(kernels[ENERGY](record, x.reshape(-1))) + float(np.abs(f).max())
-        assert lacking[1] <= 1e-12 * scale or lacking[0] > 6.0 * lacking[1]
+        assert lacking[0] > 6.0 * lacking[1] if name in BY_THE_MIDDLE else max(lacking) <= 1e-12 * scale
