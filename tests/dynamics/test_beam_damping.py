@@ -11,8 +11,8 @@ from scipy.signal import find_peaks
 from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
+from kinetruss.elements.beams import damping_forces, damping_tangents
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.beam_elements import damping_forces, damping_tangents
 
 STEEL = kt.Material(E=200e9, density=7800.0)
 BOX = kt.Rectangle(width=0.02, height=0.03)

@@ -10,7 +10,7 @@ import kinetruss as kt
 from kinetruss.dynamics import newton_euler
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.elements import scalar_forces, scalar_laws, scalar_tangents
+from kinetruss.mechanics.elements import element_forces, element_tangents
 
 METHODS = [kt.DOP853(), kt.Radau(), kt.GeneralizedAlpha(step=1e-3), kt.EnergyMomentum(step=1e-3)]
 
@@ -138,9 +138,9 @@ def test_stiffness_and_damping_are_the_derivatives_of_the_forces():
     v = rng.standard_normal(x.shape) * [1, 1, 0]
 
     def force(x, v):
-        return scalar_forces(system, x, v)
+        return element_forces(system, x, v)
 
-    K, C = scalar_tangents(system, x, v, scalar_laws(system, x, v))
+    K, C = element_tangents(system, x, v)
     for matrix, of in ((K, 0), (C, 1)):
         for k in range(x.size):
             if k % 3 == 2:

@@ -10,7 +10,7 @@ import kinetruss as kt
 from hinge_models import Arm
 from kinetruss.dynamics import newton_euler
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.elements import named_motions, scalar_forces
+from kinetruss.mechanics.elements import element_forces, named_motions
 from kinetruss.mechanics.matrices import tangents
 from spring_models import ARM, INERTIA, MASS, STIFFNESS, angle, flying, pendulum, rate, two_links
 
@@ -285,7 +285,7 @@ def test_stiffness_and_damping_are_the_derivatives_of_the_force():
             there = [
                 [y + (sign * shifted.reshape(x.shape) if k == given else 0) for k, y in enumerate((x, v))] for sign in (1, -1)
             ]
-            slope = (scalar_forces(system, *there[0]) - scalar_forces(system, *there[1])) / (2 * h)
+            slope = (element_forces(system, *there[0]) - element_forces(system, *there[1])) / (2 * h)
             assert -slope == pytest.approx(matrix[:, flat], abs=2e-6)
 
 

@@ -9,7 +9,7 @@ from scipy.special import ellipk, ellipkinc
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.elements import named_motions, scalar_forces
+from kinetruss.mechanics.elements import element_forces, named_motions
 from spring_models import STIFFNESS, hencky, pendulum, two_links
 
 SOLID = {"section": kt.Rectangle(width=0.03, height=0.02), "material": kt.library.materials.STEEL_S235}
@@ -123,7 +123,7 @@ def test_energy_and_force_agree_at_rest():
     step = np.zeros((4, 3))
     step[2:, :2] = 1e-6 * rng.standard_normal((2, 2))
     x = system.x0 + 1e5 * step
-    force = scalar_forces(system, x)
+    force = element_forces(system, x)
     energy = named_motions(system, np.stack([x - step, x + step])).energy.sum(axis=1)
     assert energy[1] - energy[0] == pytest.approx(-2 * force @ step.reshape(-1), rel=1e-7)
 

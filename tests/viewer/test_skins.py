@@ -5,7 +5,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss import viewer
-from kinetruss.mechanics.continua import body_faces, skin_of
+from kinetruss.elements.continua_arrays import body_faces, skin_of
 from kinetruss.strength.element_stresses import skin_stress
 
 STEEL = kt.Material(E=210e9, poisson=0.3, density=7850.0)

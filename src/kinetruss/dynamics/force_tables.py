@@ -19,6 +19,7 @@ from kinetruss.dynamics.bar_actions import (
     take_off,
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
+from kinetruss.elements.beams import MODES
 from kinetruss.elements.kinds import on_coordinates, present
 from kinetruss.elements.local_axes import local_axes
 from kinetruss.kernels.compiled.workspace import allocate
@@ -28,7 +29,6 @@ from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, Noda
 from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import System, cached
-from kinetruss.mechanics.beam_elements import MODES
 from kinetruss.mechanics.elements import named_motions, refuse_turns
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws

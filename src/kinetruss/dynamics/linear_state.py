@@ -8,16 +8,14 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from kinetruss.elements.kinds import on_coordinates
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import ELASTIC, ENGINEERING, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.arguments import number_of, positions_of, vectors_of
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions
-from kinetruss.mechanics.beam_elements import damping_forces
 from kinetruss.mechanics.coordinates import Coordinate, chosen_dofs, coordinates, derivatives_of, is_prescribed
-from kinetruss.mechanics.elements import scalar_forces
+from kinetruss.mechanics.elements import element_forces
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, turning_inertia, turning_members
 from kinetruss.mechanics.rows import row_derivatives
 from kinetruss.model import Active, AngleDrive, GivenForce, LengthDrive, Model, nearest, turns
@@ -132,10 +130,7 @@ def moving_forces(balance: Balance, x: NDArray[np.float64], v: NDArray[np.float6
     found = balance.applied(x).reshape(-1, 3)
     if not np.any(v):
         return found.reshape(-1)
-    if system.continua is not None and (beams := system.continua.beams) is not None and beams.damping.any():
-        found += damping_forces(beams, x[None], v[None])[0]
-    if on_coordinates(system) is not None:
-        found += (scalar_forces(system, x, v) - scalar_forces(system, x)).reshape(-1, 3)
+    found += (element_forces(system, x, v) - element_forces(system, x)).reshape(-1, 3)
     _, L, u = ends_of(system, x)
     Ld = np.einsum("mc,mc->m", u, v[system.q] - v[system.p])
     more = (bar_laws(system, L, Ld).tension - bar_laws(system, L).tension)[:, None] * u

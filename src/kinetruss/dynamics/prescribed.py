@@ -14,6 +14,7 @@ import numpy as np
 
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
+from kinetruss.elements.continua_matrices import continua_forces
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, States
@@ -33,7 +34,7 @@ from kinetruss.mechanics import (
     row_directions,
 )
 from kinetruss.mechanics.beam_shapes import FixedShapes, fixed_shapes
-from kinetruss.mechanics.elements import continua_forces, material_stiffness
+from kinetruss.mechanics.elements import material_stiffness
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.model import Model

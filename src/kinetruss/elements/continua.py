@@ -1,7 +1,7 @@
 """Membranes, solids and beams: elements whose energy is quadratic in the squared lengths of their edges.
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
-densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `mechanics.continua`).
+densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `elements.continua_arrays`).
 Edges are shared: the stretch and the force of each are found once, whatever number of elements it belongs to.
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @record
 class EdgeElements(Record):
-    """A, B (e,) flat ends of the edges, rest (e,) their squared lengths without stress, m^2.
+    """A, B (e,) flat ends of the edges, start (e, 3) from the first to the second without stress, m.
 
     By the number of nodes, with w edges between them: the edges (k, w) of each element in the order of the pairs (0, 1),
     (0, 2), ... of its nodes, and the upper triangle of its stiffness 2 G by rows (k, w (w + 1)/2), N/m^3. damped_six,
@@ -43,7 +43,7 @@ class EdgeElements(Record):
     eight_edge: I2
     damped_six_edge: I2
     damped_eight_edge: I2
-    rest: F1
+    start: F2
     triangle: F2
     tetrahedron: F2
     six: F2
@@ -125,12 +125,14 @@ def _damping_densities(s: EdgeElements, rate: F1, q: F1) -> None:
 
 @kernel_bare
 def _stretches(s: EdgeElements, x: F1, stretch: F1) -> None:
-    A, B, rest = s.A, s.B, s.rest
-    # s = |d|^2 - |d_0|^2
+    A, B, start = s.A, s.B, s.start
+    # s = |d|^2 - |d_0|^2 = (d - d_0) . (d + d_0): small ones to all digits, and 0 where d is d_0
     for i in range(stretch.size):
-        a, b = A[i], B[i]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        stretch[i] = dx * dx + dy * dy + dz * dz - rest[i]
+        a, b, total = A[i], B[i], 0.0
+        for c in range(3):
+            d = x[b + c] - x[a + c]
+            total += (d - start[i, c]) * (d + start[i, c])
+        stretch[i] = total
 
 
 @kernel_bare
@@ -409,13 +411,13 @@ NODES = {"triangle": 3, "tetrahedron": 4, "six": 6, "eight": 8}
 
 
 def edge_elements(
-    p: Ints, q: Ints, rest: Floats, groups: Mapping[int, tuple[Ints, Floats]], delays: Mapping[int, Floats]
+    p: Ints, q: Ints, start: Floats, groups: Mapping[int, tuple[Ints, Floats]], delays: Mapping[int, Floats]
 ) -> EdgeElements:
-    """The record of edges between the nodes p, q (e,), of squared lengths rest (e,) without stress, m^2.
+    """The record of edges between the nodes p, q (e,), start (e, 3) from p to q without stress, m.
 
     groups : edges and stiffness of elements by their number of nodes. delays : damping times (k,), s, of those that have such.
     """
-    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "rest": rest}
+    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "start": start}
     for name, v in NODES.items():
         w = v * (v - 1) // 2
         edge, stiff = groups.get(v, (np.zeros((0, w), np.int64), np.zeros((0, w * (w + 1) // 2))))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.elements import continua, scalars
+from kinetruss.elements import continua, continua_matrices, scalars
 from kinetruss.elements.caching import cached
 from kinetruss.elements.loads import along, body_loads, nodal, pressures
 from kinetruss.elements.loads.load import Load, Turning
@@ -59,6 +59,10 @@ class Element(NamedTuple):
     none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
     (kernels.structure.element_table), interface and kernel. loses : whether elements of its record take energy.
     without_series : why a system has no power series of these forces, or None.
+
+    With positions and velocities (n, 3), as sparse matrices (3 n, 3 n): tangents : K and C, minus the derivatives of the forces
+    by x and by v. geometric : the stiffness of the forces that small displacements u from x add, for critical loads. rows : the
+    equations of small displacements have rows for the deformations of its elements (statics.small_displacements).
     """
 
     table: Callable[[Any], Any]
@@ -66,6 +70,9 @@ class Element(NamedTuple):
     kernels: Mapping[int, tuple[Any, Any]]
     loses: Callable[[Any], bool]
     without_series: Callable[[Any], str | None]
+    tangents: Callable[[Any, Any, Any, Any], tuple[Any, Any]]
+    geometric: Callable[[Any, Any, Any, Any], Any]
+    rows: bool = False
 
 
 def _bent(system: System) -> str | None:
@@ -76,8 +83,26 @@ def _bent(system: System) -> str | None:
 
 
 ELEMENTS = (
-    Element(on_coordinates, scalars.coordinates, scalars.KERNELS, lambda s: bool(s.loses.any()), _bent),
-    Element(continua.table, continua.coordinates, continua.KERNELS, continua.loses, continua.without_series),
+    Element(
+        on_coordinates,
+        scalars.coordinates,
+        scalars.KERNELS,
+        lambda s: bool(s.loses.any()),
+        _bent,
+        scalars.tangents,
+        scalars.geometric,
+        rows=True,
+    ),
+    Element(
+        continua.table,
+        continua.coordinates,
+        continua.KERNELS,
+        continua.loses,
+        continua.without_series,
+        continua_matrices.tangents,
+        continua_matrices.geometric,
+        rows=True,
+    ),
 )
 """All kinds, in the order of their sums."""
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array, csr_array
 
 from kinetruss.kernels.compiled.calls import Interface
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
@@ -402,6 +403,42 @@ def coordinates(s: Scalars) -> NDArray[np.int64]:
     for one, own in zip(places, nodes, strict=True):
         one[: len(own)] = own[:, None] + np.arange(3)
     return places.reshape(len(nodes), places.shape[1] * 3)
+
+
+def tangents(
+    system: System,  # noqa: ARG001
+    record: Scalars,
+    x: NDArray[np.float64],
+    v: NDArray[np.float64] | None,
+    resistance: NDArray[np.float64] | None = None,
+) -> tuple[Any, Any]:
+    """K and C (3 n, 3 n), N/m and N s/m: minus the derivatives of the forces -F g by x and by v, both (n, 3).
+
+    resistance (elements, 3) : F, dF/dq and dF/dq', by default those of the laws. g, H : gradient and Hessian of q, so that
+    C = dF/dq' g g^T and K = dF/dq g g^T + F H + dF/dq' g (H v)^T.
+    """
+    places = coordinates(record)
+    count, width = places.shape
+    made = np.empty((2, count, width, width))
+    place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(x.size) if v is None else v))
+    if resistance is None:
+        resistance = np.zeros((count, 3))
+        slopes(record, place, rate, resistance)
+    blocks(record, places, place, rate, resistance, *made)
+    rows, columns = np.repeat(places, width, axis=1).reshape(-1), np.tile(places, (1, width)).reshape(-1)
+    own = (rows >= 0) & (columns >= 0)
+    at, shape = (rows[own], columns[own]), (x.size, x.size)
+    K, C = (csr_array(coo_array((one.reshape(-1)[own], at), shape=shape)) for one in made)
+    return K, C
+
+
+def geometric(system: System, record: Scalars, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:
+    """As elements.kinds.Element.geometric: F H of the forces dF/dq dq/dx u that the displacements add."""
+    place, moved = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, u))
+    law, change = np.zeros((len(record.law), 3)), np.empty((4, 1, len(record.law)))
+    slopes(record, place, np.zeros(x.size), law)
+    histories(record, place[None], moved[None], change)
+    return tangents(system, record, x, None, np.column_stack([law[:, 1] * change[1, 0], *np.zeros((2, len(law)))]))[0]
 
 
 KERNELS = {

@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array, diags_array
 
+from kinetruss.elements.beams import mode_stiffness
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows
-from kinetruss.mechanics.beam_elements import mode_stiffness
 from kinetruss.mechanics.elements import material_stiffness
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix
 from kinetruss.mechanics.rows import null_basis

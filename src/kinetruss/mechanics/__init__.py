@@ -5,7 +5,16 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.elements.beams import BeamElements as BeamElements
     from kinetruss.elements.caching import cached as cached
+    from kinetruss.elements.continua_arrays import (
+        Continua as Continua,
+        Patch as Patch,
+        element_points as element_points,
+        gradients as gradients,
+        law_matrix as law_matrix,
+        without_beams as without_beams,
+    )
     from kinetruss.elements.loads.follower import turned as turned
     from kinetruss.kernels.structure.structure import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
     from kinetruss.mechanics.arrangement import (
@@ -16,15 +25,6 @@ if TYPE_CHECKING:
         not_unique_note as not_unique_note,
         plan_of as plan_of,
         rearrange as rearrange,
-    )
-    from kinetruss.mechanics.beam_elements import BeamElements as BeamElements
-    from kinetruss.mechanics.continua import (
-        Continua as Continua,
-        Patch as Patch,
-        element_points as element_points,
-        gradients as gradients,
-        law_matrix as law_matrix,
-        without_beams as without_beams,
     )
     from kinetruss.mechanics.measure_arrays import axes_of as axes_of, is_measured as is_measured
     from kinetruss.mechanics.measures import (

@@ -14,7 +14,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics.arrangement import rearrange
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.elements import continua_energy, named_laws, named_motions, resting_forces, scalar_forces
+from kinetruss.mechanics.elements import element_energy, element_forces, named_laws
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.measures import measure_gradients, measure_hessian, measured
@@ -71,8 +71,6 @@ class Balance:
         found = self.force.reshape(-1, 3).copy()
         np.add.at(found, system.p, tensions)
         np.subtract.at(found, system.q, tensions)
-        if system.continua is not None:
-            found += resting_forces(system.continua, x)
         rods = np.flatnonzero(system.two_rods)
         # weight of active members: it depends on their lengths
         if len(rods) and np.any(self.gravity):
@@ -83,7 +81,7 @@ class Balance:
         # T dq/dx of torques on measures
         for m in np.flatnonzero(self.turn):
             flat += self.turn[m] * measure_gradients(system, m, x[None])[0]
-        flat += scalar_forces(system, x)
+        flat += element_forces(system, x)
         return flat + self.following(x)
 
     def pushing(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -116,8 +114,7 @@ class Balance:
         (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
         # strain energy
         change = float(np.sum(bar_laws(system, L1).energy - bar_laws(system, L0).energy))
-        if system.continua is not None:
-            change += continua_energy(system.continua, y) - continua_energy(system.continua, x)
+        change += element_energy(system, y) - element_energy(system, x)
         # work of loads that keep their direction, and of given thrusts
         change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
         if np.any(self.torque):
@@ -127,8 +124,6 @@ class Balance:
         for m in np.flatnonzero(self.turn):
             before, after = measured(system, m, np.stack([x, y]))[:, 0]
             change -= float(self.turn[m] * (after - before))
-        if system.force_elements:
-            change += float(np.diff(named_motions(system, np.stack([x, y])).energy.sum(axis=1))[0])
         rods, two = system.rods, system.two_rods
         if two.any() and np.any(self.gravity):
             # weight of active members: first moments move with the ends and turn with the direction

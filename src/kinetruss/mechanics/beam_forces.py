@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.beams import MODES, BeamElements, hermite, hermite_slopes, mode_rates
 from kinetruss.elements.caching import cached
-from kinetruss.mechanics.beam_elements import MODES, BeamElements, hermite, hermite_slopes, mode_rates
 from kinetruss.model.bracing import CHORD
 
 if TYPE_CHECKING:

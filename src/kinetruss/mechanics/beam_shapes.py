@@ -2,7 +2,7 @@
 
 A beam whose deformation the rows of a model leave free is held by rigid bars between the frames of its ends, in a second
 system with the same nodes. Its positions are those of the undeformed structure. Where the bars are statically determinate,
-their forces give those of the deformation modes (mechanics.beam_elements): with the rigid motions xi of the second frame,
+their forces give those of the deformation modes (elements.beams): with the rigid motions xi of the second frame,
 
     sum_s S_s dm_s/dxi = -(F, M),
 
@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.beams import pairs_of
 from kinetruss.elements.caching import cached
 from kinetruss.mechanics.arrangement import arrange
-from kinetruss.mechanics.beam_elements import pairs_of
 from kinetruss.mechanics.mobility import mobility_at
 from kinetruss.mechanics.row_gradients import row_directions
 from kinetruss.mechanics.system import System, compile
@@ -28,7 +28,7 @@ from kinetruss.model.beam_frames import shape_bars
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics.beam_elements import BeamElements
+    from kinetruss.elements.beams import BeamElements
 
 
 BENDS = 1e-6

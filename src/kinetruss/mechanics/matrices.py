@@ -9,10 +9,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.elements.caching import cached
-from kinetruss.elements.kinds import on_coordinates
 from kinetruss.kernels.structure.laws import law_values
-from kinetruss.mechanics.beam_elements import damping_tangents
-from kinetruss.mechanics.elements import continua_stiffness, scalar_laws, scalar_tangents
+from kinetruss.mechanics.elements import element_tangents
 from kinetruss.mechanics.row_gradients import angle_hessians, direction_rates, dot, ends_of, length_hessians
 from kinetruss.mechanics.tables import elements, mass_of_pairs
 
@@ -105,13 +103,25 @@ def tangents(
     gravity: NDArray[np.float64],
     v: NDArray[np.float64] | None = None,
     a: NDArray[np.float64] | None = None,
-    resistance: NDArray[np.float64] | None = None,
 ) -> tuple[Any, Any]:
-    """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v.
+    """`member_tangents` and those of elements of all kinds."""
+    members, others = member_tangents(system, x, tension, torque, gravity, v, a), element_tangents(system, x, v)
+    return members[0] + others[0], members[1] + others[1]
+
+
+def member_tangents(
+    system: System,
+    x: NDArray[np.float64],
+    tension: NDArray[np.float64],
+    torque: NDArray[np.float64],
+    gravity: NDArray[np.float64],
+    v: NDArray[np.float64] | None = None,
+    a: NDArray[np.float64] | None = None,
+) -> tuple[Any, Any]:
+    """Stiffness K and damping C (3 n, 3 n), N/m and N s/m: minus the derivatives of f - M a - J^T N by x and by v,
+    of members: bars with their laws and forces, and inertia and weight that turn with them.
 
     x, v, a (n, 3). tension (m,): total axial force of each member, N. torque (m,): the torque on it, N m. gravity (3,).
-    resistance (elements, 3) : of elements on coordinates, and its derivatives by the coordinate and its rate; by default those
-    of their laws.
     """
     d, L, u = ends_of(system, x)
     dv = np.zeros_like(d) if v is None else v[system.q] - v[system.p]
@@ -136,15 +146,6 @@ def tangents(
         c6[turning] += ct
     K = _assembled(system, k6)
     C = _assembled(system, c6) if np.any(damping) or len(turning) else csr_array(K.shape)
-    if on_coordinates(system) is not None:
-        resisting = scalar_tangents(system, x, v, scalar_laws(system, x, v) if resistance is None else resistance)
-        K, C = K + resisting[0], C + resisting[1]
-    if system.continua is None:
-        return K, C
-    K = K + continua_stiffness(system.continua, x)
-    if (beams := system.continua.beams) is not None and beams.damping.any():
-        lagging = damping_tangents(beams, x, v)
-        K, C = K + lagging[0], C + lagging[1]
     return K, C
 
 

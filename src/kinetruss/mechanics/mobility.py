@@ -10,11 +10,11 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array, diags_array, vstack
 
 from kinetruss.display import counted
+from kinetruss.elements.beams import mode_gradients
 from kinetruss.errors import Fault, InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics.arguments import positions_of
 from kinetruss.mechanics.arrangement import eliminated
-from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.null_space import Spaces, outside
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_jacobian, ends_of, row_directions, row_ends
 from kinetruss.mechanics.system import System, compile

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from kinetruss.elements.continua_arrays import Continua, compiled_continua, pair_arrays
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
-from kinetruss.mechanics.continua import Continua, compiled_continua, pair_arrays
 from kinetruss.mechanics.measure_arrays import measure_arrays
 from kinetruss.mechanics.members import DRIVEN, RIGID, member_arrays
 from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, inner_parts

@@ -15,7 +15,7 @@ from kinetruss.mechanics.system import System
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.mechanics.continua import Continua
+    from kinetruss.elements.continua_arrays import Continua
     from kinetruss.mechanics.loads import Loads
 
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.elements.kinds import present
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.elements import continua_geometric, scalar_laws, scalar_motions
-from kinetruss.mechanics.matrices import bar_laws, tangents
+from kinetruss.mechanics.matrices import bar_laws, member_tangents
 from kinetruss.mechanics.rows import null_basis
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
@@ -129,16 +129,12 @@ def _of_load(
     tension, torque = row_tensions(system, reached.x, N)
     none = np.zeros_like(L)
     still = np.zeros(3)
-    resisting = np.zeros_like(scalar_laws(system, reached.x))
-    unloaded = resisting.copy()
-    if len(resisting):
-        resisting[:, 0] = scalar_laws(system, reached.x)[:, 1] * scalar_motions(system, reached.x[None], flat).rate[0]
-    loaded = tangents(system, reached.x, added + tension, torque, still, resistance=resisting)[0]
-    geometric = loaded - tangents(system, reached.x, none, none, still, resistance=unloaded)[0]
+    loaded = member_tangents(system, reached.x, added + tension, torque, still)[0]
+    geometric = loaded - member_tangents(system, reached.x, none, none, still)[0]
+    for one, record in present(system):
+        geometric = geometric + one.geometric(system, record, reached.x, moved)
     if len(system.measures):
         geometric = geometric + sum_stiffness(system, reached.x, measure_forces(system, N))
-    if system.continua is not None:
-        geometric = geometric + continua_geometric(system.continua, reached.x, moved)
     return added + tension, geometric
 
 

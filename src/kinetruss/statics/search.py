@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from kinetruss.elements.continua_matrices import continua_stiffness, densities, squared_changes
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
 from kinetruss.mechanics.balance import Balance
-from kinetruss.mechanics.elements import continua_stiffness, densities, resting_forces, squared_changes
+from kinetruss.mechanics.elements import element_forces
 from kinetruss.mechanics.positions import row_values, shortest
 from kinetruss.statics.saddle_point import DENSE, LOOKED_AT, NEUTRAL, Rows, Saddle, inertia, modes, rows_of
 
@@ -169,8 +170,8 @@ def force_scale(balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]
         parts.append(balance.torque / ends_of(balance.system, x)[1])
     scale = max(float(np.abs(part).max(initial=0.0)) for part in parts)
     # strained, but without load: it returns to its stress-free configuration
-    if not scale and balance.system.continua is not None:
-        scale = float(np.abs(resting_forces(balance.system.continua, x)).max(initial=0.0))
+    if not scale:
+        scale = float(np.abs(element_forces(balance.system, x)).max(initial=0.0))
     return scale
 
 

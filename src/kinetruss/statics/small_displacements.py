@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, vstack
 
+from kinetruss.elements.beams import mode_gradients
+from kinetruss.elements.kinds import present
 from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics import FREE, NONE, System, cached, constraint_jacobian, ends_of, without_beams
-from kinetruss.mechanics.beam_elements import mode_gradients
 from kinetruss.mechanics.elements import material_stiffness, named_laws
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws
@@ -220,11 +221,14 @@ def _continuum(held: System, x: NDArray[np.float64]) -> Any:
 
 
 def _elements_only(held: System, x: NDArray[np.float64]) -> Any:
-    """The same over all coordinates: of all continua but beams, whose deformations are rows."""
-    found = held.continua
-    if found is None or not found.patches:
-        return csr_array((x.size, x.size))
-    return material_stiffness(replace(held, continua=without_beams(found)), x)
+    """The same over all coordinates: of all continua but beams, whose deformations are rows, and of kinds without rows."""
+    found, K = held.continua, csr_array((x.size, x.size))
+    if found is not None and found.patches:
+        K = material_stiffness(replace(held, continua=without_beams(found)), x)
+    for one, record in present(held):
+        if not one.rows:
+            K = K + one.tangents(held, record, x, None)[0]
+    return K
 
 
 def _explain(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> None:

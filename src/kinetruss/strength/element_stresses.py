@@ -8,17 +8,17 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.arrays import Shape, array_of
+from kinetruss.elements.continua_arrays import TRIANGLES
 from kinetruss.errors import InputError
 from kinetruss.mechanics import Patch, System, compile, element_points, gradients, law_matrix
-from kinetruss.mechanics.continua import TRIANGLES
 from kinetruss.model import Material, Model, nearest
 from kinetruss.results import Result, variable
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from kinetruss.elements.continua_arrays import Skin
     from kinetruss.mechanics import Continua
-    from kinetruss.mechanics.continua import Skin
 
 
 _PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.elements.continua_arrays import skin_of
 from kinetruss.errors import InputError
-from kinetruss.mechanics.continua import skin_of
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Pressure
 

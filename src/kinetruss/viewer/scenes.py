@@ -10,10 +10,10 @@ import numpy as np
 
 from kinetruss import __version__
 from kinetruss.display import limits_of
+from kinetruss.elements.continua_arrays import skin_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.continua import skin_of
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.results import Forces, Motion, Result, Simulation, Status

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.continua_arrays import body_faces, skin_of
 from kinetruss.elements.local_axes import orientation
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.beam_forces import beam_curves
-from kinetruss.mechanics.continua import body_faces, skin_of
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
 from kinetruss.model.beam_frames import chords, shown_kinds, shown_names
 from kinetruss.model.bodies import placed

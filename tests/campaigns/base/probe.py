@@ -24,13 +24,13 @@ from models import Case
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.linear_state import moving_forces
 from kinetruss.dynamics.prescribed import apply_loads as left_over
+from kinetruss.elements.continua_matrices import continua_stiffness
 from kinetruss.kernels.solve import kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import GREEN, System, compile, jacobian, measured
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.elements import continua_stiffness
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
 from kinetruss.mechanics.rows import row_derivatives

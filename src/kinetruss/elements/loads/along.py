@@ -1,7 +1,7 @@
 """Loads along members: forces along bars and elastic beams, couples along bars of a plane.
 
 A force of q N/m from xi = b to xi = e of a member of length L does the work int q . dr L dxi on r = sum_j H_j(xi) r_j: along a
-bar H = 1 - xi, xi, along an elastic beam Hermite's polynomials of the nodes at its ends (mechanics.beam_elements). So node j
+bar H = 1 - xi, xi, along an elastic beam Hermite's polynomials of the nodes at its ends (elements.beams). So node j
 takes w_j q, w_j = L int (a + (c - a)(xi - b)/(e - b)) H_j dxi with the shape a, c. In the axes of the member q turns with
 
     1 = d/|d|,    plane: 2 = J 1;    space: 2 = (h - (h . 1) 1)/|...|, 3 = 1 x 2

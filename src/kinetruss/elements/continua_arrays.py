@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.beams import BeamElements, beam_elements
 from kinetruss.elements.continua import EdgeElements, edge_elements
-from kinetruss.mechanics.beam_elements import BeamElements, beam_elements
 from kinetruss.model import Material, Model, Orthotropic, body_mass
 from kinetruss.model.beam_frames import rigid_beams
 
@@ -61,7 +61,7 @@ def _is_thin(m: NDArray[np.float64], skew: float) -> bool:
 #
 # so E = B (c - c0) and the energy of an element is a quadratic form, W = (c - c0)^T G (c - c0)/2, G = integral of B^T C B dV.
 # A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15, a beam with the frames of its ends 15
-# in the plane and 28 in space (mechanics.beam_elements). The force density of an edge is q =
+# in the plane and 28 in space (elements.beams). The force density of an edge is q =
 # 2 G (c - c0), N/m, which is N/l of a bar. An element of one edge is a bar with Green's strain.
 
 FOUR = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
@@ -86,7 +86,7 @@ class Patch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Continua:
-    """p, q (e,) nodes of the edges, p < q; rest (e,) squared lengths, m^2, without stress; mass (e,) kg, m_pq of the consistent
+    """p, q (e,) nodes of the edges, p < q; start (e, 3) from p to q, m, without stress; mass (e,) kg, m_pq of the consistent
     mass matrix, and lump (n,) its diagonal.
 
     groups : by number of nodes v, edge (k, v (v - 1)/2) edges of the pairs (0, 1), (0, 2), ... of each element's nodes in
@@ -95,7 +95,7 @@ class Continua:
 
     p: NDArray[np.int32]
     q: NDArray[np.int32]
-    rest: NDArray[np.float64]
+    start: NDArray[np.float64]
     mass: NDArray[np.float64]
     lump: NDArray[np.float64]
     groups: dict[int, tuple[NDArray[np.int32], NDArray[np.float64]]]
@@ -109,7 +109,7 @@ class Continua:
         if self.beams is not None:
             v, own = self.beams.nodes.shape[1], self.beams.damping
             delays[v] = np.concatenate([np.zeros(len(self.groups[v][0]) - len(own)), own])  # beams are the last elements
-        return edge_elements(self.p, self.q, self.rest, self.groups, delays)
+        return edge_elements(self.p, self.q, self.start, self.groups, delays)
 
 
 def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
@@ -139,9 +139,8 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
         groups.setdefault(v, []).append((edge, stiff))
     joined = {v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts])) for v, parts in groups.items()}
     d = x0[q] - x0[p]
-    rest = np.einsum("ec,ec->e", d, d)  # computed as in the forces, so that the start is free of stress to the last bit
     return Continua(
-        p=p.astype(np.int32), q=q.astype(np.int32), rest=rest, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
+        p=p.astype(np.int32), q=q.astype(np.int32), start=d, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
     )
 
 

@@ -15,7 +15,7 @@ shorter than the arc, so that |f| = (1 - cos theta)/theta and s = sin theta. Axi
 the chord, which changes moments by about three times the square of the bending strain. The modes are Meijaard's (Nonlinear
 Dynamics 9 (1996) 21-36) to second order, with E I/l0 (4 2; 2 4) on (f_p, f_q) in diagonal form. Every mode is linear in dot
 products of differences of nodes, so in squared distances: a . b = -1/2 sum a_i b_k c_ik for coefficients with the sum 0. A
-beam is an element like a solid (mechanics.continua), of all pairs of its 6 (plane) or 8 (space) nodes.
+beam is an element like a solid (elements.continua_arrays), of all pairs of its 6 (plane) or 8 (space) nodes.
 
 Mass: the axis has the field r = H1 x_P + H2 l0 x_p + H3 x_Q + H4 l0 x_q with Hermite's polynomials, and a section turns with
 axes y, z that change linearly from p to q: kinetic energy rho A |r'|^2/2 + rho I3 |y'|^2/2 + rho I2 |z'|^2/2 along the beam,
