@@ -67,8 +67,8 @@ def _along_beams(model: ModelData, load: Pressure, path: tuple[Any, ...]) -> Ite
         which = f"beam {along[0]}" if len(along) == 1 else f"the beams {few(along, 4)}"
         message = f"acts along {which}: its forces at {' and '.join(load.face)} alone would bend nothing between the ends."
         mend = (
-            "Loads along beams are not there yet. Divide the beam, and give each node its share of the load as a force "
-            "(load per length times half of the beams beside it); or give it as weight: mass of the beam, and gravity."
+            f"Give each beam its load: {{member: {along[0]}, force: [0, 1 kN/m], axes: member}}, the pressure times the depth, "
+            "to the left of the way from the first end of the beam to the second."
         )
         yield Fault((*path, "face"), message, mend, about=tuple(("beams", name) for name in along))
 

@@ -173,7 +173,7 @@ def _along_bar(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDA
     data = np.array([[q @ (1.0 - xi), -1.0, -1.0], [q @ xi, 1.0, 0.0], [0.0, 0.0, 1.0]])[: len(nodes)]
     if node[i] < 0:
         data[:, 2] = 0.0
-    return np.array(nodes, np.int64), data, reference[i]
+    return np.array(nodes, np.int64), data, reference[i] if node[i] < 0 else np.zeros(3)
 
 
 def _loads(system: System, load: MemberLoad) -> tuple[UnitLoad, ...]:
