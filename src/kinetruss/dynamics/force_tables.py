@@ -20,7 +20,7 @@ from kinetruss.dynamics.bar_actions import (
 )
 from kinetruss.dynamics.bearing_friction import relative_rates
 from kinetruss.elements.beams import MODES
-from kinetruss.elements.kinds import on_coordinates, present
+from kinetruss.elements.kinds import present
 from kinetruss.elements.local_axes import local_axes
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.records import Actives, interface
@@ -63,12 +63,12 @@ def solved_in_space(
 ) -> dict[str, Any]:
     """What `solve` finds with states in space; the states relative to the base are its ``relative``.
 
-    Elements on coordinates resist relative velocities: the difference acts as forces on nodes.
+    Elements resist relative velocities: the difference acts as forces on nodes.
     """
     if loads.base is None:
         return solve(loads, states)
     space = in_space(loads, states)
-    if on_coordinates(system) is not None:
+    if present(system):
         whole = structure_of(system)
         change = _nodal(whole, system, states) - _nodal(whole, system, space) + fictitious_forces(system, states, space)
         loads = _with(loads, change.reshape(len(change), -1, 3))

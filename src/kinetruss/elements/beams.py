@@ -36,7 +36,6 @@ from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.elements.loads.load import OnBeam
     from kinetruss.model import Material
 
 
@@ -81,12 +80,13 @@ class BeamElements:
             found += np.einsum("g,k,kgv,kgw->kvw", weight, inertia * self.length, turned, turned)
         return np.asarray(found)
 
-    def shares(self, load: OnBeam) -> NDArray[np.float64]:
-        """What each node of the beam takes of a load along it (v,), m: l int q(xi) fields(xi) dxi."""
+    def shares(self, beam: int, begin: float, end: float, first: float, last: float) -> NDArray[np.float64]:
+        """What each node of a beam takes of a load q along it (v,), m: l int q(xi) fields(xi) dxi, q linear from first to last
+        between the shares begin and end.
+        """
         xi, weight = _gauss()
-        place, q = load.begin + (load.end - load.begin) * xi, load.first + (load.last - load.first) * xi
-        own = self.fields(place)[load.beam]
-        return np.asarray(self.length[load.beam] * (load.end - load.begin) * (weight * q) @ own)
+        own = self.fields(begin + (end - begin) * xi)[beam]
+        return np.asarray(self.length[beam] * (end - begin) * (weight * (first + (last - first) * xi)) @ own)
 
     def fields(self, xi: NDArray[np.float64]) -> NDArray[np.float64]:
         """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of its length."""

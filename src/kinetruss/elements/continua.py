@@ -13,7 +13,7 @@ Beams with a damping time b (Kelvin and Voigt) have the further densities q = b 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +21,6 @@ from numpy.typing import NDArray
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Record, Vector, record
 from kinetruss.kernels.structure import element_table
-
-if TYPE_CHECKING:
-    from kinetruss.mechanics.system import System
 
 
 @record
@@ -429,11 +426,6 @@ def edge_elements(
     return EdgeElements.of(found)
 
 
-def table(system: System) -> EdgeElements | None:
-    """All membranes, solids and elastic beams of a system; None where there are none."""
-    return None if system.continua is None else system.continua.record
-
-
 def coordinates(s: EdgeElements) -> NDArray[np.int64]:
     """Coordinates (e, 6) of the ends of the edges."""
     return np.concatenate([s.A[:, None] + np.arange(3), s.B[:, None] + np.arange(3)], axis=1)
@@ -442,8 +434,3 @@ def coordinates(s: EdgeElements) -> NDArray[np.int64]:
 def loses(s: EdgeElements) -> bool:
     """Whether some elements have damping."""
     return bool(s.damped_six.size + s.damped_eight.size)
-
-
-def without_series(system: System) -> str | None:
-    """As elements.kinds.Element.without_series."""
-    return None if system.continua is None else "membranes or solids resist"

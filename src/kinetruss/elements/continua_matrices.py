@@ -76,6 +76,11 @@ def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.fl
     return continua_stiffness(found, x, added, material=False)
 
 
+def table(system: System) -> EdgeElements | None:
+    """All membranes, solids and elastic beams of a system; None where there are none."""
+    return None if system.continua is None else system.continua.record
+
+
 def tangents(
     system: System,
     record: EdgeElements,  # noqa: ARG001
@@ -94,3 +99,8 @@ def tangents(
 def geometric(system: System, record: EdgeElements, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:  # noqa: ARG001
     """As elements.kinds.Element.geometric."""
     return continua_geometric(system.continua, x, u)  # type: ignore[arg-type]
+
+
+def without_series(system: System) -> str | None:
+    """As elements.kinds.Element.without_series."""
+    return None if system.continua is None else "membranes or solids resist"

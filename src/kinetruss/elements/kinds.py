@@ -94,11 +94,11 @@ ELEMENTS = (
         rows=True,
     ),
     Element(
-        continua.table,
+        continua_matrices.table,
         continua.coordinates,
         continua.KERNELS,
         continua.loses,
-        continua.without_series,
+        continua_matrices.without_series,
         continua_matrices.tangents,
         continua_matrices.geometric,
         rows=True,

@@ -187,7 +187,7 @@ def _by_nodes(
     nodal += np.einsum("tkwc,wv->tkvc", pair, np.eye(v)[j] - np.eye(v)[i])
     for one, history in loads:
         push = np.einsum("tac,ta->tc", frame[:, one.beam], history) if one.turns else history
-        nodal[:, one.beam] -= found.shares(one)[:, None] * push[:, None]
+        nodal[:, one.beam] -= found.shares(*one[:-1])[:, None] * push[:, None]
     forces, moments = [], []
     for first in (0, v // 2):
         own = slice(first, first + v // 2)

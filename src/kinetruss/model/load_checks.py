@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault, few
 from kinetruss.model.beam_frames import carriers_of, frames
-from kinetruss.model.common_faults import components
 from kinetruss.model.hub_arms import arm_through
-from kinetruss.model.loads import BodyCouple, BodyForce, InTime, Pressure
+from kinetruss.model.loads import BodyCouple, BodyForce, Pressure
 from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
@@ -24,19 +23,13 @@ def load_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of all loads of a model."""
     for name, load in model.loads.items():
         yield from load.faults(model, dim, ("loads", name))
+        if isinstance(load, Pressure):
+            yield from _face(load, dim, ("loads", name))
+        elif isinstance(load, BodyForce | BodyCouple):
+            yield from _on_body(model, load, dim, ("loads", name))
 
 
-def vectors(load: InTime, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Faults of vectors that have not `dim` components."""
-    value, table = getattr(load, load.amount), getattr(load, load.amounts)
-    given = [((*path, load.amount), value)] if value is not None else []
-    given += [((*path, load.amounts, index), vector) for index, vector in enumerate(table or ())]
-    for place, vector in given:
-        yield from components(vector, dim, place)
-
-
-def face(load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Faults of the face of a pressure."""
+def _face(load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     if len(load.face) != dim or len(set(load.face)) != len(load.face):
         wanted = "two nodes of an edge" if dim == 2 else "three nodes of a face"
         yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))
@@ -87,8 +80,7 @@ def _within(model: ModelData, ends: tuple[str, str], a: tuple[float, ...], b: tu
     return min(shares) > -OFF and max(shares) < 1 + OFF and abs(shares[0] - shares[1]) > OFF
 
 
-def on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Faults of a load on a body."""
+def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     through = getattr(load, "member", None)
     if through is not None and arm_through(model, load.body, through) is None:
         message = f"enters through {through!r}, but {load.body!r} is no body of a hub in space with an arm for it."
@@ -108,7 +100,7 @@ def on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tupl
                 yield Fault((*path, "moment"), message, f"Give {'three' if dim == 3 else 'one'}.", about=wide)
                 return
     else:
-        found = list(vectors(load, dim, path))
+        found = list(load.vectors(dim, path))
         if load.at is not None and len(load.at) != dim:
             found.append(Fault((*path, "at"), f"has {len(load.at)} components.", f"Give {dim}.", about=(("nodes",),)))
         yield from found

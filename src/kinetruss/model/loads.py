@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
 
+from kinetruss.model.common_faults import components
 from kinetruss.model.record import (
     Distance,
     Flag,
@@ -73,11 +74,17 @@ class InTime(Record):
             check_times(times)
         return self
 
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002
-        """What does not fit the model: by default vectors that have not its dimension."""
-        from kinetruss.model import load_checks
+    def vectors(self, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+        """Faults of vectors that have not `dim` components."""
+        value, table = getattr(self, self.amount), getattr(self, self.amounts)
+        given = [((*path, self.amount), value)] if value is not None else []
+        given += [((*path, self.amounts, index), vector) for index, vector in enumerate(table or ())]
+        for place, vector in given:
+            yield from components(vector, dim, place)
 
-        return load_checks.vectors(self, dim, path)
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002
+        """What does not fit the model. Of loads on bodies and faces: `load_checks`."""
+        return iter(())
 
 
 class NodalForce(InTime):
@@ -96,6 +103,9 @@ class NodalForce(InTime):
     force: ForceVector | None = None
     times: Annotated[tuple[Time, ...], Series] | None = None
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
+
+    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002, D102
+        return self.vectors(dim, path)
 
 
 class LoadCase(Record):
@@ -174,11 +184,6 @@ class BodyForce(InTime):
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
     follows: Flag = False
 
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: D102
-        from kinetruss.model import load_checks
-
-        return load_checks.on_body(model, self, dim, path)
-
 
 class BodyCouple(InTime):
     """A couple on a body, or on a bar of a planar model: `moment`, N m (plane: one number, counter-clockwise), or a table.
@@ -209,11 +214,6 @@ class BodyCouple(InTime):
             )
         return self
 
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: D102
-        from kinetruss.model import load_checks
-
-        return load_checks.on_body(model, self, dim, path)
-
 
 class Pressure(InTime):
     """A pressure, Pa, on the face between three nodes, counter-clockwise seen from where it acts; follows the face.
@@ -234,11 +234,6 @@ class Pressure(InTime):
     pressures: Annotated[tuple[_Stress, ...], Series] | None = None
     depth: PositiveLength = 1.0
 
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002, D102
-        from kinetruss.model import load_checks
-
-        return load_checks.face(self, dim, path)
-
 
 BEYOND = 1e-9
 
@@ -257,7 +252,7 @@ class AlongMember(InTime):
         from kinetruss.errors import Fault
 
         if self.amount == "force":
-            yield from super().faults(model, dim, path)
+            yield from self.vectors(dim, path)
         one = model.bars.get(self.member) or model.beams.get(self.member)
         if one is None or not all(node in model.nodes for node in one.ends):
             return

@@ -191,7 +191,11 @@ def _along_beam(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], ND
     (one,), beams = _on_beams(system, load), cast("Any", system.continua).beams
     v = beams.nodes.shape[1]
     across = beams.axes[one.beam, 1] + beams.ends[one.beam, 1]
-    return beams.nodes[one.beam], np.stack([beams.shares(one), np.eye(v)[v // 2] - np.eye(v)[0], across], axis=1), np.zeros(3)
+    return (
+        beams.nodes[one.beam],
+        np.stack([beams.shares(*one[:-1]), np.eye(v)[v // 2] - np.eye(v)[0], across], axis=1),
+        np.zeros(3),
+    )
 
 
 def _couples(system: System, load: MemberCouple) -> tuple[UnitLoad, ...]:
