@@ -181,6 +181,24 @@ def test_energy_of_a_pendulum_under_a_load_along_it(axes):
     np.testing.assert_allclose(other.motion.position, run.motion.position, atol=1e-6)
 
 
+def test_a_load_along_a_beam_that_is_driven():
+    """Against the same motion without the load: torque q L^2/2 of the drive, q L^2/8 in the middle of the beam."""
+    plain = kt.Model(
+        nodes={"A": (0, 0), "B": (L, 0)}, fixed=["A"], beams={"arm": ("A", "B")}, gravity=(0, -9.81), **RODS,
+        drives={"turn": kt.AngleDrive("arm.chord")},
+    )  # fmt: skip
+    loaded = plain.with_(loads={"q": kt.MemberLoad(member="arm", force=(10, -50.0), axes="member")})
+    found = []
+    for model in (plain, loaded):
+        motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"turn": 1.0}, duration=1.0), samples=5)
+        forces = kt.dynamics.inverse(model, motion)
+        np.testing.assert_allclose(forces.data.energy_balance, 0.0, atol=1e-11)
+        moment = kt.strength.beams(model, forces, stations=[0, 0.5, 1.0]).section_M.sel(beam="arm", moment="3").values
+        found.append((forces.drive_force.values[:, 0], moment))
+    np.testing.assert_allclose(found[1][0] - found[0][0], 50 * L**2 / 2, rtol=1e-12)
+    np.testing.assert_allclose(found[1][1] - found[0][1], np.tile([0.0, 50 * L**2 / 8, 0.0], (5, 1)), atol=1e-9)
+
+
 def test_a_beam_turned_by_a_load_in_its_axes():
     """A cantilever bent into a circle of small curvature by a load that stays across its chord: large against small loads."""
     load = kt.MemberLoad(member="arm", force=(0, 0.5), axes="member")
