@@ -169,7 +169,7 @@ def test_rare_kernels_are_compiled_where_all_are_asked_for(monkeypatch):
     assert CliRunner().invoke(main, ["compile", "-q"]).exit_code == 0
     assert not asked
     assert CliRunner().invoke(main, ["compile", "-q", "--all"]).exit_code == 0
-    assert {"followers", "sparse_factor", "sum_gaps"} <= {one.function.__name__ for one in asked}
+    assert {"_couples", "sparse_factor", "sum_gaps"} <= {one.function.__name__ for one in asked}
 
 
 def test_the_runs_that_are_compiled_for_are_there():

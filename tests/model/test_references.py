@@ -63,7 +63,8 @@ PLANE = STOCK | {
     },
     "couplings": {"pair": {"terms": TERMS}},
     "springs": {"coil": {"coordinate": HINGE, "stiffness": 5}, "sum": {"terms": TERMS[:2], "stiffness": 5}},
-    "loads": {"hook": {"node": "Cat", "force": [0, -1]}, "wind": {"face": ["Bee", "Cat"], "pressure": 3}},
+    "loads": {"hook": {"node": "Cat", "force": [0, -1]}, "wind": {"face": ["Bee", "Cat"], "pressure": 3},
+              "snow": {"member": "coupler", "force": [0, -2]}, "wear": {"member": "rocker", "moment": 1}},
     "load_cases": {"lift": {"loads": {"hook": 1.5}}},
     "conditions": {
         "cold": {

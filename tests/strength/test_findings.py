@@ -178,18 +178,24 @@ def test_a_table_of_variants_tells_the_verdict_of_members_and_drives():
     assert "Over capacity" in report.variants(found).text
 
 
-def test_a_load_case_without_section_forces_is_no_ok():
-    """Small displacements have no section forces under loads between joints: 100 kN amid a bar was OK."""
+def test_loads_between_joints_count_in_small_displacements():
+    """100 kN amid a bar of the length sqrt 2: the moment F cos 45/4 sqrt 2 in its middle."""
     loads = {"push": kt.NodalForce(node="C", force=(100, -1e3)), "turn": kt.BodyForce(body="left", force=(0, -1e5))}
     cases = {"one": kt.LoadCase(loads={"push": 1.0}), "two": kt.LoadCase(loads={"turn": 1.0})}
-    run = runs.run(pair(loads=loads, load_cases=cases, runs={"small": kt.Run(analysis="statics.linear")}))
-    assert (list(run.statics), list(run.forces)) == (["one", "two"], ["one"])
-    assert run.finding.state == "open"
-    (words,) = run.finding.left_out
-    assert words.startswith("Not included: strength under two, ")
-    assert words in report.summary(run).text
-    assert words in report.document_page(run).record["warnings"]
-    assert words in viewer.scene(run).header["verdict"]["more"]
+    model = pair(loads=loads, load_cases=cases, runs={"small": kt.Run(analysis="statics.linear")})
+    run = runs.run(model)
+    assert run.finding.state == "over"
+    middle = kt.strength.sections(model, run.forces["two"], [0.5]).section_M.sel(part="left").item()
+    assert middle == pytest.approx(1e5 * np.sqrt(0.5) * np.sqrt(2) / 4, rel=1e-9)
+    assert np.abs(kt.strength.sections(model, run.forces["one"], [0.5]).section_M).max() < 1e-9
+
+
+def test_no_section_forces_in_small_displacements_where_a_mass_bends_a_bar():
+    body = kt.Body(nodes=("A", "C"), mass=5.0)
+    model = pair(bodies={"box": body}, gravity=(0, -9.81), runs={"small": kt.Run(analysis="statics.linear")})
+    run = runs.run(model)
+    assert not run.forces
+    assert "Section forces are not computed: box act on members between their joints." in run.motion.message
 
 
 def test_an_equilibrium_that_is_not_stable_is_a_doubt():

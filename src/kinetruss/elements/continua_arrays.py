@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.elements.beams import BeamElements, beam_elements
-from kinetruss.elements.continua import EdgeElements, edge_elements
 from kinetruss.model import Material, Model, Orthotropic, body_mass
 from kinetruss.model.beam_frames import rigid_beams
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.elements.continua import EdgeElements
 
 
 THIN = 1e-10
@@ -105,6 +106,8 @@ class Continua:
     @cached_property
     def record(self) -> EdgeElements:
         """What kernels take."""
+        from kinetruss.elements.continua import edge_elements  # compiled; callers that only check do not need it
+
         delays: dict[int, NDArray[np.float64]] = {}
         if self.beams is not None:
             v, own = self.beams.nodes.shape[1], self.beams.damping

@@ -1,4 +1,4 @@
-"""Local axes of members: their orientation about axis 1, and the axes at any positions."""
+"""Local axes of members: across them in the plane, their orientation about axis 1 in space, and the axes at any positions."""
 
 from __future__ import annotations
 
@@ -19,6 +19,11 @@ class Orientation(NamedTuple):
 
     node: NDArray[np.int32]
     reference: NDArray[np.float64]
+
+
+def turned(r: NDArray[Any]) -> NDArray[Any]:
+    """Vectors (..., 3) turned by 90 degrees in the plane, counter-clockwise; complex ones allowed."""
+    return np.stack([-r[..., 1], r[..., 0], np.zeros_like(r[..., 0])], axis=-1)
 
 
 @cached()

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
         law_matrix as law_matrix,
         without_beams as without_beams,
     )
-    from kinetruss.elements.loads.follower import turned as turned
+    from kinetruss.elements.local_axes import turned as turned
     from kinetruss.kernels.structure.structure import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE
     from kinetruss.mechanics.arrangement import (
         Arrangement as Arrangement,

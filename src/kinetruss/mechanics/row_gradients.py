@@ -12,7 +12,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from kinetruss.elements.caching import cached
-from kinetruss.elements.loads.follower import turned
+from kinetruss.elements.local_axes import turned
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.measures import measure_curvature, measure_flats, measure_gradients
 

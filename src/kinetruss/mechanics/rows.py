@@ -11,7 +11,7 @@ import numpy as np
 from scipy.sparse import csc_array, csr_array
 from scipy.sparse.linalg import splu
 
-from kinetruss.elements.loads.follower import turned
+from kinetruss.elements.local_axes import turned
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.measures import measure_turning
 from kinetruss.mechanics.row_gradients import (

@@ -10,7 +10,7 @@ import xarray as xr
 from kinetruss import dynamics, flexible, kinematics, statics
 from kinetruss.dynamics.bar_actions import acting_along, action_coordinates, action_variables, actions_of, take_off
 from kinetruss.dynamics.prescribed import at_rest
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.structure.structure import States
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.loads import case_loads
@@ -104,10 +104,10 @@ def _linear(plan: Plan) -> Block:
     said = " ".join(dict.fromkeys(one.message for one in found.values() if one.message))
     place = np.array([node.at for node in model.nodes.values()])
     motion = _resting(model, place).with_(message=said)
-    laden = [case for case in found if any(one.kind != "load" for one in actions_of(system, case).actions)]
-    forces = {case: _forces(model, one, motion, case) for case, one in found.items() if case not in laden}
-    if laden:
-        said = f"{said} Section forces are not computed under {', '.join(laden)}: members are acted on between their joints."
+    others = {one.source for case in found for one in actions_of(system, case).actions if one.kind != "load"}
+    forces = {} if others else {case: _forces(model, one, motion, case) for case, one in found.items()}
+    if others:
+        said = f"{said} Section forces are not computed: {few(sorted(others), 4)} act on members between their joints."
         motion = motion.with_(message=said.strip())
     if not forces:
         block = Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)

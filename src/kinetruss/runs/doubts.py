@@ -84,12 +84,6 @@ def doubts(run: Ran) -> Iterator[str]:
             yield f"At the singular position passed at {one} the tolerance cannot distinguish the branches."
 
 
-def cases_left_out(run: Ran) -> list[str]:
-    """A sentence on load cases with displacements and without section forces, so that no check includes them."""
-    names = [case for case in run.statics if run.forces and case not in run.forces]
-    return [f"Not included: strength under {', '.join(names)}: members are acted on between their joints."] if names else []
-
-
 def remarks(run: Ran) -> str:
     """The message of a run without what its doubts say."""
     return run.message.replace(not_unique_note(not_unique(run)), "").strip() if run.message else ""

@@ -17,7 +17,7 @@ from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulati
 from kinetruss.results.dynamic_records import happened
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, key, open_store
-from kinetruss.runs.doubts import cases_left_out, doubts
+from kinetruss.runs.doubts import doubts
 from kinetruss.runs.instants import derived
 from kinetruss.runs.plans import conditioned
 from kinetruss.strength.findings import Finding, demands, find
@@ -91,8 +91,7 @@ class RunResult:
     @cached_property
     def finding(self) -> Finding:
         """What the run says: whether limits are kept, what governs, what was not checked and why, what is unsure."""
-        drives, left_out = demands(self.demand), cases_left_out(self)
-        return find(self.verdict, drives, left_out=left_out, partial=self.partial, doubts=self.doubts, timed=self.timed)
+        return find(self.verdict, demands(self.demand), partial=self.partial, doubts=self.doubts, timed=self.timed)
 
     @property
     def doubts(self) -> tuple[str, ...]:

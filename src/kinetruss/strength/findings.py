@@ -151,7 +151,6 @@ def find(
     verdict: Verdict | None,
     drives: Iterable[Row] = (),
     *,
-    left_out: Iterable[str] = (),
     partial: str = "",
     doubts: Iterable[str] = (),
     timed: bool = True,
@@ -160,9 +159,9 @@ def find(
 
     Parameters
     ----------
-    drives : checks of drives, of `demands` or others. left_out : sentences on what the verdict does not include, besides its
-    own. partial : why the result is only a part of what was asked for; by default how the forces of the verdict ended, if not
-    well. doubts : sentences on what makes the numbers unsure. timed : False for one pose at rest, whose time says nothing.
+    drives : checks of drives, of `demands` or others. partial : why the result is only a part of what was asked for; by default
+    how the forces of the verdict ended, if not well. doubts : sentences on what makes the numbers unsure. timed : False for one
+    pose at rest, whose time says nothing.
 
     Examples
     --------
@@ -183,7 +182,7 @@ def find(
     return Finding(
         members=tuple(members),
         drives=tuple(others),
-        left_out=(*(() if verdict is None else map(str, verdict.attrs.get("not_held", []))), *left_out),
+        left_out=() if verdict is None else tuple(map(str, verdict.attrs.get("not_held", []))),
         partial=partial,
         doubts=tuple(doubts),
     )

@@ -19,9 +19,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.elements.loads.follower import FLAT_COUPLE, FORCE, Follower, turned
+from kinetruss.elements.loads.follower import FLAT_COUPLE, FORCE, Follower
 from kinetruss.elements.loads.load import Load, OnBeam, OnMember, OnOthers, Spread, Turning, UnitLoad, tables_of
-from kinetruss.elements.local_axes import orientation
+from kinetruss.elements.local_axes import orientation, turned
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
 from kinetruss.kernels.structure.tables import entry_at

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.elements.loads.load import Turning, UnitLoad, tables_of
+from kinetruss.elements.local_axes import turned
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
 from kinetruss.kernels.structure.tables import entry_at
@@ -118,11 +119,6 @@ def force(s: Followers, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
             f[at] += w * vx - u * vy
             f[at + 1] += w * vy + u * vx
             f[at + 2] += w * vz
-
-
-def turned(r: NDArray[Any]) -> NDArray[Any]:
-    """J r: vectors (..., 3) turned by 90 deg about z, their z left out."""
-    return np.stack([-r[..., 1], r[..., 0], np.zeros_like(r[..., 0])], axis=-1)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
