@@ -61,8 +61,8 @@ def measured(least: int = 100_000, rounds: int = 15) -> dict:
     edge, stiff = table.tetrahedron_edge, table.tetrahedron
     ends = A.nbytes + B.nbytes
     touched = {
-        # ends, edges at the start, stretches and densities written and read, the elements, positions and forces
-        "force": 2 * ends + body.start.nbytes + 4 * s.nbytes + edge.nbytes + stiff.nbytes + 2 * x.nbytes + 2 * f.nbytes,
+        # ends, stretches and densities written and read, the elements, positions now and at the start, forces
+        "force": 2 * ends + 4 * s.nbytes + edge.nbytes + stiff.nbytes + 3 * x.nbytes + 2 * f.nbytes,
         # ends, densities, the elements, positions; edges' differences written and read, blocks written and read
         "tangent": ends + q.nbytes + edge.nbytes + stiff.nbytes + x.nbytes + 6 * s.nbytes + 2 * blocks.nbytes,
     }

@@ -166,10 +166,14 @@ def test_rare_kernels_are_compiled_where_all_are_asked_for(monkeypatch):
     monkeypatch.setattr(_compile, "_run_all", compiling(1))
     asked = []
     monkeypatch.setattr(late._Cell, "ready", lambda cell: asked.append(cell))
+    kinds = []
+    monkeypatch.setattr("kinetruss.elements.kinds.compile_kinds", lambda: kinds.append(1))
     assert CliRunner().invoke(main, ["compile", "-q"]).exit_code == 0
     assert not asked
+    assert not kinds
     assert CliRunner().invoke(main, ["compile", "-q", "--all"]).exit_code == 0
     assert {"_couples", "sparse_factor", "sum_gaps"} <= {one.function.__name__ for one in asked}
+    assert kinds
 
 
 def test_the_runs_that_are_compiled_for_are_there():

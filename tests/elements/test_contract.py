@@ -14,7 +14,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.dynamics.equations import equations
-from kinetruss.elements.kinds import ELEMENTS, ON_COORDINATES, present
+from kinetruss.elements.kinds import ELEMENTS, ON_COORDINATES, compile_kinds, present
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.element_table import ENERGY, FORCE, SWAP, TANGENT
 from kinetruss.kernels.structure.structure import EndForces, States
@@ -104,6 +104,11 @@ CASES = [(kind, name) for kind, models in MODELS.items() for name in models]
 STEP = 1e-6
 BY_THE_MIDDLE = ("on a hinge", "of two terms", "on an offset")
 """Steps by the midpoint rule keep the energy of these to the order of the step alone."""
+
+
+def test_kernels_of_all_kinds_compile_when_they_are_asked_for():
+    compile_kinds()
+    assert all(interface.address(kernel) for one in ELEMENTS for interface, kernel in one.kernels.values())
 
 
 def test_every_kind_has_a_model():

@@ -97,11 +97,13 @@ def _silenced() -> None:
 
 def _compile_rare() -> None:
     from kinetruss import kernels
+    from kinetruss.elements.kinds import compile_kinds
     from kinetruss.kernels.compiled.late import compile_late
 
     for module in walk_packages(kernels.__path__, f"{kernels.__name__}."):
         import_module(module.name)
     compile_late()
+    compile_kinds()
 
 
 def _run_group(group: Sequence[tuple[str, str]]) -> None:

@@ -25,7 +25,7 @@ from kinetruss.kernels.structure import element_table
 
 @record
 class EdgeElements(Record):
-    """A, B (e,) flat ends of the edges, start (e, 3) from the first to the second without stress, m.
+    """A, B (e,) flat ends of the edges, start (3 n,) places of all nodes without stress, m.
 
     By the number of nodes, with w edges between them: the edges (k, w) of each element in the order of the pairs (0, 1),
     (0, 2), ... of its nodes, and the upper triangle of its stiffness 2 G by rows (k, w (w + 1)/2), N/m^3. damped_six,
@@ -40,7 +40,7 @@ class EdgeElements(Record):
     eight_edge: I2
     damped_six_edge: I2
     damped_eight_edge: I2
-    start: F2
+    start: F1
     triangle: F2
     tetrahedron: F2
     six: F2
@@ -123,12 +123,12 @@ def _damping_densities(s: EdgeElements, rate: F1, q: F1) -> None:
 @kernel_bare
 def _stretches(s: EdgeElements, x: F1, stretch: F1) -> None:
     A, B, start = s.A, s.B, s.start
-    # s = |d|^2 - |d_0|^2 = (d - d_0) . (d + d_0): small ones to all digits, and 0 where d is d_0
+    # s = |d|^2 - |d_0|^2 = (u_q - u_p) . (d + d_0) with displacements u: small ones to all digits, and 0 where nothing moves
     for i in range(stretch.size):
         a, b, total = A[i], B[i], 0.0
         for c in range(3):
-            d = x[b + c] - x[a + c]
-            total += (d - start[i, c]) * (d + start[i, c])
+            moved = (x[b + c] - start[b + c]) - (x[a + c] - start[a + c])
+            total += moved * ((x[b + c] - x[a + c]) + (start[b + c] - start[a + c]))
         stretch[i] = total
 
 
@@ -410,11 +410,11 @@ NODES = {"triangle": 3, "tetrahedron": 4, "six": 6, "eight": 8}
 def edge_elements(
     p: Ints, q: Ints, start: Floats, groups: Mapping[int, tuple[Ints, Floats]], delays: Mapping[int, Floats]
 ) -> EdgeElements:
-    """The record of edges between the nodes p, q (e,), start (e, 3) from p to q without stress, m.
+    """The record of edges between the nodes p, q (e,), start (n, 3) places of all nodes without stress, m.
 
     groups : edges and stiffness of elements by their number of nodes. delays : damping times (k,), s, of those that have such.
     """
-    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "start": start}
+    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "start": start.reshape(-1)}
     for name, v in NODES.items():
         w = v * (v - 1) // 2
         edge, stiff = groups.get(v, (np.zeros((0, w), np.int64), np.zeros((0, w * (w + 1) // 2))))

@@ -87,8 +87,8 @@ class Patch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Continua:
-    """p, q (e,) nodes of the edges, p < q; start (e, 3) from p to q, m, without stress; mass (e,) kg, m_pq of the consistent
-    mass matrix, and lump (n,) its diagonal.
+    """p, q (e,) nodes of the edges, p < q; start (n, 3) places of all nodes, m, without stress; mass (e,) kg, m_pq of the
+    consistent mass matrix, and lump (n,) its diagonal.
 
     groups : by number of nodes v, edge (k, v (v - 1)/2) edges of the pairs (0, 1), (0, 2), ... of each element's nodes in
     rising order, and stiff (k, w (w + 1)/2) the upper triangle of 2 G by rows, N/m^3. patches, beams : what they came from.
@@ -141,9 +141,8 @@ def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float6
         lump += np.bincount(own.reshape(-1), np.einsum("kaa->ka", share).reshape(-1), n)
         groups.setdefault(v, []).append((edge, stiff))
     joined = {v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts])) for v, parts in groups.items()}
-    d = x0[q] - x0[p]
     return Continua(
-        p=p.astype(np.int32), q=q.astype(np.int32), start=d, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
+        p=p.astype(np.int32), q=q.astype(np.int32), start=x0, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
     )
 
 

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 def squared_changes(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Squared lengths of the edges minus their stress-free values, (e,), m^2, at positions x (n, 3)."""
-    d = x[found.q] - x[found.p]
-    return np.asarray(np.einsum("ec,ec->e", d - found.start, d + found.start))
+    moved, whole = x - found.start, x + found.start
+    return np.asarray(np.einsum("ec,ec->e", moved[found.q] - moved[found.p], whole[found.q] - whole[found.p]))
 
 
 def densities(found: Continua, s: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.elements import continua, continua_matrices, scalars
 from kinetruss.elements.caching import cached
 from kinetruss.elements.loads import along, body_loads, nodal, pressures
-from kinetruss.elements.loads.load import Load, Turning
+from kinetruss.elements.loads.load import Load, Turning, UnitLoad
 from kinetruss.elements.pin_friction import pins
 from kinetruss.elements.spring import springs
 from kinetruss.elements.stop import stops
@@ -137,6 +137,15 @@ def load_arrays(loads: Sequence[Turning]) -> dict[str, NDArray[Any]]:
     times = np.unique([t for one in loads for t in one.times])
     rows = [({FORCE: (force, kind.kernel)}, kind.table(own)) for kind, own in kinds.items()]
     return _table("load", rows) | {"load_time": times.astype(float)}
+
+
+def compile_kinds() -> None:
+    """Compile the kernels of all kinds of elements and loads, which a model compiles when it has them."""
+    for one in ELEMENTS:
+        for interface, kernel in one.kernels.values():
+            interface.address(kernel)
+    for load in UnitLoad.__subclasses__():
+        force.address(load.kernel)
 
 
 def _table(name: str, kinds: Sequence[tuple[Mapping[int, tuple[Any, Any]], Record]]) -> dict[str, NDArray[Any]]:
