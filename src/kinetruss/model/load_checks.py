@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault, few
 from kinetruss.model.beam_frames import carriers_of, frames
 from kinetruss.model.hub_arms import arm_through
-from kinetruss.model.loads import BodyCouple, BodyForce, Pressure
+from kinetruss.model.loads import FAULTS, BodyCouple, BodyForce, Pressure, vector_faults
 from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
@@ -22,14 +22,10 @@ OFF = 1e-6
 def load_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     """Faults of all loads of a model."""
     for name, load in model.loads.items():
-        yield from load.faults(model, dim, ("loads", name))
-        if isinstance(load, Pressure):
-            yield from _face(load, dim, ("loads", name))
-        elif isinstance(load, BodyForce | BodyCouple):
-            yield from _on_body(model, load, dim, ("loads", name))
+        yield from CHECKS[type(load)](load, model, dim, ("loads", name))
 
 
-def _face(load: Pressure, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+def _face(load: Pressure, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG001
     if len(load.face) != dim or len(set(load.face)) != len(load.face):
         wanted = "two nodes of an edge" if dim == 2 else "three nodes of a face"
         yield Fault((*path, "face"), f"names {len(set(load.face))} nodes.", f"Name {wanted}.", about=(("nodes",),))
@@ -80,7 +76,7 @@ def _within(model: ModelData, ends: tuple[str, str], a: tuple[float, ...], b: tu
     return min(shares) > -OFF and max(shares) < 1 + OFF and abs(shares[0] - shares[1]) > OFF
 
 
-def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+def _on_body(load: BodyForce | BodyCouple, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     through = getattr(load, "member", None)
     if through is not None and arm_through(model, load.body, through) is None:
         message = f"enters through {through!r}, but {load.body!r} is no body of a hub in space with an arm for it."
@@ -100,7 +96,7 @@ def _on_body(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tup
                 yield Fault((*path, "moment"), message, f"Give {'three' if dim == 3 else 'one'}.", about=wide)
                 return
     else:
-        found = list(load.vectors(dim, path))
+        found = list(vector_faults(load, model, dim, path))
         if load.at is not None and len(load.at) != dim:
             found.append(Fault((*path, "at"), f"has {len(load.at)} components.", f"Give {dim}.", about=(("nodes",),)))
         yield from found
@@ -130,3 +126,7 @@ def _reach(model: ModelData, load: BodyForce | BodyCouple, dim: int, path: tuple
         if off > OFF:
             message = f"is {off:.3g} m off the {'line' if len(carriers) == 2 else 'plane'} of the nodes that carry the body."
             yield Fault((*path, "at"), message, mend, about=about)
+
+
+CHECKS = {**FAULTS, BodyForce: _on_body, BodyCouple: _on_body, Pressure: _face}
+"""Faults of loads by their kinds."""

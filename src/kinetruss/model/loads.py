@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, model_validator
 
+from kinetruss.errors import Fault
 from kinetruss.model.common_faults import components
 from kinetruss.model.record import (
     Distance,
@@ -29,7 +30,6 @@ from kinetruss.model.table import Table
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
-    from kinetruss.errors import Fault
     from kinetruss.model.data import ModelData
 
 Shape = Literal["spline", "monotone"]
@@ -74,18 +74,6 @@ class InTime(Record):
             check_times(times)
         return self
 
-    def vectors(self, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-        """Faults of vectors that have not `dim` components."""
-        value, table = getattr(self, self.amount), getattr(self, self.amounts)
-        given = [((*path, self.amount), value)] if value is not None else []
-        given += [((*path, self.amounts, index), vector) for index, vector in enumerate(table or ())]
-        for place, vector in given:
-            yield from components(vector, dim, place)
-
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002
-        """What does not fit the model. Of loads on bodies and faces: `load_checks`."""
-        return iter(())
-
 
 class NodalForce(InTime):
     """A force on a node: constant, or a table in time.
@@ -103,9 +91,6 @@ class NodalForce(InTime):
     force: ForceVector | None = None
     times: Annotated[tuple[Time, ...], Series] | None = None
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
-
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002, D102
-        return self.vectors(dim, path)
 
 
 class LoadCase(Record):
@@ -247,34 +232,6 @@ class AlongMember(InTime):
     start: Distance | None = None
     end: PositiveLength | None = None
 
-    def faults(self, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
-        """What does not fit the model: the member, or a place beyond its ends."""
-        from kinetruss.errors import Fault
-
-        if self.amount == "force":
-            yield from self.vectors(dim, path)
-        one = model.bars.get(self.member) or model.beams.get(self.member)
-        if one is None or not all(node in model.nodes for node in one.ends):
-            return
-        about = (("bars", self.member), ("beams", self.member))
-        couple, beam = isinstance(self, MemberCouple), self.member in model.beams
-        if couple and (beam or dim == 3):
-            message = f"is a couple along {'a beam' if beam else 'a bar in space'}."
-            yield Fault((*path, "member"), message, "Name a bar of a planar model, or give couples on bodies.", about=about)
-        elif one.kind not in (("elastic",) if beam else ("rigid", "driven", "elastic")):
-            message = f"acts along the {one.kind} {'beam' if beam else 'bar'} {self.member!r}."
-            mend = "Name an elastic beam." if beam else "Name a rigid, driven or elastic bar: others carry nothing across them."
-            yield Fault((*path, "member"), message, mend, about=about)
-        length = math.dist(*(model.nodes[node].at for node in one.ends))
-        start, end = self.start or 0.0, length if self.end is None else self.end
-        if max(start, end) > (1.0 + BEYOND) * length:
-            message = f"is {max(start, end):.6g} m along {self.member!r}, which is {length:.6g} m long."
-            key = "end" if end > length else "start"
-            yield Fault((*path, key), message, "Stay between its ends: places count from the first.", about=about)
-        elif start >= end:
-            message = f"is {start:.6g} m, not before the end at {end:.6g} m."
-            yield Fault((*path, "start"), message, "Give start a smaller value than end.", about=about)
-
 
 class MemberLoad(AlongMember):
     """A force along a member, N/m: uniform or trapezoidal, on all of it or on a part.
@@ -320,6 +277,46 @@ class MemberCouple(AlongMember):
         if not sum(self.shape):
             raise ValueError(f"has the shape {self.shape}, whose sum is 0. Give two couples, each on its part of the member.")
         return self
+
+
+def vector_faults(load: Any, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG001
+    """Vectors that have not `dim` components."""
+    value, table = getattr(load, load.amount), getattr(load, load.amounts)
+    given = [((*path, load.amount), value)] if value is not None else []
+    given += [((*path, load.amounts, index), vector) for index, vector in enumerate(table or ())]
+    for place, vector in given:
+        yield from components(vector, dim, place)
+
+
+def along_faults(load: AlongMember, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """What does not fit the model: the member, or a place beyond its ends."""
+    if load.amount == "force":
+        yield from vector_faults(load, model, dim, path)
+    one = model.bars.get(load.member) or model.beams.get(load.member)
+    if one is None or not all(node in model.nodes for node in one.ends):
+        return
+    about = (("bars", load.member), ("beams", load.member))
+    couple, beam = isinstance(load, MemberCouple), load.member in model.beams
+    if couple and (beam or dim == 3):
+        message = f"is a couple along {'a beam' if beam else 'a bar in space'}."
+        yield Fault((*path, "member"), message, "Name a bar of a planar model, or give couples on bodies.", about=about)
+    elif one.kind not in (("elastic",) if beam else ("rigid", "driven", "elastic")):
+        message = f"acts along the {one.kind} {'beam' if beam else 'bar'} {load.member!r}."
+        mend = "Name an elastic beam." if beam else "Name a rigid, driven or elastic bar: others carry nothing across them."
+        yield Fault((*path, "member"), message, mend, about=about)
+    length = math.dist(*(model.nodes[node].at for node in one.ends))
+    start, end = load.start or 0.0, length if load.end is None else load.end
+    if max(start, end) > (1.0 + BEYOND) * length:
+        message = f"is {max(start, end):.6g} m along {load.member!r}, which is {length:.6g} m long."
+        key = "end" if end > length else "start"
+        yield Fault((*path, key), message, "Stay between its ends: places count from the first.", about=about)
+    elif start >= end:
+        message = f"is {start:.6g} m, not before the end at {end:.6g} m."
+        yield Fault((*path, "start"), message, "Give start a smaller value than end.", about=about)
+
+
+FAULTS: dict[type, Any] = {NodalForce: vector_faults, MemberLoad: along_faults, MemberCouple: along_faults}
+"""What does not fit a model, by kinds; of loads on bodies and faces see `load_checks`."""
 
 
 def _kind(value: Any) -> str:
