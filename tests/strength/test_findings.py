@@ -195,7 +195,7 @@ def test_no_section_forces_in_small_displacements_where_a_mass_bends_a_bar():
     model = pair(bodies={"box": body}, gravity=(0, -9.81), runs={"small": kt.Run(analysis="statics.linear")})
     run = runs.run(model)
     assert not run.forces
-    assert "Section forces are not computed: box act on members between their joints." in run.motion.message
+    assert "Section forces are not computed: box on members, between their joints." in run.motion.message
 
 
 def test_an_equilibrium_that_is_not_stable_is_a_doubt():

@@ -395,13 +395,8 @@ def tangent(s: EdgeElements, at: I2, x: F1, v: F1, beta: float, gamma: float, va
         _add_blocks(at, blocks, gamma, value)
 
 
-KERNELS = {
-    element_table.FORCE: (element_table.force, force),
-    element_table.ENERGY: (element_table.energy, energy),
-    element_table.BALANCE: (element_table.balance, balance),
-    element_table.TANGENT: (element_table.tangent, tangent),
-    element_table.SWAP: (element_table.swap, swap),
-}
+KERNELS = dict(enumerate(zip(element_table.INTERFACES, (force, energy, balance, tangent, swap), strict=True)))
+"""By column of the table of kinds: interface and kernel."""
 
 NODES = {"triangle": 3, "tetrahedron": 4, "six": 6, "eight": 8}
 """Numbers of nodes of elements by their fields."""

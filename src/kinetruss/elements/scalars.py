@@ -441,10 +441,5 @@ def geometric(system: System, record: Scalars, x: NDArray[np.float64], u: NDArra
     return tangents(system, record, x, None, np.column_stack([law[:, 1] * change[1, 0], *np.zeros((2, len(law)))]))[0]
 
 
-KERNELS = {
-    element_table.FORCE: (element_table.force, force),
-    element_table.ENERGY: (element_table.energy, energy),
-    element_table.BALANCE: (element_table.balance, balance),
-    element_table.TANGENT: (element_table.tangent, tangent),
-    element_table.SWAP: (element_table.swap, swap),
-}
+KERNELS = dict(enumerate(zip(element_table.INTERFACES, (force, energy, balance, tangent, swap), strict=True)))
+"""By column of the table of kinds: interface and kernel."""

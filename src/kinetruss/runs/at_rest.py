@@ -107,7 +107,7 @@ def _linear(plan: Plan) -> Block:
     others = {one.source for case in found for one in actions_of(system, case).actions if one.kind != "load"}
     forces = {} if others else {case: _forces(model, one, motion, case) for case, one in found.items()}
     if others:
-        said = f"{said} Section forces are not computed: {few(sorted(others), 4)} act on members between their joints."
+        said = f"{said} Section forces are not computed: {few(sorted(others), 4)} on members, between their joints."
         motion = motion.with_(message=said.strip())
     if not forces:
         block = Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)

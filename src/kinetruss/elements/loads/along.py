@@ -12,15 +12,15 @@ d from end A to B, h the direction that spans the plane 1-2 with it. It has no p
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinetruss.elements.loads.follower import FLAT_COUPLE, FORCE, Follower
-from kinetruss.elements.loads.load import Load, OnBeam, OnMember, OnOthers, Spread, Turning, UnitLoad, tables_of
+from kinetruss.elements.loads.load import Load, OnBeam, OnMember, OnOthers, Spread, UnitLoad
 from kinetruss.elements.local_axes import orientation, turned
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
@@ -98,10 +98,9 @@ def force(s: Turned, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
 class TurnedLoad(UnitLoad):
     """A load of 1 N/m along an axis of the member; nodes (k,), and the fields of `Turned`."""
 
-    kernel: ClassVar[Any] = force
+    kernel, record, own = force, Turned, ("axis", "planar", "reference")
     axis: int
-    planar: bool
-    data: NDArray[np.float64]
+    planar: int
     reference: NDArray[np.float64]
 
     @property
@@ -123,22 +122,6 @@ class TurnedLoad(UnitLoad):
             axis = h / np.sqrt(np.sum(h * h, axis=-1, keepdims=True))
             axis = axis if self.axis == 1 else np.cross(one, axis)
         return np.asarray(share[:, None] * axis[..., None, :])
-
-    @classmethod
-    def table(cls, loads: Sequence[Turning]) -> Turned:
-        """As UnitLoad.table."""
-        own: list[Any] = [one.load for one in loads]
-        return Turned.of(
-            tables_of(loads)
-            | {
-                "axis": np.array([one.axis for one in own]),
-                "planar": np.array([one.planar for one in own], np.int64),
-                "ptr": np.cumsum([0, *(len(one.nodes) for one in own)]),
-                "node": np.concatenate([3 * one.nodes for one in own]),
-                "data": np.concatenate([one.data for one in own]),
-                "reference": np.stack([one.reference for one in own]),
-            }
-        )
 
 
 def _length(system: System, load: MemberLoad | MemberCouple) -> float:
@@ -179,7 +162,7 @@ def _along_bar(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDA
 def _loads(system: System, load: MemberLoad) -> tuple[UnitLoad, ...]:
     (nodes, data, reference), axes = (_along_beam if [*_on_beams(system, load)] else _along_bar)(system, load), np.eye(3)
     if load.axes == "member":
-        planar = system.dim == 2
+        planar = int(system.dim == 2)
         return tuple(TurnedLoad(nodes=nodes, data=data, reference=reference, planar=planar, axis=c) for c in range(system.dim))
     taken = data[:, 0] != 0.0
     nodes, shared = nodes[taken], np.pad(data[taken, :1], ((0, 0), (2, 1)))

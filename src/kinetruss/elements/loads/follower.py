@@ -9,14 +9,13 @@ The nodal forces follow from a vector V and the amount of the load:
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.elements.loads.load import Turning, UnitLoad, tables_of
+from kinetruss.elements.loads.load import UnitLoad
 from kinetruss.elements.local_axes import turned
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
@@ -125,9 +124,8 @@ def force(s: Followers, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
 class Follower(UnitLoad):
     """mode FORCE, COUPLE or FLAT_COUPLE; nodes (k,); data (k, 4) c, d, w, u; vector (4,) V0 and g."""
 
-    kernel: ClassVar[Any] = force
+    kernel, record, own = force, Followers, ("mode", "vector")
     mode: int
-    data: NDArray[np.float64]
     vector: NDArray[np.float64]
 
     @property
@@ -152,21 +150,6 @@ class Follower(UnitLoad):
         G = square[..., None, None] * np.eye(3) - np.swapaxes(r, -1, -2) @ r
         a = np.linalg.solve(G, V[..., None])[..., 0]
         return np.asarray(np.cross(a[..., None, :], r))
-
-    @classmethod
-    def table(cls, loads: Sequence[Turning]) -> Followers:
-        """As UnitLoad.table."""
-        own: list[Any] = [one.load for one in loads]
-        return Followers.of(
-            tables_of(loads)
-            | {
-                "mode": np.array([one.mode for one in own]),
-                "ptr": np.cumsum([0, *(len(one.nodes) for one in own)]),
-                "node": np.concatenate([3 * one.nodes for one in own]),
-                "data": np.concatenate([one.data for one in own]),
-                "vector": np.stack([one.vector for one in own]),
-            }
-        )
 
 
 def unit_vector(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
@@ -42,29 +43,45 @@ class OnOthers(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class UnitLoad:
-    """The forces on `nodes` (k,) of one component of a load, of the amount 1.
+class UnitLoad(ABC):
+    """The forces on `nodes` (k,) of one component of a load, of the amount 1, by data (k, w).
 
-    Of those that depend on positions: kernel, with the interface kernels.structure.element_table.force, on the record that
-    `table` makes of all of its class.
+    Of those that depend on positions: kernel, with the interface kernels.structure.element_table.force, on the record of all of
+    a class: node[ptr[k]:ptr[k + 1]] flat coordinates of the nodes of load k, data of these, value at time, s, from table_ptr[k]
+    on; and `own`, the other fields, one entry a load.
     """
 
     kernel: ClassVar[Any]
+    record: ClassVar[Any]
+    own: ClassVar[tuple[str, ...]]
     nodes: NDArray[np.int64]
+    data: NDArray[np.float64]
 
     @classmethod
     def table(cls, loads: Sequence[Turning]) -> Record:
-        """The record of these loads."""
-        raise NotImplementedError
+        """The record of loads of this class."""
+        units: list[Any] = [one.load for one in loads]
+        made: Record = cls.record.of(
+            {name: np.array([getattr(one, name) for one in units]) for name in cls.own}
+            | {
+                "ptr": np.cumsum([0, *(len(one.nodes) for one in units)]),
+                "node": np.concatenate([3 * one.nodes for one in units]),
+                "data": np.concatenate([one.data for one in units]),
+                "table_ptr": np.cumsum([0, *(len(one.times) for one in loads)]),
+                "time": np.concatenate([np.asarray(one.times, float) for one in loads]),
+                "value": np.concatenate([one.amounts for one in loads]),
+            }
+        )
+        return made
 
     @property
+    @abstractmethod
     def constant(self) -> bool:
         """True if the nodal forces do not depend on positions."""
-        raise NotImplementedError
 
+    @abstractmethod
     def forces(self, r: NDArray[Any]) -> NDArray[Any]:
         """Nodal forces (..., k, 3), N, with the nodes at r (..., k, 3), which may be complex."""
-        raise NotImplementedError
 
     def tangent(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         """Derivatives (3 k, 3 k) of the nodal forces with the nodes at r (k, 3), by complex steps (Squire & Trapp, 1998).
@@ -105,12 +122,3 @@ class Load(NamedTuple):
     units: Callable[[System, Any], tuple[UnitLoad, ...]]
     places: Callable[[System, Bars, Any], Iterator[OnMember | OnOthers]]
     on_beams: Callable[[System, Any], Iterator[OnBeam]] = lambda system, load: iter(())  # noqa: ARG005
-
-
-def tables_of(loads: Sequence[Turning]) -> dict[str, Any]:
-    """Amounts of loads one behind the other: table_ptr (k + 1,), time and value."""
-    return {
-        "table_ptr": np.cumsum([0, *(len(one.times) for one in loads)]),
-        "time": np.concatenate([np.asarray(one.times, float) for one in loads]),
-        "value": np.concatenate([one.amounts for one in loads]),
-    }

@@ -44,7 +44,10 @@ def swap(s: Record, t: float, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -
     """Replace the forces at (xe, ve), the middle of a step of h (s) from x0 to x1, in f by such as keep the energy."""
 
 
-_force, _energy, _balance, _tangent, _swap = (one.call for one in (force, energy, balance, tangent, swap))
+INTERFACES = (force, energy, balance, tangent, swap)
+"""Those of the columns FORCE to SWAP."""
+
+_force, _energy, _balance, _tangent, _swap = (one.call for one in INTERFACES)
 
 
 @kernel_inline
