@@ -270,6 +270,13 @@ def test_energy_that_grows_without_a_cause_stops_the_run(method):
     assert simulate(pushed, 1.0, samples=11).status.ok
 
 
+def test_a_method_may_be_given_as_a_file_has_it():
+    one = simulate(pendulum(), 0.1, samples=3, method=kt.EnergyMomentum(step=1e-3))
+    two = simulate(pendulum(), 0.1, samples=3, method={"kind": "energy_momentum", "step": "1 ms"})
+    assert two.data.attrs["method"] == "energy_momentum"
+    np.testing.assert_array_equal(one.motion.position, two.motion.position)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "method",

@@ -35,7 +35,7 @@ from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.tables import nodal_loads, structure_arrays, structure_of
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
-from kinetruss.results.wide_tables import element_axes, element_columns, force_units
+from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -191,6 +191,7 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
             refuse_turns(system, whole.t, whole.x, whole.v)
         on = named_motions(system, solved["x"], _relative(solved).v)
         data |= element_columns(system, ("time",), on.force, on.value)
+    data |= other_columns(system, ("time",), solved["x"], _relative(solved).v, np.asarray(loads.t, float))
     if "bearing" in solved:
         turns = slice(2, 3) if dim == 2 else slice(0, 3)
         couples, words = solved["bearing"][..., turns], "couple of friction on the member of the bearing"

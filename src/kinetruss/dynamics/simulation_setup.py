@@ -117,7 +117,7 @@ def _kept(system: System, t_end: float, options: Options) -> Problem:
 def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     """`problem_of` without reuse of an earlier set-up."""
     run = _checked(model, t_end, options)
-    chosen, method = options.method is None, DOP853() if options.method is None else options.method
+    chosen, method = run.method is None, DOP853() if run.method is None else run.method
     system, load_case = compile(model), options.load_case
     x, v = given_positions(system, options.positions), given_velocities(system, options.velocities)
     held = with_motors_fixed(model, run.tasks)

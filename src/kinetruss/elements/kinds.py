@@ -54,25 +54,38 @@ def switches(system: System) -> dict[str, Any]:
     return {name: event for part in parts_of(system).values() for name, event in part.switches.items()}
 
 
+class Results(NamedTuple):
+    """What a person reads of the elements of one kind: the kind, a word that names their dimension; their names; by name of the
+    result its values along a motion, (times, elements) or vectors (times, elements, 3), their unit, and what they are.
+    """
+
+    kind: str
+    names: tuple[str, ...]
+    values: Mapping[str, tuple[NDArray[np.float64], str, str]]
+
+
 class Element(NamedTuple):
     """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
     none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
-    (kernels.structure.element_table), interface and kernel. loses : whether elements of its record take energy.
-    without_series : why a system has no power series of these forces, or None.
+    (kernels.structure.element_table), interface and kernel. without_series : why a system has no power series of these forces,
+    or None. loses : whether elements of its record take energy.
 
     With positions and velocities (n, 3), as sparse matrices (3 n, 3 n): tangents : K and C, minus the derivatives of the forces
-    by x and by v. geometric : the stiffness of the forces that small displacements u from x add, for critical loads. rows : the
-    equations of small displacements have rows for the deformations of its elements (statics.small_displacements).
+    by x and by v. geometric : the stiffness of the forces that small displacements u from x add, for critical loads; None where
+    these have none. rows : the
+    equations of small displacements have rows for the deformations of its elements (statics.small_displacements). results : at
+    times (times,), positions and velocities (times, 3 n), where its elements have some that are not on a coordinate.
     """
 
     table: Callable[[Any], Any]
     coordinates: Callable[[Any], NDArray[np.int64]]
     kernels: Mapping[int, tuple[Any, Any]]
-    loses: Callable[[Any], bool]
-    without_series: Callable[[Any], str | None]
     tangents: Callable[[Any, Any, Any, Any], tuple[Any, Any]]
-    geometric: Callable[[Any, Any, Any, Any], Any]
+    without_series: Callable[[Any], str | None]
+    loses: Callable[[Any], bool]
+    geometric: Callable[[Any, Any, Any, Any], Any] | None = None
     rows: bool = False
+    results: Callable[[Any, Any, Any, Any, Any], Results] | None = None
 
 
 def _bent(system: System) -> str | None:
@@ -87,20 +100,20 @@ ELEMENTS = (
         on_coordinates,
         scalars.coordinates,
         scalars.KERNELS,
-        lambda s: bool(s.loses.any()),
-        _bent,
         scalars.tangents,
-        scalars.geometric,
+        without_series=_bent,
+        loses=lambda s: bool(s.loses.any()),
+        geometric=scalars.geometric,
         rows=True,
     ),
     Element(
         continua_matrices.table,
         continua.coordinates,
         continua.KERNELS,
-        continua.loses,
-        continua_matrices.without_series,
         continua_matrices.tangents,
-        continua_matrices.geometric,
+        without_series=continua_matrices.without_series,
+        loses=continua.loses,
+        geometric=continua_matrices.geometric,
         rows=True,
     ),
 )

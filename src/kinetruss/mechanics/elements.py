@@ -9,7 +9,7 @@ from scipy.sparse import csr_array
 
 from kinetruss.elements import scalars
 from kinetruss.elements.continua_matrices import continua_stiffness
-from kinetruss.elements.kinds import on_coordinates, present, spans_of
+from kinetruss.elements.kinds import Results, on_coordinates, present, spans_of
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.element_table import ENERGY, FORCE
 
@@ -100,6 +100,19 @@ def element_tangents(system: System, x: NDArray[np.float64], v: NDArray[np.float
         own = one.tangents(system, record, x, v)
         K, C = K + own[0], C + own[1]
     return K, C
+
+
+def element_results(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, t: NDArray[np.float64] | None = None
+) -> list[Results]:
+    """Results of the elements that are not on coordinates, along x, v (times, n, 3) or flat and t (times,), s; without v at
+    rest, without t at 0.
+    """
+    place, rate = (
+        np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros_like(x) if v is None else v)
+    )
+    times = np.zeros(len(place)) if t is None else t
+    return [one.results(system, record, times, place, rate) for one, record in present(system) if one.results is not None]
 
 
 def scalar_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:

@@ -11,7 +11,7 @@ from kinetruss.errors import shown
 from kinetruss.model.beams import Beam
 from kinetruss.model.bodies import Body
 from kinetruss.model.continua import Membrane, Solid
-from kinetruss.model.drives import AngleDrive, Coupling, Drive, HingeDrive, LengthDrive, Pose, Spring, geared
+from kinetruss.model.drives import AngleDrive, Coupling, Drive, ForceElement, HingeDrive, LengthDrive, Pose, Spring, geared
 from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
@@ -224,10 +224,13 @@ class ModelData(Record):
         return self.trajectories[run.trajectory] if isinstance(run.trajectory, str) else run.trajectory
 
 
-FORCE_ELEMENTS: dict[str, str] = {
-    kind: name
+_ELEMENTS: dict[str, tuple[str, type]] = {
+    record.element: (name, record)
     for name, field in ModelData.model_fields.items()
     for record in get_args(field.annotation)
-    if (kind := getattr(record, "element", None))
+    if getattr(record, "element", None)
 }
-"""Kinds of elements with a law on a coordinate (kinetruss.elements), and the fields that have them."""
+ELEMENT_FIELDS: dict[str, str] = {kind: name for kind, (name, _) in _ELEMENTS.items()}
+"""Kinds of elements whose records say so (`element`), and the fields that have them."""
+FORCE_ELEMENTS: dict[str, str] = {kind: name for kind, (name, one) in _ELEMENTS.items() if issubclass(one, ForceElement)}
+"""Those with a law on a coordinate (kinetruss.elements)."""

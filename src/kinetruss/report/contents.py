@@ -18,7 +18,7 @@ from kinetruss.library.joints import conditioning
 from kinetruss.model import inner_parts
 from kinetruss.model.beam_frames import frame_of
 from kinetruss.model.bodies import principal, quality
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.report.page import Page
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _record(model: Model, name: str) -> dict[str, Any]:
         "bodies": _bodies(model),
         "joints": _joints(model),
         "beams": _beams(model),
-        **{field: list(getattr(model, field)) for field in FORCE_ELEMENTS.values()},
+        **{field: list(getattr(model, field)) for field in ELEMENT_FIELDS.values()},
         "mechanisms": found.mechanism_texts(),
         "self_stress_states": found.self_stress_texts(),
     }
@@ -105,7 +105,7 @@ def _entries(model: Model, name: str) -> Iterator[Entry]:
         measured("smallest singular value", "smallest_singular_value"),
     ]
     yield Table(columns, _joints(model), "Joints")
-    own = {field: list(getattr(model, field)) for field in FORCE_ELEMENTS.values()}
+    own = {field: list(getattr(model, field)) for field in ELEMENT_FIELDS.values()}
     elements = "".join(f"{field}: {', '.join(names)}\n" for field, names in own.items() if names)
     yield f"{elements}runs: {', '.join(model.runs) or 'none'}"
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss import actuators
 from kinetruss.model import turns
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.report.run_data import entry, peak, pose_at
 from kinetruss.strength.findings import demands
 
@@ -49,7 +50,11 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
 
 
 def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
-    """Largest force (N) or moment (N m) of every element of a kind and load case, its time (s), the coordinate (m or rad)."""
+    """Largest force (N) or moment (N m) of every element of a kind and load case, its time (s), the coordinate (m or rad); of
+    elements that are not on a coordinate the largest values of all their results, in the unit of each.
+    """
+    if kind not in FORCE_ELEMENTS:
+        return _largest_results(run, kind)
     found = []
     for case, forces in run.forces.items():
         if f"{kind}_force" not in forces.data or not forces.data.sizes["time"]:
@@ -67,6 +72,22 @@ def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
                     "load_case": case,
                 }
             )
+    return found
+
+
+def _largest_results(run: RunResult, kind: str) -> list[dict[str, Any]]:
+    found = []
+    for case, forces in run.forces.items():
+        for values in forces.data.data_vars.values():
+            if kind not in values.dims or not forces.data.sizes["time"]:
+                continue
+            along = values.transpose("time", kind, ...).values
+            size = np.linalg.norm(along, axis=2) if along.ndim == 3 else np.abs(along)
+            for k, name in enumerate(map(str, forces.data[kind].values)):
+                at = int(np.argmax(size[:, k]))
+                load = size[at, k] if along.ndim == 3 else along[at, k]
+                words = {"what": values.attrs["long_name"], "unit": values.attrs["units"], "load_case": case}
+                found.append({kind: name, **words, "load": float(load), "time": float(forces.data["time"].values[at])})
     return found
 
 

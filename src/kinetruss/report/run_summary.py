@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Table, instant, number, quantity
 from kinetruss.errors import one_line
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.report import tables
 from kinetruss.report.contents import counted_parts, counts
 from kinetruss.report.drive_data import drive_loads, element_loads, exceeded, motors, trains
@@ -65,7 +65,7 @@ def known(run: RunResult) -> dict[str, Any]:
         "worst": worst(run)[:WORST],
         "not_checked": {} if run.verdict is None else run.verdict.not_checked(),
         "drive_loads": drive_loads(run, engines),
-        **{f"{kind}_loads": element_loads(run, kind) for kind in FORCE_ELEMENTS},
+        **{f"{kind}_loads": element_loads(run, kind) for kind in ELEMENT_FIELDS},
         "motors": engines,
         "trains": trains(run),
         "exceeded": exceeded(run),
@@ -87,8 +87,8 @@ def entries(run: RunResult) -> Iterator[Entry]:
     yield tables.strength(worst(run), "\n".join(_beyond(run)), timed=timed)
     yield tables.not_checked(() if run.verdict is None else run.verdict.not_checked().items())
     yield tables.drives(drive_loads(run, engines), timed=timed)
-    for kind in FORCE_ELEMENTS:
-        yield tables.force_elements(kind, element_loads(run, kind))
+    for kind in ELEMENT_FIELDS:
+        yield tables.elements(kind, element_loads(run, kind))
     yield tables.motors(engines)
     yield from tables.trains(trains(run))
     yield tables.exceeded(exceeded(run))

@@ -9,6 +9,7 @@ from typing import Any
 
 from kinetruss.display import Table, margin, number, quantity
 from kinetruss.display.tables import MOST, Column, Of, bar, drawn, measured, mixed, seconds, span_bar, together, words
+from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.results.wide_tables import exceeds
 from kinetruss.runs.doubts import moment
 
@@ -202,8 +203,11 @@ def drives(rows: Rows, *, timed: bool = True) -> Table:
     return Table(columns, rows, f"Drives without a motor{what}{scope}", most=MOST)
 
 
-def force_elements(kind: str, rows: Rows) -> Table:
-    """Elements of a kind on coordinates, the largest forces first."""
+def elements(kind: str, rows: Rows) -> Table:
+    """Elements of a kind, of those on coordinates the largest forces first."""
+    if kind not in FORCE_ELEMENTS:
+        columns = [words(kind), words("what"), mixed("largest", "load"), seconds("time"), case_column()]
+        return Table(columns, rows, f"{kind.capitalize()} (largest values of the motion)", most=MOST)
     units = {True: ("N m", "rad"), False: ("N", "m")}
     found = [row | dict(zip(("unit", "of"), units[row["angle"]], strict=True)) for row in rows if row["load"]]
     found.sort(key=lambda row: -abs(row["load"]))

@@ -229,7 +229,7 @@ def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, t
 
     axes : of the coordinates; by default all. A coupling and an element have the unit of their first coordinate.
     """
-    model, own = system.model, element_axes(system)
+    model, own = system.model, coordinate_axes(system)
     firsts = {
         "drive": [_unit(model.all_drives.get(name)) for name in system.drives],
         "coupling": [_unit(one.terms[0][0]) for one in model.couplings.values()],
@@ -246,7 +246,14 @@ def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, t
 
 @cached()
 def element_axes(system: System) -> dict[str, list[str]]:
-    """Axes of the kinds of elements on coordinates that a system has, with the names of their elements."""
+    """Axes of the kinds of elements with results that a system has, with the names of their elements."""
+    from kinetruss.mechanics.elements import element_results
+
+    return coordinate_axes(system) | {one.kind: list(one.names) for one in element_results(system, system.x0[None])}
+
+
+def coordinate_axes(system: System) -> dict[str, list[str]]:
+    """Of `element_axes` those of elements on coordinates."""
     return {kind: list(system.force_elements[own]) for kind, own in system.force_element_spans.items()}
 
 
@@ -259,6 +266,22 @@ def element_columns(system: System, per: tuple[str, ...], force: Floats, value: 
             found[f"{kind}_value"] = variable((*per, kind), value[..., own], units[f"{kind}_value"], words)
         words = f"force or torque of the {kind} on its coordinate"
         found[f"{kind}_force"] = variable((*per, kind), force[..., own], units[kind], words)
+    return found
+
+
+def other_columns(
+    system: System, per: tuple[str, ...], x: Floats, v: Floats | None = None, t: Floats | None = None
+) -> dict[str, Column]:
+    """Variables of the elements that are not on coordinates, along x, v (times, n, 3) and t (times,); without v at rest."""
+    from kinetruss.mechanics.elements import element_results
+
+    found = {}
+    for one in element_results(system, x, v, t):
+        for name, (values, unit, words) in one.values.items():
+            vectors = values.ndim == 3
+            values = values[..., : system.dim] if vectors else values
+            dims = (*per, one.kind, "axis") if vectors else (*per, one.kind)
+            found[f"{one.kind}_{name}"] = variable(dims, values if per else values[0], unit, words)
     return found
 
 

@@ -22,7 +22,7 @@ from kinetruss.mechanics.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
-from kinetruss.results.wide_tables import element_axes, element_columns, force_units
+from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
 from kinetruss.statics.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
@@ -303,11 +303,15 @@ def forces_of(
     carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
     mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
     units, on = force_units(system)[0], named_motions(system, x[None])
-    return {
-        "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
-        "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
-        "drive_force": variable(("drive",), drive, units["drive"], "drive force or torque"),
-    } | element_columns(system, (), on.force[0], on.value[0])
+    return (
+        {
+            "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
+            "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
+            "drive_force": variable(("drive",), drive, units["drive"], "drive force or torque"),
+        }
+        | element_columns(system, (), on.force[0], on.value[0])
+        | other_columns(system, (), x[None])
+    )
 
 
 def _message(reached: SearchResult, ways: list[str], nodes: tuple[str, ...]) -> str:

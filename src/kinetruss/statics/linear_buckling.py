@@ -132,7 +132,8 @@ def _of_load(
     loaded = member_tangents(system, reached.x, added + tension, torque, still)[0]
     geometric = loaded - member_tangents(system, reached.x, none, none, still)[0]
     for one, record in present(system):
-        geometric = geometric + one.geometric(system, record, reached.x, moved)
+        if one.geometric is not None:
+            geometric = geometric + one.geometric(system, record, reached.x, moved)
     if len(system.measures):
         geometric = geometric + sum_stiffness(system, reached.x, measure_forces(system, N))
     return added + tension, geometric

@@ -28,7 +28,7 @@ from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.results.wide_tables import element_axes, element_columns, force_units
+from kinetruss.results.wide_tables import coordinate_axes, element_columns, force_units
 from kinetruss.statics.refinement import NOTHING, accuracy_note
 from kinetruss.statics.small_displacements import (
     Solved,
@@ -303,7 +303,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
         "end": ["A", "B"],
         "support": list(system.supports),
     }
-    coords |= element_axes(system) | force_units(system, *element_axes(system))[1]
+    coords |= coordinate_axes(system) | force_units(system, *coordinate_axes(system))[1]
     data |= element_columns(system, (), on_coordinates)
     return xr.Dataset(data, coords=coords)
 

@@ -16,7 +16,7 @@ from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Model, Of, Record, Run, inner_parts
 from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.model.bracing import CHORD
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
@@ -206,7 +206,10 @@ def inputs(run: RunResult, name: str = "") -> list[Table]:
     lists: tuple[tuple[str, str, Iterable[tuple[str, str]]], ...] = (
         ("Materials and sections", "used by", _parts(model)),
         ("Drive trains", "used by", _trains(model)),
-        *((f"{one.capitalize()} on coordinates (SI)", "name", _named(getattr(model, one))) for one in FORCE_ELEMENTS.values()),
+        *(
+            (f"{one.capitalize()}{' on coordinates' * (kind in FORCE_ELEMENTS)} (SI)", "name", _named(getattr(model, one)))
+            for kind, one in ELEMENT_FIELDS.items()
+        ),
         ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )

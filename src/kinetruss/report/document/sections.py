@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, Table, counted, element, number
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.report import tables
 from kinetruss.report.document.checks import methods
 from kinetruss.report.document.inputs import sources
@@ -95,7 +95,7 @@ def forces(record: Record) -> list[Entry]:
         *parts,
         tables.reactions(record["reactions"], single=single, poses=poses),
         tables.drives(record["drive_loads"], timed=not single),
-        *(tables.force_elements(kind, record[f"{kind}_loads"]) for kind in FORCE_ELEMENTS),
+        *(tables.elements(kind, record[f"{kind}_loads"]) for kind in ELEMENT_FIELDS),
     ]
 
 

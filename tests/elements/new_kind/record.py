@@ -1,0 +1,21 @@
+"""Drag: resistance of a fluid at rest to a node."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from kinetruss.model.record import Area, Density, PositiveNumber, Record
+from kinetruss.model.references import NodeName
+
+
+class Drag(Record):
+    """Resistance of a fluid at rest to a node: density coefficient area/2 times the square of its speed.
+
+    node : on which it acts. area : of the front. coefficient : of drag. density : of the fluid, by default of air.
+    """
+
+    element: ClassVar[str] = "drag"
+    node: NodeName
+    area: Area
+    coefficient: PositiveNumber = 1.0
+    density: Density = 1.225
