@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
+import numpy as np
 from scipy.linalg import eigvalsh
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
@@ -45,7 +48,29 @@ def beams() -> dict[str, float]:
     found |= {f"beams.damped.{dim}d.{name}": 1.0 for dim in (2, 3) for name in ("ratio", "energy")}
     # P L^3/(E I) of a force in the middle: clamped at both ends, and with one of them on a hinge
     found |= {"beams.hinged.along_2": 1 / 192, "beams.hinged.along_3": 7 / 768, "beams.driven.frequency": 1.0}
-    return found
+    return found | loads_along()
+
+
+def loads_along() -> dict[str, float]:
+    """Beams under q x/L, by a force method of two redundants at the end of q; a bar under q on its last quarter.
+
+    With the end at x = 1 free, a unit load at s deflects it by s^2 (3 - s)/6 and turns it by s^2/2; a force F there by F/3 and
+    F/2, a moment C by C/2 and C.
+    """
+    down, turn, moment = polynomial(lambda s: s**3 * (3 - s) / 6), polynomial(lambda s: s**3 / 2), polynomial(lambda s: s * s)
+    F, C = np.linalg.solve([[1 / 3, 1 / 2], [1 / 2, 1.0]], [down, turn])
+    found = {"deflection": down, "clamp": moment, "clamp.0": moment - F - C, "clamp.q": -C}
+    left = 0.25 * 0.125
+    found = {f"beams.triangle.{name}": float(value) for name, value in found.items()}
+    found |= {"bars.part.left": left, "bars.part.right": 0.25 - left, "bars.part.moment": 0.75 * left}
+    once = ("linear.speed", "linear.lasts", "linear.meets", "damped.n_1.speed", "damped.n_1_5.speed")
+    return found | {f"stops.{name}": 1.0 for name in once}
+
+
+def polynomial(f: Callable[[Any], Any]) -> float:
+    """Integral of a polynomial of degree up to 7 from 0 to 1."""
+    at, weight = np.polynomial.legendre.leggauss(4)
+    return float(0.5 * weight @ f(0.5 * (1 + at)))
 
 
 def conditions() -> dict[str, float]:
