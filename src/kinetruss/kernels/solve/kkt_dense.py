@@ -15,7 +15,7 @@ from kinetruss.kernels.solve.cholesky import backward, cholesky, cholesky_solve,
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 from kinetruss.kernels.structure.structure import Structure
-from kinetruss.kernels.structure.sums import sum_columns, sum_row_of, sum_vector
+from kinetruss.kernels.structure.sums import sum_columns, sum_of, sum_vector
 
 __all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "dense_factor", "dense_solve"]
 
@@ -131,7 +131,7 @@ def dense_factor(eq: Equations, ws: Workspace, x: F1) -> float:
 @kernel_late(allocates=True)
 def _augment_sum(eq: Equations, ws: Workspace, k: int, augmentation: float, D: F2) -> None:
     """D += augmentation J_k^T J_k, where row k is a sum."""
-    j, row = sum_row_of(eq, k), ws.c
+    j, row = sum_of(eq.sum_row, k), ws.c
     if j < 0:
         return
     # J_k as a dense vector
@@ -247,8 +247,8 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     for j in range(augmented_row.size):
         k = augmented_row[j]
         _add_row_force(local, A[k], B[k], u[0, k], u[1, k], u[2, k], augmentation * gamma[k], b)
-        if sums and sum_row_of(eq, k) >= 0:
-            sum_vector(eq, ws, sum_row_of(eq, k), augmentation * gamma[k], b)
+        if sums and sum_of(eq.sum_row, k) >= 0:
+            sum_vector(eq, ws, sum_of(eq.sum_row, k), augmentation * gamma[k], b)
     _inverse_mass(mode, inverse, D, b, y)
     # J M^-1 f - gamma
     for k in range(n):

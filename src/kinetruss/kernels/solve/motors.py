@@ -14,7 +14,7 @@ from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
 from kinetruss.kernels.solve.kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.structure import ANGLE, SUM
-from kinetruss.kernels.structure.sums import sum_row_of
+from kinetruss.kernels.structure.sums import sum_of
 from kinetruss.kernels.structure.terms import term_along, term_gradient, term_value
 
 __all__ = ["MotorPlaces", "MotorResponse", "motor_project", "motor_response"]
@@ -74,7 +74,7 @@ def _coordinate(eq: Equations, ws: Workspace, k: int, x: F1, v: F1) -> tuple[flo
     side of a length lacks L'^2/L, that of an angle of a line of the length l lacks 2 w l'/l.
     """
     if eq.kind[k] == SUM:
-        return _summed(eq, ws, sum_row_of(eq, k), x, v)
+        return _summed(eq, ws, sum_of(eq.sum_row, k), x, v)
     a, b = eq.A[k], eq.B[k]
     dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
     ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]

@@ -204,17 +204,6 @@ def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
         sum_vector(eq, ws, j, 1.0, W[:, row[j]])
 
 
-@kernel
-def sum_row_of(eq: Equations, k: int) -> int:
-    """Place of row k among the sums, or -1."""
-    row = eq.sum_row
-    # linear search: models have few sums
-    for j in range(row.size):
-        if row[j] == k:
-            return j
-    return -1
-
-
 @kernel_bare
 def sum_entries(ws: Workspace, entry: I2, value: F1) -> None:
     """Gradients of the sums added to their places (t, 12) in the values of a sparse matrix."""
