@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.elements.directions import axes_along, unit
 from kinetruss.elements.loads.follower import FLAT_COUPLE, FORCE, Follower
 from kinetruss.elements.loads.load import Load, OnBeam, OnMember, OnOthers, Spread, UnitLoad
 from kinetruss.elements.local_axes import orientation, turned
@@ -112,15 +113,12 @@ class TurnedLoad(UnitLoad):
         """As UnitLoad.forces."""
         share, along, across = self.data.T
         d = np.einsum("j,...jc->...c", along, r)
-        one = d / np.sqrt(np.sum(d * d, axis=-1, keepdims=True))
-        axis = one
-        if self.axis and self.planar:
-            axis = turned(one)
-        elif self.axis:
-            h = self.reference + np.einsum("j,...jc->...c", across, r)
-            h = h - one * np.sum(h * one, axis=-1, keepdims=True)
-            axis = h / np.sqrt(np.sum(h * h, axis=-1, keepdims=True))
-            axis = axis if self.axis == 1 else np.cross(one, axis)
+        if self.axis == 0:
+            axis = unit(d)
+        elif self.planar:
+            axis = turned(unit(d))
+        else:
+            axis = axes_along(d, self.reference + np.einsum("j,...jc->...c", across, r))[self.axis]
         return np.asarray(share[:, None] * axis[..., None, :])
 
 

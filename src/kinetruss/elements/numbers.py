@@ -1,0 +1,96 @@
+"""The numbers of a model as arrays by name, real or complex, also several copies of them side by side.
+
+Arrays of numbers have the copies first: places are (n, dim), or (copies, n, dim). One complex step with every number in a copy
+of its own gives the derivatives of all that follows from them (Squire & Trapp, 1998), so formulas on numbers are arithmetic
+that takes complex ones. What is chosen by a number, a law or whether a mass is there, is chosen by its real part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from math import dist, prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinetruss.errors import AnalysisError
+
+Array = NDArray[Any]
+
+
+class Numbers(Mapping[str, Array]):
+    """Arrays by name; `lead` (copies,) or () are the leading axes of all, `dtype` their common type."""
+
+    def __init__(self, arrays: Mapping[str, Array], lead: tuple[int, ...] = ()) -> None:
+        self._arrays, self.lead = dict(arrays), lead
+
+    def __getitem__(self, name: str) -> Array:
+        return self._arrays[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arrays)
+
+    def __len__(self) -> int:
+        return len(self._arrays)
+
+    @cached_property
+    def dtype(self) -> Any:
+        """Of what follows from them."""
+        return np.dtype(complex if any(one.dtype.kind == "c" for one in self._arrays.values()) else float)
+
+    @cached_property
+    def plain(self) -> bool:
+        """True of real numbers without copies."""
+        return not self.lead and self.dtype == float
+
+    def full(self, *shape: int, value: float = 0.0) -> Array:
+        """An array for what follows from them, (copies, *shape)."""
+        return np.full(self.lead + shape, value, self.dtype) if value else np.zeros(self.lead + shape, self.dtype)
+
+    def each(self, name: str) -> Any:
+        """The entries of a list of numbers one by one: Python's numbers if they are plain, else over the copies."""
+        return self[name].tolist() if self.plain else np.moveaxis(self[name], -1, 0)
+
+    def rows(self, name: str) -> Any:
+        """The rows of a table of numbers, each the list of its entries as of `each`."""
+        return self[name].tolist() if self.plain else np.moveaxis(self[name], (-2, -1), (0, 1))
+
+
+def size(d: Array) -> Array:
+    """Length of vectors (..., 3)."""
+    return np.asarray(np.linalg.norm(d) if d.ndim == 1 and d.dtype == float else np.sqrt(np.add.reduce(d * d, axis=-1)))
+
+
+def apart(a: Any, b: Any) -> Any:
+    """Distance of two points (dim,), or (copies, dim)."""
+    return dist(a, b) if a.ndim == 1 and a.dtype == float else size(a - b)
+
+
+def chosen(which: Array, what: str) -> Array:
+    """A choice (k,) from (k,) or (copies, k), in which all copies have to agree.
+
+    Raises
+    ------
+    AnalysisError : they do not, as where a derivative is asked for by a number that is 0 and so is left out.
+    """
+    if which.ndim == 1:
+        return which
+    one = which.reshape(-1, which.shape[-1])
+    if (one != one[:1]).any():
+        raise AnalysisError(
+            f"The copies of the numbers of a model differ in {what}. Give a model whose numbers are not 0 there."
+        )
+    return np.asarray(one[0])
+
+
+def sums_at(places: Array, values: Array, count: int) -> Array:
+    """Sums (..., count) of values (..., k) by their places (k,), one after the other."""
+    lead, copies = values.shape[:-1], prod(values.shape[:-1])
+    at = (places + count * np.arange(copies)[:, None]).reshape(-1) if lead else places
+    flat = values.reshape(-1)
+    found = np.bincount(at, flat.real, count * copies)
+    if np.iscomplexobj(flat):
+        found = found + 1j * np.bincount(at, flat.imag, count * copies)
+    return np.asarray(found.reshape(*lead, count))
