@@ -38,14 +38,20 @@ def parts_of(system: System) -> dict[str, scalars.Part]:
 @cached()
 def on_coordinates(system: System) -> scalars.Scalars | None:
     """All elements on coordinates; None where there are none."""
+    fields = fields_on_coordinates(system)
+    return None if fields is None else scalars.Scalars.of(fields)
+
+
+def fields_on_coordinates(system: System) -> dict[str, NDArray[Any]] | None:
+    """The fields of the record of all elements on coordinates; None where there are none."""
     parts = list(parts_of(system).values())
-    return scalars.scalars(parts) if any(len(one.rest) for one in parts) else None
+    return scalars.fields(parts) if any(len(one.loses) for one in parts) else None
 
 
 @cached()
 def spans_of(system: System) -> dict[str, slice]:
     """Where the elements of each kind stand among those on coordinates."""
-    ends = np.cumsum([0, *(len(one.rest) for one in parts_of(system).values())]).tolist()
+    ends = np.cumsum([0, *(len(one.loses) for one in parts_of(system).values())]).tolist()
     return {name: slice(*pair) for name, pair in zip(parts_of(system), pairwise(ends), strict=True)}
 
 
@@ -55,7 +61,8 @@ def switches(system: System) -> dict[str, Any]:
 
 
 class Element(NamedTuple):
-    """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
+    """name : of the kind. table : the record of all elements of this kind in a system, or None; fields : its arrays by name,
+    whose numbers may be complex, and copies, as those of the system are. coordinates (rows, w) of its record, flat, -1 for
     none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
     (kernels.structure.element_table), interface and kernel. loses : whether elements of its record take energy.
     without_series : why a system has no power series of these forces, or None.
@@ -65,7 +72,9 @@ class Element(NamedTuple):
     equations of small displacements have rows for the deformations of its elements (statics.small_displacements).
     """
 
+    name: str
     table: Callable[[Any], Any]
+    fields: Callable[[Any], dict[str, NDArray[Any]] | None]
     coordinates: Callable[[Any], NDArray[np.int64]]
     kernels: Mapping[int, tuple[Any, Any]]
     loses: Callable[[Any], bool]
@@ -84,7 +93,9 @@ def _bent(system: System) -> str | None:
 
 ELEMENTS = (
     Element(
+        "on coordinates",
         on_coordinates,
+        fields_on_coordinates,
         scalars.coordinates,
         scalars.KERNELS,
         lambda s: bool(s.loses.any()),
@@ -94,7 +105,9 @@ ELEMENTS = (
         rows=True,
     ),
     Element(
+        "edges",
         continua_matrices.table,
+        continua_matrices.fields,
         continua.coordinates,
         continua.KERNELS,
         continua.loses,

@@ -77,7 +77,7 @@ def chosen(which: Array, what: str) -> Array:
     """
     if which.ndim == 1:
         return which
-    one = which.reshape(-1, which.shape[-1])
+    one = which.reshape(prod(which.shape[:-1]), which.shape[-1])
     if (one != one[:1]).any():
         raise AnalysisError(
             f"The copies of the numbers of a model differ in {what}. Give a model whose numbers are not 0 there."

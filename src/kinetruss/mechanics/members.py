@@ -222,7 +222,8 @@ def _bars(members: Members, numbers: Numbers, area: Array, found: dict[str, Any]
     for k in at["rotary"].tolist():
         section = matter[k, 0]
         found["rods"][..., bars[k], 2] = mass[..., k] * shapes[section].second_moments[1] / area[..., section]
-    found["compliance"][..., bars] = 1 / EA
+    known = np.flatnonzero((matter >= 0).all(axis=1))
+    found["compliance"][..., bars[known]] = 1 / EA[..., known]
     every: Array = np.full_like(found["compliance"], np.nan)
     every[..., bars] = EA
     return every

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from kinetruss.elements.continua_arrays import Continua
+from kinetruss.elements.numbers import sums_at
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.gathered import arrays_at, gathered
@@ -41,7 +42,8 @@ class System:
     (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
     those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
-    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,).
+    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,); law_numbers as "spring
+    stiffness" of all of a kind, NaN what is not given.
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -95,6 +97,7 @@ class System:
     drive_measure: NDArray[np.int64]
     force_elements: tuple[str, ...]
     force_element_measure: NDArray[np.int64]
+    law_numbers: dict[str, NDArray[np.float64]]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
@@ -122,7 +125,7 @@ class System:
     def node_mass(self) -> NDArray[np.float64]:
         """Lumped masses plus the mass of bodies at single nodes, (n,) kg."""
         own = self.pair_p == self.pair_q
-        return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
+        return self.lump + sums_at(self.pair_p[own], self.pair_mass[..., own], self.lump.shape[-1])
 
     @cached_property
     def force_element_spans(self) -> dict[str, slice]:
