@@ -32,7 +32,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.elements.directions import axes_along, start_references
-from kinetruss.elements.numbers import size
+from kinetruss.elements.numbers import one_copy, size
 from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
 
 if TYPE_CHECKING:
@@ -91,17 +91,19 @@ class BeamElements:
         between the shares begin and end.
         """
         xi, weight = _gauss()
-        own = self.fields(begin + (end - begin) * xi)[beam]
-        return np.asarray(self.length[beam] * (end - begin) * (weight * (first + (last - first) * xi)) @ own)
+        begin, end, first, last = (np.asarray(one)[..., None] for one in (begin, end, first, last))
+        own = self.fields(begin + (end - begin) * xi)[..., beam, :, :]
+        load = self.length[..., beam, None] * (end - begin) * (weight * (first + (last - first) * xi))
+        return np.asarray(load @ own if own.ndim == 2 else (load[..., None, :] @ own)[..., 0, :])
 
     def fields(self, xi: Array) -> Array:
-        """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of its length."""
-        h1, h2, h3, h4 = hermite(xi)
+        """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of it."""
+        h1, h2, h3, h4 = (one[..., None, :] for one in hermite(xi))
         v = self.nodes.shape[1]
         first, second = np.eye(v)[0], np.eye(v)[v // 2]
         l = self.length[..., None, None]
-        straight = h1[:, None] * first + h3[:, None] * second
-        slopes = h2[:, None] * self.axes[..., None, 0, :] + h4[:, None] * self.ends[..., None, 0, :]
+        straight = h1[..., None] * first + h3[..., None] * second
+        slopes = h2[..., None] * self.axes[..., None, 0, :] + h4[..., None] * self.ends[..., None, 0, :]
         return np.asarray(straight + l * slopes)
 
 
@@ -216,7 +218,7 @@ def _local_axes(beams: Beams, k: int, numbers: Numbers, x0: Array) -> Array:
     if beams.toward[k] >= 0:
         toward = points[..., 2, :] - points[..., 0, :]
     elif beam.orientation is None:
-        toward = start_references(points[(0,) * len(numbers.lead)].real, *np.array([[0], [1]]))[0]
+        toward = start_references(one_copy(points), *np.array([[0], [1]]))[0]
     else:
         toward = np.array(beam.orientation)
     return found + 1j * np.stack(axes_along(d, toward), axis=-2).imag

@@ -27,11 +27,12 @@ THIN = 1e-10
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Bodies:
-    """The bodies with mass, then the rigid beams: nodes (k,) that carry each; records of bodies, and which numbers are those of
-    their centres and inertias; lines : of each beam, its section and material, or None where its mass is given.
+    """The bodies with mass, then the rigid beams: nodes (k,) that carry each; names and records of bodies, and which numbers
+    are those of their centres and inertias; lines : of each beam, its section and material, or None where its mass is given.
     """
 
     dim: int
+    names: tuple[str, ...]
     nodes: tuple[list[int], ...]
     records: tuple[Body, ...]
     centers: tuple[slice, ...]
@@ -42,14 +43,18 @@ class Bodies:
 
 def bodies_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Bodies, dict[str, Any]]:
     """The bodies with mass, and their numbers."""
-    bodies = [body for body in model.bodies.values() if body.mass]
+    names = tuple(name for name, body in model.bodies.items() if body.mass)
+    bodies = [model.bodies[name] for name in names]
     beams = [beam for _, beam in sound_beams(model) if beam.kind == "rigid"] if model.beams else []
     heavy = [(beam, body) for beam, body in zip(beams, rigid_beams(model), strict=True) if body.mass] if beams else []
     if not (bodies or heavy):
-        return Bodies(dim=model.dim, nodes=(), records=(), centers=(), inertias=(), lines=(), matter=matter), _NO_NUMBERS
+        return Bodies(
+            dim=model.dim, names=(), nodes=(), records=(), centers=(), inertias=(), lines=(), matter=matter
+        ), _NO_NUMBERS
     centers, inertias = ([_flat(getattr(body, name)) for body in bodies] for name in ("center", "inertia"))
     found = Bodies(
         dim=model.dim,
+        names=names,
         nodes=tuple([index[name] for name in body.carried_by(model.dim)] for body in [*bodies, *(body for _, body in heavy)]),
         records=tuple(bodies),
         centers=_slices(centers),
@@ -76,6 +81,12 @@ def _flat(given: Any) -> NDArray[np.float64]:
 def _slices(parts: list[NDArray[np.float64]]) -> tuple[slice, ...]:
     ends = np.cumsum([0, *map(len, parts)]).tolist()
     return tuple(slice(*pair) for pair in pairwise(ends))
+
+
+def centers_of(bodies: Bodies, numbers: Numbers) -> dict[str, Array]:
+    """Centres (dim,) of the bodies for which one is given, in their frames, as "body NAME center"."""
+    given = zip(bodies.names, bodies.centers, strict=True)
+    return {f"body {name} center": numbers["body_center"][..., at] for name, at in given if at.start < at.stop}
 
 
 def pair_arrays(bodies: Bodies, numbers: Numbers, x0: Array) -> dict[str, Any]:

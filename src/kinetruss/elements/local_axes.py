@@ -8,6 +8,7 @@ import numpy as np
 
 from kinetruss.elements.caching import cached
 from kinetruss.elements.directions import start_references
+from kinetruss.elements.numbers import one_copy
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,7 +33,7 @@ def orientation(system: System) -> Orientation:
     """Orientation of all members in the start configuration."""
     members = system.model.members.values()
     node = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
-    return Orientation(node, start_references(system.x0[:, : system.dim], system.p, system.q))
+    return Orientation(node, start_references(one_copy(system.x0)[:, : system.dim], system.p, system.q))
 
 
 def local_axes(system: System, position: NDArray[np.float64], member: Any = slice(None)) -> NDArray[np.float64]:

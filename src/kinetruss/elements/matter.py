@@ -31,6 +31,7 @@ class Matter:
         self.model = model
         self.sections: list[Any] = []
         self.materials: list[Any] = []
+        self._sizes: list[tuple[type, dict[str, float | None]]] = []
         self._places: dict[int, int] = {id(None): -1}
         self._known: dict[tuple[int, int, bool], tuple[int, int]] = {}
 
@@ -40,6 +41,8 @@ class Matter:
         if (found := self._known.get(shared)) is None:
             section, material = self.model.section_of(part), self.model.material_of(part)
             found = self._known[shared] = self._put(self.sections, section), self._put(self.materials, material)
+            for one in self.sections[len(self._sizes) :]:
+                self._sizes.append((type(one), {name: value for name, value in vars(one).items() if name != "kind"}))
         return found
 
     def material_of(self, part: Any) -> int:
@@ -54,16 +57,15 @@ class Matter:
 
     def numbers(self) -> dict[str, Any]:
         """section : the dimensions of all sections, one behind the other; E (Pa), density (kg/m^3), poisson of materials."""
-        sizes = [value for one in self.sections for value in _dimensions(one).values() if value is not None]
+        sizes = [value for _, own in self._sizes for value in own.values() if value is not None]
         own = {name: np.array([getattr(one, name) for one in self.materials], float) for name in _OF_MATERIALS}
         return {"section": np.array(sizes, float), **own}
 
     def shapes(self, numbers: Numbers) -> list[Any]:
         """The sections with the dimensions that `numbers` has."""
         given, found = iter(numbers.each("section")), []
-        for one in self.sections:
-            sizes = {name: None if value is None else next(given) for name, value in _dimensions(one).items()}
-            found.append(Shape(type(one), sizes))
+        for record, own in self._sizes:
+            found.append(Shape(record, {name: None if value is None else next(given) for name, value in own.items()}))
         return found
 
     def areas(self, numbers: Numbers) -> Array:
@@ -72,7 +74,3 @@ class Matter:
         for k, one in enumerate(self.shapes(numbers)):
             found[..., k] = one.area
         return found
-
-
-def _dimensions(section: Any) -> dict[str, Any]:
-    return {name: value for name, value in vars(section).items() if name != "kind"}

@@ -7,8 +7,7 @@ that takes complex ones. What is chosen by a number, a law or whether a mass is 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from functools import cached_property
+from collections.abc import Mapping
 from math import dist, prod
 from typing import Any
 
@@ -20,30 +19,14 @@ from kinetruss.errors import AnalysisError
 Array = NDArray[Any]
 
 
-class Numbers(Mapping[str, Array]):
-    """Arrays by name; `lead` (copies,) or () are the leading axes of all, `dtype` their common type."""
+class Numbers(dict[str, Array]):
+    """Arrays by name; `lead` (copies,) or () are the leading axes of all, `dtype` is float or complex."""
 
-    def __init__(self, arrays: Mapping[str, Array], lead: tuple[int, ...] = ()) -> None:
-        self._arrays, self.lead = dict(arrays), lead
-
-    def __getitem__(self, name: str) -> Array:
-        return self._arrays[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._arrays)
-
-    def __len__(self) -> int:
-        return len(self._arrays)
-
-    @cached_property
-    def dtype(self) -> Any:
-        """Of what follows from them."""
-        return np.dtype(complex if any(one.dtype.kind == "c" for one in self._arrays.values()) else float)
-
-    @cached_property
-    def plain(self) -> bool:
+    def __init__(self, arrays: Mapping[str, Array], lead: tuple[int, ...] = (), dtype: Any = float) -> None:
+        super().__init__(arrays)
+        self.lead, self.dtype = lead, dtype
+        self.plain = not lead and dtype is float
         """True of real numbers without copies."""
-        return not self.lead and self.dtype == float
 
     def full(self, *shape: int, value: float = 0.0) -> Array:
         """An array for what follows from them, (copies, *shape)."""
@@ -66,6 +49,11 @@ def size(d: Array) -> Array:
 def apart(a: Any, b: Any) -> Any:
     """Distance of two points (dim,), or (copies, dim)."""
     return dist(a, b) if a.ndim == 1 and a.dtype == float else size(a - b)
+
+
+def one_copy(places: Array) -> Array:
+    """The real parts of the first copy of places (..., n, 3), by which is chosen what is chosen by numbers."""
+    return np.asarray(places[(0,) * (places.ndim - 2)].real)
 
 
 def chosen(which: Array, what: str) -> Array:

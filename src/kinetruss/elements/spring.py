@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.elements.numbers import one_copy
 from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, law_numbers, measures_of, terms_of
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, Vector
@@ -84,7 +85,7 @@ def springs(system: System) -> Part:
         if one.table is not None:
             points.append(_points(np.array(one.table, float)))
         ptr.append(sum(map(len, points)))
-    first = numbers[(0,) * (numbers.ndim - 2)].real
+    first = one_copy(numbers)
     straight = (first[:, FRICTION] == 0.0) & (first[:, PLAY] == 0.0) & (np.diff(ptr) == 0)
     rest = law_numbers(system, "spring", "rest")[..., 0]
     return Part(

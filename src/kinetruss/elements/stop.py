@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.elements.numbers import one_copy
 from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, law_numbers, measures_of, terms_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.jit import kernel_bare
@@ -70,7 +71,7 @@ def stops(system: System) -> Part:
         names=tuple(records),
         law=law,
         bent="the stop {!r} is met or left",
-        loses=numbers[(0,) * (numbers.ndim - 2)][:, DAMPING].real > 0.0,
+        loses=one_copy(numbers)[:, DAMPING] > 0.0,
         linear=none,
         rest=start,
         numbers=numbers,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.elements.body_masses import Bodies, bodies_of, pair_arrays
+from kinetruss.elements.body_masses import Bodies, bodies_of, centers_of, pair_arrays
 from kinetruss.elements.continua_arrays import Sheets, continua_at, sheets_of
 from kinetruss.elements.matter import Matter
 from kinetruss.elements.numbers import Numbers, size
@@ -23,12 +23,13 @@ if TYPE_CHECKING:
 
 
 class Joined(NamedTuple):
-    """The structure of a model. fields : those of `System` in which there are no numbers. moving, weighed : nodes with a
-    velocity, and with a gravity of their own.
+    """The structure of a model. fields : those of `System` in which there are no numbers. loads : names of the numbers of loads
+    and load cases. moving, weighed : nodes with a velocity, and with a gravity of their own.
     """
 
     dim: int
     fields: dict[str, Any]
+    loads: tuple[str, ...]
     moving: list[int]
     weighed: list[int]
     members: Members
@@ -65,8 +66,26 @@ def gathered(model: Model) -> tuple[Joined, Numbers]:
         "gravity": np.array(model.gravity or (0.0,) * dim, float),
         "velocity": np.array(list(moving.values()), float).reshape(-1, dim),
     }
-    joined = Joined(dim, fields, list(moving), list(weighed), members, bodies, measures, rows, sheets)
-    return joined, Numbers(own | matter.numbers() | of_members | of_bodies | of_measures | of_sheets)
+    loads = _load_numbers(model)
+    joined = Joined(dim, fields, tuple(loads), list(moving), list(weighed), members, bodies, measures, rows, sheets)
+    return joined, Numbers(own | loads | matter.numbers() | of_members | of_bodies | of_measures | of_sheets)
+
+
+def _load_numbers(model: Model) -> dict[str, Any]:
+    """The numbers of loads and load cases, as "load NAME force": amounts (c,) or in time (times, c), others (k,)."""
+    found: dict[str, Any] = {}
+    for name, load in model.loads.items():
+        for field, value in load:
+            if isinstance(value, float) or (isinstance(value, tuple) and not isinstance(value[0], str) and field != "times"):
+                numbers = np.array(value, float)
+                shape = (len(numbers), -1) if field == load.amounts else (-1,)
+                found[f"load {name} {field}"] = numbers.reshape(shape)
+    for name, case in model.load_cases.items():
+        if case.gravity is not None:
+            found[f"case {name} gravity"] = np.array(case.gravity, float)
+        if case.loads is not None:
+            found[f"case {name} factor"] = np.array(list(case.loads.values()), float)
+    return found
 
 
 def _prescribed(model: Model, index: Mapping[str, int], rows: Rows) -> NDArray[np.bool_]:
@@ -95,5 +114,14 @@ def arrays_at(joined: Joined, numbers: Numbers) -> dict[str, Any]:
     found = member_arrays(joined.members, numbers, size(x0[..., q, :] - x0[..., p, :]))
     found |= pair_arrays(joined.bodies, numbers, x0) | measure_arrays(joined.measures, numbers, x0)
     found |= row_arrays(joined.rows, numbers, x0, np.stack([p, q]), found["length0"], found["measure_start"])
-    nodes = {"x0": x0, "lump": numbers["lump"], "own_gravity": own, "gravity": gravity, "velocity0": velocity0}
+    loads = {name: numbers[name] for name in joined.loads}
+    loads |= centers_of(joined.bodies, numbers)
+    nodes = {
+        "load_numbers": loads,
+        "x0": x0,
+        "lump": numbers["lump"],
+        "own_gravity": own,
+        "gravity": gravity,
+        "velocity0": velocity0,
+    }
     return joined.fields | found | nodes | {"continua": continua_at(joined.sheets, numbers, x0)}

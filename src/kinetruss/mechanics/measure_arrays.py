@@ -63,7 +63,7 @@ class Measures:
     """Sums of terms. fields : those of `System` in which there are no numbers. data (t, 7) of the terms where they follow from
     no numbers. factors, phases : terms and which of the given ones each has; lines : terms with axes from the line of a bar.
     periods : of each sum, None if it has none; values : couplings whose value is given; turning : drives, to be within half a
-    turn.
+    turn; laws : names of the numbers of elements.
     """
 
     fields: dict[str, Any]
@@ -75,6 +75,7 @@ class Measures:
     periods: tuple[Period | None, ...]
     values: NDArray[np.int64]
     driven: int
+    laws: tuple[str, ...]
 
 
 def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str, Any]]:
@@ -134,9 +135,10 @@ def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str
         periods=tuple(periods),
         values=np.array(list(values), np.int64),
         driven=len(names),
+        laws=tuple(laws := _law_numbers(model)),
     )
     numbers = {"factor": given, "phase": found.data[found.phases, 1], "coupling_value": list(values.values())}
-    return found, {name: np.array(own, float) for name, own in (numbers | _law_numbers(model)).items()}
+    return found, {name: np.array(own, float) for name, own in (numbers | laws).items()}
 
 
 def _law_numbers(model: Model) -> dict[str, list[float]]:
@@ -160,7 +162,7 @@ def measure_arrays(measures: Measures, numbers: Numbers, x0: Array) -> dict[str,
     """The measures of `System` from numbers, at places x0 (n, 3)."""
     data = numbers.full(*measures.data.shape)
     period = numbers.full(len(measures.periods))
-    fields = measures.fields | {"law_numbers": {name: one for name, one in numbers.items() if name.partition(" ")[2]}}
+    fields = measures.fields | {"law_numbers": {name: numbers[name] for name in measures.laws}}
     if not len(measures.periods):
         none = dict.fromkeys(("measure_period", "measure_start", "measure_scale"), period)
         return fields | none | {"term_data": data}

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 RIGID, DRIVEN, ELASTIC, FREE = range(4)
 _KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "cable": ELASTIC, "free": FREE}
 _GIVEN = ("length", "friction", "body", "mass", "damping", "natural", "stiffness", "pretension")
-_NOWHERE = np.zeros(0, np.int64)
+_NOWHERE, _NOTHING = np.zeros(0, np.int64), np.zeros(0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -91,7 +91,7 @@ def members_of(model: Model, matter: Matter) -> tuple[Members, dict[str, Any]]:
         fields[name] = np.zeros(len(law), np.bool_)
         fields[name][places[which]] = True
     parts, of_parts = _parts([*model.active.values()], matter)
-    numbers = {f"bar_{name}": np.array([one for _, one in own], float) for name, own in given.items()}
+    numbers = {f"bar_{name}": np.array([one for _, one in own], float) if own else _NOTHING for name, own in given.items()}
     numbers["bar_body"] = numbers["bar_body"].reshape(-1, 4)
     return Members(matter=matter, fields=fields, at=places, laws=tuple(laws), active=parts), numbers | of_parts
 
@@ -171,7 +171,7 @@ def _parts(active: list[Active], matter: Matter) -> tuple[ActiveParts, dict[str,
 
 
 _NO_PARTS = ActiveParts(matter=np.zeros((0, 2), np.int64), mass={}, rotary=(), points=(), clamped=(), springs=())
-_NO_NUMBERS = dict.fromkeys(("part_length", "part_mass", "point_at", "point_mass", "part_spring"), np.zeros(0))
+_NO_NUMBERS = dict.fromkeys(("part_length", "part_mass", "point_at", "point_mass", "part_spring"), _NOTHING)
 
 
 def member_arrays(members: Members, numbers: Numbers, distance: Array) -> dict[str, Any]:

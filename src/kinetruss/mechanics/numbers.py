@@ -7,6 +7,7 @@ place (n, dim), lump (n,), own_gravity, velocity (., dim) of the nodes that have
 section : dimensions of all sections; E, density, poisson of all materials; thickness, orthotropic of membranes and solids
 bar_ : length, friction, body, mass, damping, natural, stiffness, pretension, where they are given
 part_, point_ : of bases and tubes of active members, and of the masses on them; beam_, body_ : mass, ...
+"load NAME force", "case NAME factor" and the like : of loads and load cases
 factor, phase, coupling_value : of sums of coordinates; "spring stiffness" and the like, of each element on coordinates
 """
 
@@ -23,6 +24,7 @@ from kinetruss.elements.kinds import ELEMENTS
 from kinetruss.elements.numbers import Numbers
 from kinetruss.errors import AnalysisError
 from kinetruss.mechanics.gathered import Joined, arrays_at, gathered
+from kinetruss.mechanics.loads import case_loads, unit_loads_of
 from kinetruss.mechanics.system import System
 from kinetruss.mechanics.tables import elements
 
@@ -50,9 +52,9 @@ def system_at(system: System, changes: Mapping[str, NDArray[Any]]) -> System:
     if unknown := set(changes) - set(own):
         raise AnalysisError(f"The model has no numbers called {', '.join(sorted(unknown))}. It has: {', '.join(own)}.")
     lead = np.broadcast_shapes(*(one.shape[: one.ndim - own[name].ndim] for name, one in given.items()))
-    kind = np.result_type(float, *(one.dtype for one in given.values()))
+    kind: Any = complex if any(np.iscomplexobj(one) for one in given.values()) else float
     every = {name: np.broadcast_to(one, (*lead, *own[name].shape)).astype(kind) for name, one in given.items()}
-    return replace(system, **arrays_at(joined, Numbers(every, lead)))
+    return replace(system, **arrays_at(joined, Numbers(every, lead, kind)))
 
 
 def tables_at(system: System, changes: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
@@ -71,6 +73,29 @@ def tables_at(system: System, changes: Mapping[str, NDArray[Any]]) -> dict[str, 
     for name, one in base.items():
         if found[name].shape != (*lead, *one.shape):
             raise AnalysisError(f"Table {name!r} gets other rows. Change no numbers that are 0 in the model, and so left out.")
+    return found
+
+
+def load_tables_at(
+    system: System, changes: Mapping[str, NDArray[Any]], t: NDArray[np.float64], case: str | None = None
+) -> dict[str, NDArray[Any]]:
+    """Likewise the tables of the loads of a case at times t, s: gravity, lump_gravity, force (mechanics.loads.Loads), and of
+    each component k of a load that is not on nodes "NAME k amount" (times,) and its unit load, "NAME k data".
+    """
+    at = system_at(system, changes)
+    found, lead = _load_tables(at, t, case), at.x0.shape[:-2]
+    return {name: np.broadcast_to(found[name], (*lead, *one.shape)) for name, one in _load_tables(system, t, case).items()}
+
+
+def _load_tables(system: System, t: NDArray[np.float64], case: str | None) -> dict[str, NDArray[Any]]:
+    """All tables of numbers of the loads of a case."""
+    loads = case_loads(system, t, case, rotating=True)
+    found = {"gravity": loads.gravity, "lump_gravity": loads.lump_gravity, "force": loads.force}
+    for name, amounts in loads.amounts.items():
+        for k, unit in enumerate(unit_loads_of(system, name)):
+            found[f"{name} {k} amount"] = amounts[..., k]
+            tables = {one.name: np.asarray(getattr(unit, one.name)) for one in fields(unit)}
+            found |= {f"{name} {k} {key}": one for key, one in tables.items() if one.dtype.kind in "fc"}
     return found
 
 

@@ -43,7 +43,8 @@ class System:
     those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
     Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,); law_numbers as "spring
-    stiffness" of all of a kind, NaN what is not given.
+    stiffness" of all of a kind, NaN what is not given; load_numbers as "load NAME force",
+    "case NAME gravity" and "body NAME center".
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -98,6 +99,7 @@ class System:
     force_elements: tuple[str, ...]
     force_element_measure: NDArray[np.int64]
     law_numbers: dict[str, NDArray[np.float64]]
+    load_numbers: dict[str, NDArray[np.float64]]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
