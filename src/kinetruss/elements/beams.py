@@ -32,7 +32,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.elements.directions import axes_along, start_references
-from kinetruss.elements.numbers import one_copy, size
+from kinetruss.elements.numbers import entries, one_copy, size
 from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
 
 if TYPE_CHECKING:
@@ -164,26 +164,17 @@ def beams_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Beams
 def beams_at(beams: Beams, numbers: Numbers, x0: Array) -> BeamElements:
     """The elastic beams of a model at positions x0 (n, 3)."""
     dim, (count, v) = beams.dim, beams.nodes.shape
-    length, axes, ends = numbers.full(count), numbers.full(count, dim, v), numbers.full(count, dim, v)
-    rigidity, line, rotary = numbers.full(count, len(MODES[dim])), numbers.full(count), numbers.full(count, 2)
-    damping, shapes = numbers.full(count), beams.matter_of.shapes(numbers)
+    length, local, damping = numbers.full(count), numbers.full(count, dim, dim), numbers.full(count)
     damping[..., beams.damped] = numbers["beam_damping"]
-    E, density, poisson, masses = (numbers.each(name) for name in ("E", "density", "poisson", "beam_mass"))
     for k, nodes in enumerate(beams.nodes):
-        first, second = nodes[: dim + 1], nodes[dim + 1 :]
-        l = size(x0[..., second[0], :] - x0[..., first[0], :])
-        local = _local_axes(beams, k, numbers, x0)
-        for part, begin, found in ((first, 0, axes), (second, dim + 1, ends)):
-            scaled = local / size(x0[..., part[1:], :] - x0[..., part[:1], :])[..., None, :]
-            found[..., k, :, begin + 1 : begin + dim + 1] = scaled
-            found[..., k, :, begin] = -scaled.sum(axis=-1)
-        section, material = beams.matter[k]
-        mass, matter = masses[beams.mass[k]] if k in beams.mass else None, (E[material], density[material], poisson[material])
-        own = _matter(dim, shapes[section], *matter, mass, float(l) if numbers.plain else l)
-        length[..., k] = l
-        for c, value in enumerate(own[0]):
-            rigidity[..., k, c] = value
-        line[..., k], rotary[..., k, 0], rotary[..., k, 1] = own[1:]
+        length[..., k] = size(x0[..., nodes[dim + 1], :] - x0[..., nodes[0], :])
+        local[..., k, :, :] = _local_axes(beams, k, numbers, x0)
+    axes, ends = numbers.full(count, dim, v), numbers.full(count, dim, v)
+    for begin, found in ((0, axes), (dim + 1, ends)):
+        part = slice(begin + 1, begin + dim + 1)
+        found[..., part] = local / size(x0[..., beams.nodes[:, part], :] - x0[..., beams.nodes[:, [begin]], :])[..., None, :]
+        found[..., begin] = -found[..., part].sum(axis=-1)
+    rigidity, line, rotary = _matter(beams, numbers, length)
     return BeamElements(
         names=beams.names,
         nodes=beams.nodes,
@@ -224,15 +215,24 @@ def _local_axes(beams: Beams, k: int, numbers: Numbers, x0: Array) -> Array:
     return found + 1j * np.stack(axes_along(d, toward), axis=-2).imag
 
 
-def _matter(dim: int, section: Any, E: Any, density: Any, poisson: Any, mass: Any, l: Any) -> tuple[list[Any], Any, Any, Any]:
-    """Rigidities of the modes, N m, mass a length, kg/m, and rotary inertias a length about axes 3 and 2, kg m."""
-    A, (I2, I3) = section.area, section.second_moments
-    bending = [E * I3 / l, 3 * E * I3 / l]
-    if dim == 3:
-        G = E / (2 * (1 + poisson))
-        bending += [E * I2 / l, 3 * E * I2 / l, G * section.torsion_constant / l]
-    line = density * A if mass is None else mass / l
-    return [E * A * l, *bending], line, line * I3 / A, line * I2 / A
+def _matter(beams: Beams, numbers: Numbers, length: Array) -> tuple[Array, Array, Array]:
+    """Rigidities of the modes (k, s), N m, masses a length (k,), kg/m, and rotary inertias a length (k, 2), kg m."""
+    E, density, poisson, masses = (numbers.each(name) for name in ("E", "density", "poisson", "beam_mass"))
+    shapes = beams.matter_of.shapes(numbers)
+    used = {place: shapes[place] for place in beams.matter[:, 0].tolist()}
+    known = {place: (one.area, *one.second_moments, one.torsion_constant) for place, one in used.items()}
+    rows = []
+    for k, ((section, material), l) in enumerate(zip(beams.matter.tolist(), entries(length), strict=True)):
+        (A, I2, I3, J), e = known[section], E[material]
+        modes = [e * A * l, e * I3 / l, 3 * e * I3 / l]
+        if beams.dim == 3:
+            G = e / (2 * (1 + poisson[material]))
+            modes += [e * I2 / l, 3 * e * I2 / l, G * J / l]
+        line = masses[beams.mass[k]] / l if k in beams.mass else density[material] * A
+        rows.append([*modes, line, line * I3 / A, line * I2 / A])
+    found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+    rigidity, line, rotary = (np.ascontiguousarray(found[..., columns]) for columns in (slice(-3), -3, slice(-2, None)))
+    return rigidity, line, rotary
 
 
 def _modes(l: Array, p: Array, q: Array) -> Array:

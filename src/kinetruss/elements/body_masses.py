@@ -71,6 +71,7 @@ def bodies_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Bodi
     }
 
 
+_NOWHERE = np.zeros(0, np.int32)
 _NO_NUMBERS = dict.fromkeys(("body_mass", "body_center", "body_inertia"), np.zeros(0))
 
 
@@ -94,6 +95,8 @@ def pair_arrays(bodies: Bodies, numbers: Numbers, x0: Array) -> dict[str, Any]:
     pairs: list[tuple[int, int]] = []
     mass, turn = [numbers.full(0)], [numbers.full(0)]
     thin = np.zeros(x0.shape[-2], np.bool_)
+    if not bodies.nodes:
+        return {"pair_p": _NOWHERE, "pair_q": _NOWHERE, "pair_mass": mass[0], "pair_skew": turn[0], "thin": thin}
     for nodes, (m, skew) in zip(bodies.nodes, _masses(bodies, numbers, x0), strict=True):
         i, j = np.triu_indices(len(nodes))
         between = m[..., i, j]

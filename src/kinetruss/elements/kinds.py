@@ -44,6 +44,8 @@ def on_coordinates(system: System) -> scalars.Scalars | None:
 
 def fields_on_coordinates(system: System) -> dict[str, NDArray[Any]] | None:
     """The fields of the record of all elements on coordinates; None where there are none."""
+    if not (system.force_elements or system.friction.any()):
+        return None
     parts = list(parts_of(system).values())
     return scalars.fields(parts) if any(len(one.loses) for one in parts) else None
 

@@ -34,11 +34,12 @@ class Numbers(dict[str, Array]):
 
     def each(self, name: str) -> Any:
         """The entries of a list of numbers one by one: Python's numbers if they are plain, else over the copies."""
-        return self[name].tolist() if self.plain else np.moveaxis(self[name], -1, 0)
+        return entries(self[name])
 
-    def rows(self, name: str) -> Any:
-        """The rows of a table of numbers, each the list of its entries as of `each`."""
-        return self[name].tolist() if self.plain else np.moveaxis(self[name], (-2, -1), (0, 1))
+
+def entries(values: Array) -> Any:
+    """The entries of a list of numbers (k,) one by one: Python's numbers if they are plain, else (copies,)."""
+    return values.tolist() if values.ndim == 1 and values.dtype == float else np.moveaxis(values, -1, 0)
 
 
 def size(d: Array) -> Array:

@@ -62,9 +62,9 @@ def gathered(model: Model) -> tuple[Joined, Numbers]:
     own = {
         "place": np.array(places, float).reshape(count, dim),
         "lump": np.array([node.mass for node in model.nodes.values()], float),
-        "own_gravity": np.array(list(weighed.values()), float).reshape(-1, dim),
+        "own_gravity": np.array([*weighed.values()], float).reshape(-1, dim),
         "gravity": np.array(model.gravity or (0.0,) * dim, float),
-        "velocity": np.array(list(moving.values()), float).reshape(-1, dim),
+        "velocity": np.array([*moving.values()], float).reshape(-1, dim),
     }
     loads = _load_numbers(model)
     joined = Joined(dim, fields, tuple(loads), list(moving), list(weighed), members, bodies, measures, rows, sheets)
@@ -113,7 +113,7 @@ def arrays_at(joined: Joined, numbers: Numbers) -> dict[str, Any]:
     p, q = joined.fields["p"], joined.fields["q"]
     found = member_arrays(joined.members, numbers, size(x0[..., q, :] - x0[..., p, :]))
     found |= pair_arrays(joined.bodies, numbers, x0) | measure_arrays(joined.measures, numbers, x0)
-    found |= row_arrays(joined.rows, numbers, x0, np.stack([p, q]), found["length0"], found["measure_start"])
+    found |= row_arrays(joined.rows, numbers, x0, (p, q), found["length0"], found["measure_start"])
     loads = {name: numbers[name] for name in joined.loads}
     loads |= centers_of(joined.bodies, numbers)
     nodes = {

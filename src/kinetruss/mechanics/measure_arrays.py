@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import pairwise
@@ -87,6 +87,10 @@ def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str
     """
     drives = {name: drive for name, drive in model.all_drives.items() if is_measured(model, drive)}
     names = tuple(drives)
+    if not (drives or model.couplings or model.force_elements):
+        return replace(
+            _NO_MEASURES, fields=_NO_MEASURES.fields | {"drive_measure": np.full(len(model.all_drives), -1)}
+        ), _NO_NUMBERS
     sums: list[tuple[Any, bool]] = [(((drive, 1.0),), False) for drive in drives.values()]
     sums += [(one.terms, True) for one in model.couplings.values()]
     sums += [(one.parts, one.terms is not None) for _, one in model.force_elements.values()]
@@ -139,6 +143,28 @@ def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str
     )
     numbers = {"factor": given, "phase": found.data[found.phases, 1], "coupling_value": list(values.values())}
     return found, {name: np.array(own, float) for name, own in (numbers | laws).items()}
+
+
+_NO_NUMBERS = dict.fromkeys(("factor", "phase", "coupling_value"), np.zeros(0))
+_NO_MEASURES = Measures(
+    fields={
+        "measures": (),
+        "measure_ptr": np.zeros(1, np.int64),
+        "term_kind": np.zeros(0, np.int64),
+        "term_at": np.zeros((0, 4), np.int64),
+        "force_elements": (),
+        "force_element_measure": np.zeros(0, np.int64),
+    },
+    data=np.zeros((0, 7)),
+    factors=np.zeros((0, 2), np.int64),
+    signs=np.zeros(0),
+    phases=np.zeros(0, np.int64),
+    lines={},
+    periods=(),
+    values=np.zeros(0, np.int64),
+    driven=0,
+    laws=(),
+)
 
 
 def _law_numbers(model: Model) -> dict[str, list[float]]:

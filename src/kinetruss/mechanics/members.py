@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.numbers import entries
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, NONE
 from kinetruss.model import Active, Bar, Model, PointMass, natural_length
 from kinetruss.model.hub_arms import arms_of, clamped_at
@@ -239,9 +240,9 @@ def _active(members: Members, numbers: Numbers, area: Array, found: dict[str, An
     if not len(active):
         return clamped
     line, EA = per_length(parts.matter, numbers, area)
-    lines, lengths, springs = _each(line), numbers.each("part_length"), numbers.each("part_spring")
-    soft = _each(1 / EA)
-    shapes, areas = members.matter.shapes(numbers), _each(area)
+    lines, lengths, springs = entries(line), numbers.each("part_length"), numbers.each("part_spring")
+    soft = entries(1 / EA)
+    shapes, areas = members.matter.shapes(numbers), entries(area)
     given, places, masses = (numbers.each(name) for name in ("part_mass", "point_at", "point_mass"))
     for r, length in enumerate(lengths):
         mass = given[parts.mass[r]] if r in parts.mass else lines[r] * length
@@ -305,11 +306,6 @@ def _pretensioned(bar: Bar, force: Any, stiff: Any, distance: Any, known: bool) 
 
     slope = excess(found + 1e-30j, *real).imag / 1e-30
     return found - (excess(found, force, stiff, distance) - excess(found, *real)) / slope
-
-
-def _each(values: Array) -> Any:
-    """Entries of an array (..., k) one by one, as `Numbers.each`."""
-    return values.tolist() if values.ndim == 1 and values.dtype == float else np.moveaxis(values, -1, 0)
 
 
 def _loaded(rod: tuple[Any, Any, Any], masses: list[tuple[Any, Any]]) -> tuple[Any, Any, Any]:

@@ -56,26 +56,27 @@ def rows_of(model: Model, index: dict[str, int], kind: NDArray[np.int8], drive_m
             driven[place[drive.bar]] = d
             starts[LENGTH].append((d, place[drive.bar]))
     kept = np.flatnonzero((kind == RIGID) | (kind == DRIVEN))
-    first = int((drive_measure >= 0).sum())
-    held = range(first, first + len(model.couplings))
-    count = len(kept) + len(rows)
-    rows += [(0, SUM, -1, m) for m in held]
+    first = len(starts[SUM])
+    held = [(len(kept) + len(rows) + k, first + k) for k in range(len(model.couplings))]
+    rows += [(0, SUM, -1, m) for _, m in held]
     every = np.full((4, len(kept) + len(rows)), -1)
     every[0, : len(kept)], every[1, : len(kept)], every[2, : len(kept)] = kept, LENGTH, driven[kept]
     if rows:
         every[:, len(kept) :] = np.array(rows, np.int64).T
-    names = (("row_member", np.int32), ("row_kind", np.int8), ("row_drive", np.int32), ("row_measure", np.int64))
-    fields = {name: own.astype(kind_of) for (name, kind_of), own in zip(names, every, strict=True)}
-    return Rows(
-        fields=fields | {"coordinate_drive": np.array([(flat, d) for d, flat in starts[PLACE]], np.int32).reshape(-1, 2)},
-        kept=kept,
-        held=np.stack([np.arange(count, count + len(held)), np.array(held, np.int64)], axis=1),
-        starts={what: np.array(own, np.int64).reshape(-1, 2) for what, own in starts.items()},
-    )
+    fields: dict[str, Any] = {name: own.astype(size) for (name, size), own in zip(_FIELDS, every, strict=True)}
+    fields["coordinate_drive"] = np.array([(flat, d) for d, flat in starts[PLACE]], np.int32).reshape(-1, 2)
+    places = {what: np.array(own, np.int64) if own else _NONE for what, own in starts.items()}
+    return Rows(fields=fields, kept=kept, held=np.array(held, np.int64) if held else _NONE, starts=places)
 
 
-def row_arrays(rows: Rows, numbers: Numbers, x0: Array, ends: Array, length0: Array, measure_start: Array) -> dict[str, Any]:
-    """Rows of `System` from numbers; at places x0 (n, 3) of members from p to q, ends (2, m)."""
+_FIELDS = (("row_member", np.int32), ("row_kind", np.int8), ("row_drive", np.int32), ("row_measure", np.int64))
+_NONE = np.zeros((0, 2), np.int64)
+
+
+def row_arrays(
+    rows: Rows, numbers: Numbers, x0: Array, ends: tuple[Any, Any], length0: Array, measure_start: Array
+) -> dict[str, Any]:
+    """Rows of `System` from numbers; at places x0 (n, 3) of members from p to q, the ends (m,)."""
     value, start = numbers.full(len(rows.fields["row_kind"])), numbers.full(sum(map(len, rows.starts.values())))
     value[..., : len(rows.kept)] = length0[..., rows.kept]
     value[..., rows.held[:, 0]] = measure_start[..., rows.held[:, 1]]
