@@ -15,6 +15,7 @@ from kinetruss.elements.loads.load import OnMember, OnOthers, Spread, Turning
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.bars import bars_of
 from kinetruss.mechanics.loads import history_of, unit_loads_of
+from kinetruss.mechanics.numbers import load_tables_at, numbers_of
 
 RODS = {"section": kt.Rod(diameter=0.02), "material": "steel_s235"}
 PLANE = kt.Model(
@@ -134,3 +135,39 @@ def test_places_are_on_members_that_there_are(case):
         assert 0 <= one.member < len(system.members)
         ends = (one.place.begin, one.place.end) if isinstance(one.place, Spread) else (one.place, 1.0)
         assert 0.0 <= ends[0] <= ends[1] <= 1.0
+
+
+def test_tables_have_the_derivatives_of_differences_by_all_numbers(case):
+    """One complex step with each number in a copy of its own, against differences of tables of changed numbers."""
+    agree_with_differences(case[0])
+
+
+def test_cases_and_tables_in_time_have_them_too():
+    forces = {"times": (0.0, 1.0), "forces": ((1.0, 2.0), (3.0, -1.0))}
+    loads = {"push": kt.NodalForce(node="B", **forces), "along": kt.MemberLoad(member="BD", force=(3, -2))}
+    cases = {"both": kt.LoadCase(loads={"push": 1.5, "along": 0.7}, gravity=(0, -1.6))}
+    agree_with_differences(compile(PLANE.with_(loads=loads, load_cases=cases)), "both")
+
+
+def test_loads_at_the_centre_of_a_body_follow_its_numbers():
+    body = kt.Body(nodes=("A", "B", "C"), mass=1.0, center=(0.4, 0.3), inertia=0.1)
+    system = compile(PLANE.with_(bodies={"plate": body}, loads={"q": kt.BodyForce(body="plate", force=(1, 0))}))
+    agree_with_differences(system)
+    moved = {"body_center": numbers_of(system)["body_center"] + [0.1, 0.0]}
+    assert np.any(load_tables_at(system, moved, np.zeros(1))["q 0 data"] != load_tables_at(system, {}, np.zeros(1))["q 0 data"])
+
+
+def agree_with_differences(system, case=None):
+    own, t, h, tiny = numbers_of(system), np.array([0.0, 0.3]), 1e-6, 1e-30
+    places = [(name, k) for name, one in own.items() for k in zip(*np.nonzero(~np.isnan(one)), strict=True)]
+    made = {}
+    for step in (1j * tiny, h, -h):
+        copies = {name: np.repeat(one.astype(type(step))[None], len(places), axis=0) for name, one in own.items()}
+        for copy, (name, k) in enumerate(places):
+            copies[name][(copy, *k)] += step
+        made[step] = load_tables_at(system, copies, t, case)
+    for name, one in made[1j * tiny].items():
+        difference = (made[h][name] - made[-h][name]) / (2 * h)
+        np.testing.assert_allclose(one.imag / tiny, difference, rtol=1e-6, atol=1e-7, err_msg=name)
+        base = load_tables_at(system, {}, t, case)[name]
+        np.testing.assert_allclose(one.real, np.broadcast_to(base, one.shape), rtol=1e-14, atol=1e-14, err_msg=name)

@@ -25,18 +25,22 @@ with constant masses between nodes.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
-from kinetruss.model import Model
+from kinetruss.elements.directions import axes_along, start_references
+from kinetruss.elements.numbers import entries, one_copy, size
 from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.model import Material
+    from kinetruss.elements.matter import Matter
+    from kinetruss.elements.numbers import Array, Numbers
+    from kinetruss.model import Beam, Model
 
 
 MODES = {2: ("axial", "D3", "S3"), 3: ("axial", "D3", "S3", "D2", "S2", "torsion")}
@@ -66,38 +70,41 @@ class BeamElements:
     rotary: NDArray[np.float64]
     damping: NDArray[np.float64]
 
-    def stiffness(self) -> NDArray[np.float64]:
+    def stiffness(self) -> Array:
         """2 G (k, w, w) by pairs of nodes: the energy is (c - c0)^T G (c - c0)/2 for squared distances c."""
-        return np.asarray(2 * np.einsum("ks,ksi,ksj->kij", self.rigidity, self.modes, self.modes))
+        return np.asarray(2 * np.einsum("...ks,...ksi,...ksj->...kij", self.rigidity, self.modes, self.modes))
 
-    def mass(self) -> NDArray[np.float64]:
+    def mass(self) -> Array:
         """Masses (k, v, v) between nodes, kg."""
         xi, weight = _gauss()
         r = self.fields(xi)
-        found = np.einsum("g,k,kgv,kgw->kvw", weight, self.line * self.length, r, r)
-        for c, inertia in enumerate(self.rotary.T[: self.axes.shape[1] - 1], start=1):
-            turned = (1 - xi)[None, :, None] * self.axes[:, None, c] + xi[None, :, None] * self.ends[:, None, c]
-            found += np.einsum("g,k,kgv,kgw->kvw", weight, inertia * self.length, turned, turned)
+        found = np.einsum("g,...k,...kgv,...kgw->...kvw", weight, self.line * self.length, r, r)
+        for c in range(1, self.axes.shape[-2]):
+            first, second = self.axes[..., None, c, :], self.ends[..., None, c, :]
+            turned = (1 - xi)[:, None] * first + xi[:, None] * second
+            inertia = self.rotary[..., c - 1] * self.length
+            found += np.einsum("g,...k,...kgv,...kgw->...kvw", weight, inertia, turned, turned)
         return np.asarray(found)
 
-    def shares(self, beam: int, begin: float, end: float, first: float, last: float) -> NDArray[np.float64]:
+    def shares(self, beam: int, begin: Any, end: Any, first: Any, last: Any) -> Array:
         """What each node of a beam takes of a load q along it (v,), m: l int q(xi) fields(xi) dxi, q linear from first to last
         between the shares begin and end.
         """
         xi, weight = _gauss()
-        own = self.fields(begin + (end - begin) * xi)[beam]
-        return np.asarray(self.length[beam] * (end - begin) * (weight * (first + (last - first) * xi)) @ own)
+        begin, end, first, last = (np.asarray(one)[..., None] for one in (begin, end, first, last))
+        own = self.fields(begin + (end - begin) * xi)[..., beam, :, :]
+        load = self.length[..., beam, None] * (end - begin) * (weight * (first + (last - first) * xi))
+        return np.asarray(load @ own if own.ndim == 2 else (load[..., None, :] @ own)[..., 0, :])
 
-    def fields(self, xi: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of its length."""
-        h1, h2, h3, h4 = hermite(xi)
+    def fields(self, xi: Array) -> Array:
+        """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of it."""
+        h1, h2, h3, h4 = (one[..., None, :] for one in hermite(xi))
         v = self.nodes.shape[1]
         first, second = np.eye(v)[0], np.eye(v)[v // 2]
-        l = self.length[:, None, None]
-        straight = h1[:, None] * first + h3[:, None] * second
-        return np.asarray(
-            straight + l * (h2[None, :, None] * self.axes[:, None, 0] + h4[None, :, None] * self.ends[:, None, 0])
-        )
+        l = self.length[..., None, None]
+        straight = h1[..., None] * first + h3[..., None] * second
+        slopes = h2[..., None] * self.axes[..., None, 0, :] + h4[..., None] * self.ends[..., None, 0, :]
+        return np.asarray(straight + l * slopes)
 
 
 def hermite(xi: Floats) -> tuple[Floats, Floats, Floats, Floats]:
@@ -110,30 +117,67 @@ def hermite_slopes(xi: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     return 6 * xi * (xi - 1), (1 - xi) * (1 - 3 * xi), 6 * xi * (1 - xi), xi * (3 * xi - 2)
 
 
-def beam_elements(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> BeamElements | None:
-    """The elastic beams of a model at positions x0 (n, 3), or None if it has none."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Beams:
+    """The structure of the elastic beams of a model: names, records, nodes (k, v); toward (k,) nodes that orient them, -1 none;
+    matter (k, 2) places of section and material; mass : of which it is given, and its place; damped (k,) those with damping.
+    """
+
+    dim: int
+    names: tuple[str, ...]
+    records: tuple[Beam, ...]
+    nodes: NDArray[np.int64]
+    toward: NDArray[np.int64]
+    matter_of: Matter
+    matter: NDArray[np.int64]
+    mass: dict[int, int]
+    damped: NDArray[np.int64]
+
+
+def beams_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Beams | None, dict[str, Any]]:
+    """The elastic beams of a model, None if it has none; and their numbers."""
     elastic = {name: beam for name, beam in model.beams.items() if beam.kind == "elastic"}
+    records, every = tuple(elastic.values()), frames(model) if elastic else {}
+    massive = [k for k, beam in enumerate(records) if beam.mass is not None]
+    damped = [k for k, beam in enumerate(records) if beam.damping]
+    numbers = {
+        "beam_mass": np.array([records[k].mass for k in massive], float),
+        "beam_damping": np.array([records[k].damping for k in damped], float),
+    }
     if not elastic:
-        return None
-    dim, v = model.dim, 2 * (model.dim + 1)
-    every = frames(model)
-    count = len(elastic)
-    nodes, length = np.zeros((count, v), np.int64), np.zeros(count)
-    axes, ends = np.zeros((count, dim, v)), np.zeros((count, dim, v))
-    rigidity, line, rotary = np.zeros((count, len(MODES[dim]))), np.zeros(count), np.zeros((count, 2))
-    for k, (name, beam) in enumerate(elastic.items()):
-        local = axes_of_beam(model, beam)
-        own = [[index[node] for node in every[frame_of(name, beam, end)].all] for end in beam.ends]
-        nodes[k] = own[0] + own[1]
-        l = length[k] = float(np.linalg.norm(x0[own[1][0]] - x0[own[0][0]]))
-        for part, first, found in ((own[0], 0, axes), (own[1], dim + 1, ends)):
-            size = np.linalg.norm(x0[part[1:]] - x0[part[0]], axis=1)
-            found[k, :, first + 1 : first + dim + 1] = local / size
-            found[k, :, first] = -(local / size).sum(axis=1)
-        rigidity[k], line[k], rotary[k] = _matter(model, beam, l)
-    return BeamElements(
+        return None, numbers
+    ends = [[every[frame_of(name, beam, end)].all for end in beam.ends] for name, beam in elastic.items()]
+    found = Beams(
+        dim=model.dim,
         names=tuple(elastic),
-        nodes=nodes,
+        records=records,
+        nodes=np.array([[index[node] for frame in own for node in frame] for own in ends], np.int64),
+        toward=np.array([index[one.orientation] if isinstance(one.orientation, str) else -1 for one in records], np.int64),
+        matter_of=matter,
+        matter=np.array([matter.of(beam) for beam in records], np.int64),
+        mass={k: place for place, k in enumerate(massive)},
+        damped=np.array(damped, np.int64),
+    )
+    return found, numbers
+
+
+def beams_at(beams: Beams, numbers: Numbers, x0: Array) -> BeamElements:
+    """The elastic beams of a model at positions x0 (n, 3)."""
+    dim, (count, v) = beams.dim, beams.nodes.shape
+    length, local, damping = numbers.full(count), numbers.full(count, dim, dim), numbers.full(count)
+    damping[..., beams.damped] = numbers["beam_damping"]
+    for k, nodes in enumerate(beams.nodes):
+        length[..., k] = size(x0[..., nodes[dim + 1], :] - x0[..., nodes[0], :])
+        local[..., k, :, :] = _local_axes(beams, k, numbers, x0)
+    axes, ends = numbers.full(count, dim, v), numbers.full(count, dim, v)
+    for begin, found in ((0, axes), (dim + 1, ends)):
+        part = slice(begin + 1, begin + dim + 1)
+        found[..., part] = local / size(x0[..., beams.nodes[:, part], :] - x0[..., beams.nodes[:, [begin]], :])[..., None, :]
+        found[..., begin] = -found[..., part].sum(axis=-1)
+    rigidity, line, rotary = _matter(beams, numbers, length)
+    return BeamElements(
+        names=beams.names,
+        nodes=beams.nodes,
         length=length,
         axes=axes,
         ends=ends,
@@ -141,45 +185,79 @@ def beam_elements(model: Model, index: dict[str, int], x0: NDArray[np.float64]) 
         rigidity=rigidity,
         line=line,
         rotary=rotary,
-        damping=np.array([beam.damping for beam in elastic.values()]),
+        damping=damping,
     )
 
 
-def _matter(model: Model, beam: Any, l: float) -> tuple[Floats, float, Floats]:
-    """Rigidities of the modes, N m, mass a length, kg/m, and rotary inertias a length, kg m."""
-    section, material = model.section_of(beam), cast("Material", model.material_of(beam))
-    E, A, (I2, I3) = material.E, section.area, section.second_moments
-    bending = [E * I3 / l, 3 * E * I3 / l]
-    if model.dim == 3:
-        G = E / (2 * (1 + material.poisson))
-        bending += [E * I2 / l, 3 * E * I2 / l, G * section.torsion_constant / l]
-    line = material.density * A if beam.mass is None else beam.mass / l
-    return np.array([E * A * l, *bending]), line, np.array([line * I3 / A, line * I2 / A])
+def _local_axes(beams: Beams, k: int, numbers: Numbers, x0: Array) -> Array:
+    """Local axes 1, 2, 3 of a beam at the start as rows, (dim, dim)."""
+    beam, dim = beams.records[k], beams.dim
+    names, places = list(beam.ends), [beams.nodes[k, 0], beams.nodes[k, dim + 1]]
+    if beams.toward[k] >= 0:
+        names, places = [*names, str(beam.orientation)], [*places, beams.toward[k]]
+    points = x0[..., places, :dim]
+    found = np.empty((*numbers.lead, dim, dim))
+    for copy in np.ndindex(numbers.lead):
+        nodes = {name: SimpleNamespace(at=at) for name, at in zip(names, points[copy].real, strict=True)}
+        found[copy] = axes_of_beam(SimpleNamespace(dim=dim, nodes=nodes), beam)  # type: ignore[arg-type]
+    if not np.iscomplexobj(points):
+        return found
+    d = points[..., 1, :] - points[..., 0, :]
+    if dim == 2:
+        one = (d / size(d)[..., None]).imag
+        return found + 1j * np.stack([one, np.stack([-one[..., 1], one[..., 0]], axis=-1)], axis=-2)
+    if beams.toward[k] >= 0:
+        toward = points[..., 2, :] - points[..., 0, :]
+    elif beam.orientation is None:
+        toward = start_references(one_copy(points), *np.array([[0], [1]]))[0]
+    else:
+        toward = np.array(beam.orientation)
+    return found + 1j * np.stack(axes_along(d, toward), axis=-2).imag
 
 
-def _modes(l: NDArray[np.float64], p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
+def _matter(beams: Beams, numbers: Numbers, length: Array) -> tuple[Array, Array, Array]:
+    """Rigidities of the modes (k, s), N m, masses a length (k,), kg/m, and rotary inertias a length (k, 2), kg m."""
+    E, density, poisson, masses = (numbers.each(name) for name in ("E", "density", "poisson", "beam_mass"))
+    shapes = beams.matter_of.shapes(numbers)
+    used = {place: shapes[place] for place in beams.matter[:, 0].tolist()}
+    known = {place: (one.area, *one.second_moments, one.torsion_constant) for place, one in used.items()}
+    rows = []
+    for k, ((section, material), l) in enumerate(zip(beams.matter.tolist(), entries(length), strict=True)):
+        (A, I2, I3, J), e = known[section], E[material]
+        modes = [e * A * l, e * I3 / l, 3 * e * I3 / l]
+        if beams.dim == 3:
+            G = e / (2 * (1 + poisson[material]))
+            modes += [e * I2 / l, 3 * e * I2 / l, G * J / l]
+        line = masses[beams.mass[k]] / l if k in beams.mass else density[material] * A
+        rows.append([*modes, line, line * I3 / A, line * I2 / A])
+    found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+    rigidity, line, rotary = (np.ascontiguousarray(found[..., columns]) for columns in (slice(-3), -3, slice(-2, None)))
+    return rigidity, line, rotary
+
+
+def _modes(l: Array, p: Array, q: Array) -> Array:
     """Modes (k, s, w) by pairs of nodes; p, q (k, dim, v) coefficients of the axes at both ends."""
-    v = p.shape[2]
-    chord = (np.eye(v)[v // 2] - np.eye(v)[0]) / l[:, None]
-    axial = 0.6 * _dot(chord, chord) - 0.1 * _dot(p[:, 0] + q[:, 0], chord) - _dot(p[:, 0], q[:, 0]) / 30
+    v = p.shape[-1]
+    chord = (np.eye(v)[v // 2] - np.eye(v)[0]) / l[..., None]
+    p, q = np.moveaxis(p, -2, 0), np.moveaxis(q, -2, 0)
+    axial = 0.6 * _dot(chord, chord) - 0.1 * _dot(p[0] + q[0], chord) - _dot(p[0], q[0]) / 30
 
-    def bent(across: int, sign: float) -> list[NDArray[np.float64]]:
+    def bent(across: int, sign: float) -> list[Array]:
         # rotations from the chord, and the sine of their difference
-        f_p, f_q = -sign * _dot(p[:, across], chord), -sign * _dot(q[:, across], chord)
-        s = 0.5 * sign * (_dot(p[:, across], q[:, 0]) - _dot(p[:, 0], q[:, across]))
+        f_p, f_q = -sign * _dot(p[across], chord), -sign * _dot(q[across], chord)
+        s = 0.5 * sign * (_dot(p[across], q[0]) - _dot(p[0], q[across]))
         return [2 * (f_q - f_p) - s, f_p + f_q]
 
     rows = [axial, *bent(1, 1.0)]
-    if p.shape[1] == 3:
-        rows += [*bent(2, -1.0), 0.5 * (_dot(p[:, 2], q[:, 1]) - _dot(p[:, 1], q[:, 2]))]
-    return np.stack(rows, axis=1)
+    if len(p) == 3:
+        rows += [*bent(2, -1.0), 0.5 * (_dot(p[2], q[1]) - _dot(p[1], q[2]))]
+    return np.stack(rows, axis=-2)
 
 
-def _dot(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+def _dot(a: Array, b: Array) -> Array:
     """Coefficients (k, w) of the squared distances of pairs of nodes in the dot product of two combinations of nodes."""
-    a, b = np.broadcast_arrays(a, b)
-    i, j = np.triu_indices(a.shape[1], 1)
-    return np.asarray(-0.5 * (a[:, i] * b[:, j] + a[:, j] * b[:, i]))
+    i, j = np.triu_indices(a.shape[-1], 1)
+    return np.asarray(-0.5 * (a[..., i] * b[..., j] + a[..., j] * b[..., i]))
 
 
 def _gauss() -> tuple[NDArray[np.float64], NDArray[np.float64]]:

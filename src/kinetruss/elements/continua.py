@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.elements.numbers import chosen
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Record, Vector, record
 from kinetruss.kernels.structure import element_table
@@ -402,23 +403,25 @@ NODES = {"triangle": 3, "tetrahedron": 4, "six": 6, "eight": 8}
 """Numbers of nodes of elements by their fields."""
 
 
-def edge_elements(
+def edge_fields(
     p: Ints, q: Ints, start: Floats, groups: Mapping[int, tuple[Ints, Floats]], delays: Mapping[int, Floats]
-) -> EdgeElements:
-    """The record of edges between the nodes p, q (e,), start (n, 3) places of all nodes without stress, m.
+) -> dict[str, NDArray[Any]]:
+    """The fields of the record of edges between the nodes p, q (e,), start (n, 3) places of all nodes without stress, m; the
+    numbers may be complex, and copies.
 
     groups : edges and stiffness of elements by their number of nodes. delays : damping times (k,), s, of those that have such.
     """
-    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "start": start.reshape(-1)}
+    lead = start.shape[:-2]
+    found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "start": start.reshape(*lead, -1)}
     for name, v in NODES.items():
         w = v * (v - 1) // 2
-        edge, stiff = groups.get(v, (np.zeros((0, w), np.int64), np.zeros((0, w * (w + 1) // 2))))
+        edge, stiff = groups.get(v, (np.zeros((0, w), np.int64), np.zeros((*lead, 0, w * (w + 1) // 2))))
         found |= {f"{name}_edge": edge, name: stiff}
         if f"damped_{name}" in EdgeElements.FIELDS:
-            delay = delays.get(v, np.zeros(len(edge)))
-            own = delay > 0.0
-            found |= {f"damped_{name}_edge": edge[own], f"damped_{name}": stiff[own] * delay[own, None]}
-    return EdgeElements.of(found)
+            delay = delays.get(v, np.zeros((*lead, len(edge))))
+            own = np.flatnonzero(chosen(delay.real > 0.0, "damping of beams"))
+            found |= {f"damped_{name}_edge": edge[own], f"damped_{name}": stiff[..., own, :] * delay[..., own, None]}
+    return found
 
 
 def coordinates(s: EdgeElements) -> NDArray[np.int64]:

@@ -1,56 +1,24 @@
-"""Bodies, membranes, solids and beams as arrays: pairs of nodes with mass, edges, stiffness, visible faces."""
+"""Membranes, solids and beams as arrays: edges, stiffness, masses, visible faces."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss.elements.beams import BeamElements, beam_elements
-from kinetruss.model import Material, Model, Orthotropic, body_mass
-from kinetruss.model.beam_frames import rigid_beams
+from kinetruss.elements.beams import BeamElements, Beams, beams_at, beams_of
+from kinetruss.elements.numbers import size, sums_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.elements.continua import EdgeElements
-
-
-THIN = 1e-10
-"""Eigenvalues of m_ij below this fraction of the largest count as zero: the body lies in a plane or on a line."""
-
-
-def pair_arrays(model: Model, index: dict[str, int]) -> dict[str, NDArray[Any]]:
-    """pair_p, pair_q, pair_mass, pair_skew and thin of `System`."""
-    pairs: list[tuple[int, int, float, float]] = []
-    thin = np.zeros(len(index), np.bool_)
-    for body in [*model.bodies.values(), *rigid_beams(model)]:
-        if body.mass:
-            nodes = [index[name] for name in body.carried_by(model.dim)]
-            m, skew = body_mass(model, body)
-            pairs += [
-                (nodes[i], nodes[j], float(m[i, j]), skew if i != j else 0.0)
-                for i in range(len(nodes))
-                for j in range(i, len(nodes))
-                if m[i, j] or (skew and i != j)
-            ]
-            thin[nodes] |= _is_thin(m, skew)
-    p, q, mass, turn = zip(*pairs, strict=True) if pairs else ((), (), (), ())
-    return {
-        "pair_p": np.array(p, np.int32),
-        "pair_q": np.array(q, np.int32),
-        "pair_mass": np.array(mass, np.float64),
-        "pair_skew": np.array(turn, np.float64),
-        "thin": thin,
-    }
-
-
-def _is_thin(m: NDArray[np.float64], skew: float) -> bool:
-    """True if the matrix of a body has a direction without inertia."""
-    values = np.linalg.eigvalsh(m + 1j * np.triu(np.full_like(m, skew), 1) - 1j * np.tril(np.full_like(m, skew), -1))
-    return bool(values[0] <= THIN * values[-1])
+    from kinetruss.elements.matter import Matter
+    from kinetruss.elements.numbers import Array, Numbers
+    from kinetruss.model import Model
 
 
 # Membranes, solids and beams as arrays: edges, which elements share, and the stiffness of each element by its edges.
@@ -106,44 +74,110 @@ class Continua:
     @cached_property
     def record(self) -> EdgeElements:
         """What kernels take."""
-        from kinetruss.elements.continua import edge_elements  # compiled; callers that only check do not need it
+        from kinetruss.elements.continua import EdgeElements  # compiled; callers that only check do not need it
 
-        delays: dict[int, NDArray[np.float64]] = {}
+        return EdgeElements.of(self.fields())
+
+    def fields(self) -> dict[str, Array]:
+        """Its fields."""
+        from kinetruss.elements.continua import edge_fields
+
+        delays: dict[int, Array] = {}
         if self.beams is not None:
             v, own = self.beams.nodes.shape[1], self.beams.damping
-            delays[v] = np.concatenate([np.zeros(len(self.groups[v][0]) - len(own)), own])  # beams are the last elements
-        return edge_elements(self.p, self.q, self.start, self.groups, delays)
+            none = np.zeros((*own.shape[:-1], len(self.groups[v][0]) - own.shape[-1]))
+            delays[v] = np.concatenate([none, own], axis=-1)  # beams are the last elements
+        return edge_fields(self.p, self.q, self.start, self.groups, delays)
 
 
-def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
-    """All membranes, solids and elastic beams of a model on positions x0 (n, 3), or None if it has none."""
-    patches, beams = tuple(_patches(model, index, x0)), beam_elements(model, index, x0)
-    if not patches and beams is None:
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Sheets:
+    """The structure of membranes, solids and elastic beams. p, q (e,) nodes of the edges; edges (k, w) of the elements of each
+    part, then of the beams, and ranks (k, v) that sort their nodes.
+    """
+
+    dim: int
+    parts: tuple[SheetPart, ...]
+    beams: Beams | None
+    p: NDArray[np.int32]
+    q: NDArray[np.int32]
+    edges: tuple[NDArray[np.int32], ...]
+    ranks: tuple[NDArray[np.int64], ...]
+
+
+class SheetPart(NamedTuple):
+    """A membrane or solid: name, record, nodes (k, v), places of its material and thickness, or -1, and of its own numbers."""
+
+    name: str
+    record: Any
+    nodes: NDArray[np.int64]
+    material: int
+    thickness: int
+    own: dict[str, int]
+
+
+def sheets_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Sheets | None, dict[str, Any]]:
+    """The membranes, solids and elastic beams of a model, None if it has none; and their numbers."""
+    beams, of_beams = beams_of(model, index, matter)
+    parts, thickness, own = [], list[float](), list[float]()
+    sheets: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
+    for name, part in sheets:
+        here = np.array([index[node] for node in part.nodes], np.int64)
+        nodes = here[np.array(part.elements, np.int64)]
+        if nodes.shape[1] == 6 and part.strain == "constant":
+            nodes = nodes[:, np.array(FOUR)].reshape(-1, 3)
+        stated = {} if part.orthotropic is None else {name: one for name, one in part.orthotropic if isinstance(one, float)}
+        thick = hasattr(part, "thickness")
+        places = {name: len(own) + k for k, name in enumerate(stated)}
+        material = matter.material_of(part) if part.orthotropic is None else -1
+        parts.append(SheetPart(name, part, nodes, material, len(thickness) if thick else -1, places))
+        thickness += [part.thickness] if thick else []
+        own += stated.values()
+    numbers = {"thickness": np.array(thickness, float), "orthotropic": np.array(own, float), **of_beams}
+    if not parts and beams is None:
+        return None, numbers
+    every = [one.nodes for one in parts] + ([] if beams is None else [beams.nodes])
+    n = len(index)
+    keys = [_keys(np.sort(nodes, axis=1), n) for nodes in every]
+    # edges that elements share are one
+    found, place = np.unique(np.concatenate([key.reshape(-1) for key in keys]), return_inverse=True)
+    edges = np.split(place.reshape(-1).astype(np.int32), np.cumsum([key.size for key in keys])[:-1])
+    return Sheets(
+        dim=model.dim,
+        parts=tuple(parts),
+        beams=beams,
+        p=(found // n).astype(np.int32),
+        q=(found % n).astype(np.int32),
+        edges=tuple(at.reshape(key.shape) for at, key in zip(edges, keys, strict=True)),
+        ranks=tuple(np.argsort(nodes, axis=1) for nodes in every),
+    ), numbers
+
+
+def continua_at(sheets: Sheets | None, numbers: Numbers, x0: Array) -> Continua | None:
+    """All membranes, solids and elastic beams on positions x0 (n, 3), or None if there are none."""
+    if sheets is None:
         return None
-    n = len(x0)
+    patches = tuple(_patch(one, numbers, x0, sheets.dim) for one in sheets.parts)
+    beams = None if sheets.beams is None else beams_at(sheets.beams, numbers, x0)
     made = [(patch.nodes, *_stiffness(patch, x0)) for patch in patches]
     if beams is not None:
         made.append((beams.nodes, beams.stiffness(), beams.mass()))
-    nodes = [np.sort(own, axis=1) for own, _, _ in made]
-    keys = [_keys(one, n) for one in nodes]
-    # edges that elements share are one
-    found, place = np.unique(np.concatenate([key.reshape(-1) for key in keys]), return_inverse=True)
-    p, q = found // n, found % n
-    mass, lump = np.zeros(len(found)), np.zeros(n)
-    places = np.split(place.reshape(-1).astype(np.int32), np.cumsum([key.size for key in keys])[:-1])
-    groups: dict[int, list[tuple[NDArray[np.int32], NDArray[np.float64]]]] = {}
+    n = x0.shape[-2]
+    mass, lump = numbers.full(len(sheets.p)), numbers.full(n)
+    groups: dict[int, list[tuple[NDArray[np.int32], Array]]] = {}
     # stiffness 2 G by elements; masses by edges and nodes
-    for element, own, key, at in zip(made, nodes, keys, places, strict=True):
-        edge, v = at.reshape(key.shape), own.shape[1]
-        stiff, share = _by_sorted_nodes(*element)
-        i, j = np.triu_indices(v, 1)
-        mass += np.bincount(edge.reshape(-1), share[:, i, j].reshape(-1), len(found))
-        lump += np.bincount(own.reshape(-1), np.einsum("kaa->ka", share).reshape(-1), n)
-        groups.setdefault(v, []).append((edge, stiff))
-    joined = {v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts])) for v, parts in groups.items()}
-    return Continua(
-        p=p.astype(np.int32), q=q.astype(np.int32), start=x0, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams
-    )
+    for (nodes, *own), edge, rank in zip(made, sheets.edges, sheets.ranks, strict=True):
+        stiff, share = _by_sorted_nodes(rank, *own)
+        i, j = np.triu_indices(nodes.shape[1], 1)
+        mass += sums_at(edge.reshape(-1), share[..., i, j].reshape(*numbers.lead, -1), len(sheets.p))
+        own_mass = np.einsum("...aa->...a", share).reshape(*numbers.lead, -1)
+        lump += sums_at(np.sort(nodes, axis=1).reshape(-1), own_mass, n)
+        groups.setdefault(nodes.shape[1], []).append((edge, stiff))
+    joined = {
+        v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts], axis=-2))
+        for v, parts in groups.items()
+    }
+    return Continua(p=sheets.p, q=sheets.q, start=x0, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams)
 
 
 def without_beams(found: Continua) -> Continua:
@@ -152,7 +186,7 @@ def without_beams(found: Continua) -> Continua:
         return found
     v, count = found.beams.nodes.shape[1], len(found.beams.names)
     edge, stiff = found.groups[v]
-    return replace(found, beams=None, groups={**found.groups, v: (edge[:-count], stiff[:-count])})
+    return replace(found, beams=None, groups={**found.groups, v: (edge[:-count], stiff[..., :-count, :])})
 
 
 def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:
@@ -160,55 +194,56 @@ def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:
     return np.asarray(nodes[:, i] * n + nodes[:, j])
 
 
-def _patches(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> list[Patch]:
-    found = []
-    parts: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
-    for name, part in parts:
-        here = np.array([index[node] for node in part.nodes], np.int64)
-        nodes = here[np.array(part.elements, np.int64)]
-        if nodes.shape[1] == 6 and part.strain == "constant":
-            nodes = nodes[:, np.array(FOUR)].reshape(-1, 3)
-        material: Any = part.orthotropic or model.material_of(part)  # one of them, or the model is faulty
-        flat = hasattr(part, "thickness")
-        found.append(
-            Patch(
-                name=name,
-                nodes=nodes,
-                C=law_matrix(material, part.plane if flat else "solid"),
-                axes=material_axes(part, x0[nodes[:, :3]], model.dim),
-                density=material.density,
-                thickness=part.thickness if flat else 1.0,
-            )
-        )
-    return found
+def _patch(part: SheetPart, numbers: Numbers, x0: Array, dim: int) -> Patch:
+    """A membrane or solid from its numbers."""
+    at, record = part.material, part.record
+    if at >= 0:
+        own = {name: numbers.each(name)[at] for name in ("E", "poisson", "density")}
+    else:
+        own = dict.fromkeys(type(record.orthotropic).model_fields) | {
+            name: numbers.each("orthotropic")[place] for name, place in part.own.items()
+        }
+    return Patch(
+        name=part.name,
+        nodes=part.nodes,
+        C=law_matrix(SimpleNamespace(**own), record.plane if part.thickness >= 0 else "solid"),
+        axes=material_axes(record, x0[..., part.nodes[:, :3], :], dim),
+        density=own["density"],
+        thickness=numbers.each("thickness")[part.thickness] if part.thickness >= 0 else 1.0,
+    )
 
 
-def law_matrix(material: Material | Orthotropic, plane: str) -> NDArray[np.float64]:
+def law_matrix(material: Any, plane: str) -> Array:
     """C with S = C E, Pa, for (E11, E22, 2 E12), or (E11, E22, E33, 2 E23, 2 E13, 2 E12) of a solid; in material axes.
 
-    plane : "stress", "strain" or "solid".
+    material : a `Material` or `Orthotropic`, or their numbers. plane : "stress", "strain" or "solid".
     """
-    if isinstance(material, Material):
+    if hasattr(material, "poisson"):
         E, nu = material.E, material.poisson
         E1 = E2 = E3 = E
         n12 = n13 = n23 = nu
         G12 = G13 = G23 = E / (2 * (1 + nu))
     else:
         E1, E2, n12, G12 = material.E1, material.E2, material.nu12, material.G12
-        E3, n13, n23 = material.E3 or E2, material.nu13 or 0.0, material.nu23 or 0.0
-        G13, G23 = material.G13 or G12, material.G23 or G12
+        E3, G13, G23 = (
+            other if one is None else one for one, other in ((material.E3, E2), (material.G13, G12), (material.G23, G12))
+        )
+        n13, n23 = (0.0 if one is None else one for one in (material.nu13, material.nu23))
     # compliance matrix
-    S = np.zeros((6, 6))
-    S[:3, :3] = [[1 / E1, -n12 / E1, -n13 / E1], [-n12 / E1, 1 / E2, -n23 / E2], [-n13 / E1, -n23 / E2, 1 / E3]]
-    S[3:, 3:] = np.diag([1 / G23, 1 / G13, 1 / G12])
-    inside = np.ix_([0, 1, 5], [0, 1, 5])
+    rows = [[1 / E1, -n12 / E1, -n13 / E1], [-n12 / E1, 1 / E2, -n23 / E2], [-n13 / E1, -n23 / E2, 1 / E3]]
+    values = {(i, j): one for i, row in enumerate(rows) for j, one in enumerate(row)}
+    values |= {(3, 3): 1 / G23, (4, 4): 1 / G13, (5, 5): 1 / G12}
+    S = np.zeros((*np.broadcast_shapes(*map(np.shape, values.values())), 6, 6), np.result_type(*values.values()))
+    for (i, j), one in values.items():
+        S[..., i, j] = one
+    inside: Any = (..., *np.ix_([0, 1, 5], [0, 1, 5]))
     if plane == "stress":
         return np.asarray(np.linalg.inv(S[inside]))
     C = np.linalg.inv(S)
     return np.asarray(C[inside] if plane == "strain" else C)
 
 
-def material_axes(part: Any, corners: NDArray[np.float64], dim: int) -> NDArray[np.float64]:
+def material_axes(part: Any, corners: Array, dim: int) -> Array:
     """Material axes (1 or k, 2 or 3, 3) as rows, of a membrane or solid whose elements have corners (k, 3, 3) first.
 
     Solids: axis 2 is made normal to axis 1. Membranes in space: axis 1 is laid into the plane of the corners.
@@ -225,45 +260,47 @@ def material_axes(part: Any, corners: NDArray[np.float64], dim: int) -> NDArray[
     axis /= np.linalg.norm(axis)
     if dim == 2:
         return np.array([[axis, [-axis[1], axis[0], 0.0]]])
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    laid = axis - normal * (normal @ axis)[:, None]
-    size = np.linalg.norm(laid, axis=1, keepdims=True)
+    normal = np.cross(corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :])
+    normal = normal / size(normal)[..., None]
+    laid = axis - normal * (normal @ axis)[..., None]
+    length = size(laid)[..., None]
     if part.axis is None:  # of an element across x: y
-        other = np.array([0.0, 1.0, 0.0]) - normal * normal[:, 1:2]
-        laid = np.where(size > 0.1, laid, other)
-        size = np.linalg.norm(laid, axis=1, keepdims=True)
-    one = laid / size
-    return np.stack([one, np.cross(normal, one)], axis=1)
+        other = np.array([0.0, 1.0, 0.0]) - normal * normal[..., 1:2]
+        laid = np.where(length.real > 0.1, laid, other)
+        length = size(laid)[..., None]
+    one = laid / length
+    return np.stack([one, np.cross(normal, one)], axis=-2)
 
 
-def element_points(patch: Patch, nodes: NDArray[np.int64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+def element_points(patch: Patch, nodes: NDArray[np.int64], x: Array) -> Array:
     """Points (k, v, 2 or 3) of elements in material axes, m, from the first node."""
-    d = x[nodes] - x[nodes[:, :1]]
-    return np.asarray(np.einsum("kvc,ksc->kvs", d, np.broadcast_to(patch.axes, (len(nodes), *patch.axes.shape[1:]))))
+    d = x[..., nodes, :] - x[..., nodes[:, :1], :]
+    shape = (*patch.axes.shape[:-3], len(nodes), *patch.axes.shape[-2:])
+    return np.asarray(np.einsum("...kvc,...ksc->...kvs", d, np.broadcast_to(patch.axes, shape)))
 
 
-def gradients(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def gradients(points: Array) -> tuple[Array, Array, NDArray[np.float64]]:
     """Gradients of the shape functions (k, g, v, s), 1/m, at g points of each element, their volumes (k, g), and N (g, v).
 
     points (k, v, s) : reference points of the nodes, m.
     """
-    weight, N, local = _rule(points.shape[1])
+    weight, N, local = _rule(points.shape[-2])
     # Jacobian of the map from area coordinates to the material axes
-    J = np.einsum("gvs,kvc->kgsc", local, points)
-    return np.einsum("gvs,kgcs->kgvc", local, np.linalg.inv(J)), weight * np.abs(np.linalg.det(J)), N
+    J = np.einsum("gvs,...kvc->...kgsc", local, points)
+    det = np.linalg.det(J)
+    return np.einsum("gvs,...kgcs->...kgvc", local, np.linalg.inv(J)), weight * (det * np.sign(det.real)), N
 
 
-def _strain_rows(gradient: NDArray[np.float64]) -> NDArray[np.float64]:
+def _strain_rows(gradient: Array) -> Array:
     """B (k, g, s, w) of w pairs of nodes (0, 1), (0, 2), ... from gradients (k, g, v, dim)."""
-    dim = gradient.shape[3]
-    a, b = np.triu_indices(gradient.shape[2], 1)
-    ga, gb = gradient[:, :, a], gradient[:, :, b]
+    dim = gradient.shape[-1]
+    a, b = np.triu_indices(gradient.shape[-2], 1)
+    ga, gb = gradient[..., a, :], gradient[..., b, :]
     # E = -1/2 sum over pairs of nodes of s_ab (grad N_a grad N_b^T), symmetric part
     rows = [-0.5 * ga[..., c] * gb[..., c] for c in range(dim)]
     shears = [(0, 1)] if dim == 2 else [(1, 2), (0, 2), (0, 1)]
     rows += [-0.5 * (ga[..., c] * gb[..., d] + ga[..., d] * gb[..., c]) for c, d in shears]
-    return np.stack(rows, axis=2)
+    return np.stack(rows, axis=-2)
 
 
 def _rule(v: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
@@ -288,33 +325,33 @@ def _rule(v: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.
     return np.array(weight), N, np.stack([by2, by3], axis=2)
 
 
-def _stiffness(patch: Patch, x0: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _stiffness(patch: Patch, x0: Array) -> tuple[Array, Array]:
     """2 G (k, w, w) of the pairs of nodes of each element, N/m^3, and the masses (k, v, v), kg."""
     v = patch.nodes.shape[1]
     gradient, volume, N = gradients(element_points(patch, patch.nodes, x0))
-    B, volume = _strain_rows(gradient), volume * patch.thickness
-    G = np.einsum("kg,kgsa,st,kgtb->kab", volume, B, patch.C, B, optimize=True)
-    share = patch.density * (
-        np.einsum("kg,ga,gb->kab", volume, N, N) if v == 6 else volume[:, :1, None] * (1 + np.eye(v)) / (v * (v + 1))
-    )
-    return 2 * G, share
+    B, volume = _strain_rows(gradient), volume * _over(patch.thickness, 2)
+    G = np.einsum("...kg,...kgsa,...st,...kgtb->...kab", volume, B, patch.C, B, optimize=True)
+    even = np.einsum("...kg,ga,gb->...kab", volume, N, N) if v == 6 else volume[..., :1, None] * (1 + np.eye(v)) / (v * (v + 1))
+    return 2 * G, _over(patch.density, 3) * even
 
 
-def _by_sorted_nodes(
-    nodes: NDArray[np.int64], stiffness: NDArray[np.float64], share: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The upper triangle (k, w (w + 1)/2) of a stiffness (k, w, w), and masses (k, v, v), with the nodes (k, v) in rising
-    order: the order in the record decides which are corners, or ends.
+def _over(one: Any, axes: int) -> Any:
+    """A number of each copy over further axes."""
+    return np.asarray(one)[(..., *axes * (None,))]
+
+
+def _by_sorted_nodes(rank: NDArray[np.int64], stiffness: Array, share: Array) -> tuple[Array, Array]:
+    """The upper triangle (k, w (w + 1)/2) of a stiffness (k, w, w), and masses (k, v, v), with the nodes in rising order, their
+    rank (k, v): the order in the record decides which are corners, or ends.
     """
-    k, v = nodes.shape
-    rank = np.argsort(nodes, axis=1)
+    k, v = rank.shape
     pair = np.zeros((v, v), np.int64)
     i, j = np.triu_indices(v, 1)
     pair[i, j] = pair[j, i] = np.arange(len(i))
     moved = pair[rank[:, i], rank[:, j]]
     own = np.arange(k)[:, None]
     a, b = np.triu_indices(len(i))
-    return stiffness[own, moved[:, a], moved[:, b]], share[own[:, :, None], rank[:, :, None], rank[:, None, :]]
+    return stiffness[..., own, moved[:, a], moved[:, b]], share[..., own[:, :, None], rank[:, :, None], rank[:, None, :]]
 
 
 # Visible faces of bodies, membranes and solids: triangles between nodes.

@@ -81,6 +81,11 @@ def table(system: System) -> EdgeElements | None:
     return None if system.continua is None else system.continua.record
 
 
+def fields(system: System) -> dict[str, Any] | None:
+    """The fields of `table`."""
+    return None if system.continua is None else system.continua.fields()
+
+
 def tangents(
     system: System,
     record: EdgeElements,  # noqa: ARG001

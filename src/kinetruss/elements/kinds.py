@@ -38,14 +38,22 @@ def parts_of(system: System) -> dict[str, scalars.Part]:
 @cached()
 def on_coordinates(system: System) -> scalars.Scalars | None:
     """All elements on coordinates; None where there are none."""
+    fields = fields_on_coordinates(system)
+    return None if fields is None else scalars.Scalars.of(fields)
+
+
+def fields_on_coordinates(system: System) -> dict[str, NDArray[Any]] | None:
+    """The fields of the record of all elements on coordinates; None where there are none."""
+    if not (system.force_elements or system.friction.any()):
+        return None
     parts = list(parts_of(system).values())
-    return scalars.scalars(parts) if any(len(one.rest) for one in parts) else None
+    return scalars.fields(parts) if any(len(one.loses) for one in parts) else None
 
 
 @cached()
 def spans_of(system: System) -> dict[str, slice]:
     """Where the elements of each kind stand among those on coordinates."""
-    ends = np.cumsum([0, *(len(one.rest) for one in parts_of(system).values())]).tolist()
+    ends = np.cumsum([0, *(len(one.loses) for one in parts_of(system).values())]).tolist()
     return {name: slice(*pair) for name, pair in zip(parts_of(system), pairwise(ends), strict=True)}
 
 
@@ -65,7 +73,8 @@ class Results(NamedTuple):
 
 
 class Element(NamedTuple):
-    """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
+    """name : of the kind. table : the record of all elements of this kind in a system, or None; fields : its arrays by name,
+    whose numbers may be complex, and copies, as those of the system are. coordinates (rows, w) of its record, flat, -1 for
     none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
     (kernels.structure.element_table), interface and kernel. without_series : why a system has no power series of these forces,
     or None. loses : whether elements of its record take energy.
@@ -77,7 +86,9 @@ class Element(NamedTuple):
     times (times,), positions and velocities (times, 3 n), where its elements have some that are not on a coordinate.
     """
 
+    name: str
     table: Callable[[Any], Any]
+    fields: Callable[[Any], dict[str, NDArray[Any]] | None]
     coordinates: Callable[[Any], NDArray[np.int64]]
     kernels: Mapping[int, tuple[Any, Any]]
     tangents: Callable[[Any, Any, Any, Any], tuple[Any, Any]]
@@ -97,7 +108,9 @@ def _bent(system: System) -> str | None:
 
 ELEMENTS = (
     Element(
+        "on coordinates",
         on_coordinates,
+        fields_on_coordinates,
         scalars.coordinates,
         scalars.KERNELS,
         scalars.tangents,
@@ -107,7 +120,9 @@ ELEMENTS = (
         rows=True,
     ),
     Element(
+        "edges",
         continua_matrices.table,
+        continua_matrices.fields,
         continua.coordinates,
         continua.KERNELS,
         continua_matrices.tangents,

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.elements.caching import cached
+from kinetruss.elements.directions import start_references
+from kinetruss.elements.numbers import one_copy
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,17 +33,7 @@ def orientation(system: System) -> Orientation:
     """Orientation of all members in the start configuration."""
     members = system.model.members.values()
     node = np.array([-1 if m.orientation is None else system.node_index(m.orientation) for m in members], np.int32)
-    return Orientation(node, start_references(system.x0[:, : system.dim], system.p, system.q))
-
-
-def start_references(x0: NDArray[np.float64], p: NDArray[np.int32], q: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Reference directions (m, 3) in space: z, or x for members within 18 deg of z at the positions x0 (n, dim)."""
-    reference = np.zeros((len(p), 3))
-    if x0.shape[1] == 3:
-        d = x0[q] - x0[p]
-        upright = np.abs(d[:, 2]) > 0.95 * np.linalg.norm(d, axis=1)
-        reference[:, 2], reference[:, 0] = ~upright, upright
-    return reference
+    return Orientation(node, start_references(one_copy(system.x0)[:, : system.dim], system.p, system.q))
 
 
 def local_axes(system: System, position: NDArray[np.float64], member: Any = slice(None)) -> NDArray[np.float64]:

@@ -7,11 +7,12 @@ c q' and takes the power c q'^2.
 from __future__ import annotations
 
 from itertools import combinations
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from kinetruss.elements.caching import cached
+from kinetruss.elements.numbers import chosen
 from kinetruss.elements.scalars import Part
 from kinetruss.elements.spring import DAMPING, law
 from kinetruss.kernels.coordinates.forms import FIXED_AXIS
@@ -42,21 +43,25 @@ def pins_of(system: System) -> Pins:
     are worth c_i c_j/sum c between them; two bars between the same nodes turn alike.
     """
     held = np.any(system.prescribed.reshape(-1, 3)[:, :2], axis=1).tolist()
-    ends = np.stack([system.p, system.q], axis=1)
-    found: list[tuple[int, int, int, float]] = []
+    ends, friction = np.stack([system.p, system.q], axis=1), system.friction
+    rubs = chosen((friction.real > 0.0).reshape(*friction.shape[:-2], -1), "bearings with friction").reshape(-1, 2)
+    found: list[tuple[int, int, int]] = []
+    amounts: list[Any] = []
     # bearings at each node: on the ground, or c_i c_j/sum c between each two bars
-    for node in np.unique(ends[system.friction > 0.0]).tolist():
-        member, end = np.nonzero((ends == node) & (system.friction > 0.0))
-        c = system.friction[member, end]
+    for node in np.unique(ends[rubs]).tolist():
+        member, end = np.nonzero((ends == node) & rubs)
+        c = np.moveaxis(friction[..., member, end], -1, 0)
         if held[node]:
-            found += [(node, m, -1, own) for m, own in zip(member.tolist(), c.tolist(), strict=True)]
+            found += [(node, m, -1) for m in member.tolist()]
+            amounts += list(c)
             continue
         far = ends[member, 1 - end]
         for i, j in combinations(range(len(c)), 2):
             if far[i] != far[j]:
-                found.append((node, int(member[i]), int(member[j]), float(c[i] * c[j] / c.sum())))
-    node_of, first, second, friction = zip(*found, strict=True) if found else ((), (), (), ())
-    return Pins(np.array(node_of, np.int64), np.array(first, np.int64), np.array(second, np.int64), np.array(friction, float))
+                found.append((node, int(member[i]), int(member[j])))
+                amounts.append(c[i] * c[j] / c.sum(axis=0))
+    node_of, first, second = np.array(found, np.int64).reshape(-1, 3).T
+    return Pins(node_of, first, second, np.moveaxis(np.array(amounts, friction.dtype).reshape(-1, *friction.shape[:-2]), 0, -1))
 
 
 def pins(system: System) -> Part:
@@ -69,8 +74,9 @@ def pins(system: System) -> Part:
     at = 3 * np.stack([far[side, which], node[which], node[which], node[which]], axis=1)
     data = np.zeros((len(which), 7))
     data[:, 0], data[:, 1], data[:, 5] = np.where(side == 0, 1.0, -1.0), 1.0, 1.0
-    numbers = np.zeros((count, 6))
-    numbers[:, DAMPING] = friction
+    lead = friction.shape[:-1]
+    numbers = np.zeros((*lead, count, 6), friction.dtype)
+    numbers[..., DAMPING] = friction
     return Part(
         names=(),
         law=law,
@@ -80,9 +86,9 @@ def pins(system: System) -> Part:
         ptr=np.cumsum([0, *(1 + pair)]),
         kind=np.full(len(which), FIXED_AXIS),
         at=at,
-        data=data,
-        rest=np.zeros(count),
-        period=np.full(count, 2.0 * np.pi),
+        data=np.broadcast_to(data, (*lead, *data.shape)),
+        rest=np.zeros((*lead, count)),
+        period=np.full((*lead, count), 2.0 * np.pi),
         numbers=numbers,
         table_ptr=np.zeros(count + 1, np.int64),
         table=np.zeros((0, 4)),

@@ -60,9 +60,15 @@ def terms_of(system: System, measures: NDArray[np.int64]) -> dict[str, Any]:
         "ptr": np.cumsum([0, *map(len, spans)]),
         "kind": system.term_kind[terms],
         "at": system.term_at[terms],
-        "data": system.term_data[terms],
-        "period": system.measure_period[measures],
+        "data": system.term_data[..., terms, :],
+        "period": system.measure_period[..., measures],
     }
+
+
+def law_numbers(system: System, kind: str, *names: str) -> NDArray[Any]:
+    """Numbers (k, w) of the elements of a kind, by the names of their fields."""
+    none = np.zeros((*system.x0.shape[:-2], 0), system.x0.dtype)
+    return np.stack([system.law_numbers.get(f"{kind} {name}", none) for name in names], axis=-1)
 
 
 class Part(NamedTuple):
@@ -374,26 +380,28 @@ def linear_laws(s: Scalars, out: F2) -> None:
         out[k, 0], out[k, 1], out[k, 2] = scratch[24 + KEPT], scratch[24 + STIFF], scratch[24 + DAMPED]
 
 
-def scalars(parts: Sequence[Part]) -> Scalars:
-    """All elements on coordinates, the kinds one behind the other."""
-    found = {name: np.concatenate([getattr(one, name) for one in parts]) for name in ("linear", "loses", "kind", "at", "data")}
-    found |= {name: np.concatenate([getattr(one, name) for one in parts]) for name in ("rest", "period", "table")}
+def fields(parts: Sequence[Part]) -> dict[str, NDArray[Any]]:
+    """Those of `Scalars`, of all elements on coordinates, kind by kind; their numbers may be complex, and copies."""
+    found = {name: np.concatenate([getattr(one, name) for one in parts]) for name in ("linear", "loses", "kind", "at")}
+    found |= {name: np.concatenate([getattr(one, name) for one in parts], axis=-1) for name in ("rest", "period")}
+    lead = found["rest"].shape[:-1]
+    tables = [np.broadcast_to(one.table, (*lead, *one.table.shape[-2:])) for one in parts]
     ends = ([np.diff(one.ptr) for one in parts], [np.diff(one.table_ptr) for one in parts])
     ptr, table_ptr = (np.concatenate([[0], *counts]).cumsum().astype(np.int64) for counts in ends)
-    width = max(one.numbers.shape[1] for one in parts)
+    width = max(one.numbers.shape[-1] for one in parts)
+    padded = [np.pad(one.numbers, (*[(0, 0)] * (len(lead) + 1), (0, width - one.numbers.shape[-1]))) for one in parts]
     nodes = [np.unique(found["at"][first:last], return_inverse=True)[1].reshape(-1, 4) for first, last in pairwise(ptr)]
-    return Scalars.of(
-        found
-        | {
-            "law": np.concatenate([np.full(len(one.rest), law.address(one.law) if len(one.rest) else 0) for one in parts]),
-            "longest": int(np.diff(ptr).max(initial=0)),
-            "ptr": ptr,
-            "table_ptr": table_ptr,
-            "form": addresses_of(found["kind"]),
-            "local": np.concatenate([*nodes, np.zeros((0, 4))]),
-            "numbers": np.concatenate([np.pad(one.numbers, ((0, 0), (0, width - one.numbers.shape[1]))) for one in parts]),
-        }
-    )
+    return found | {
+        "law": np.concatenate([np.full(len(one.loses), law.address(one.law) if len(one.loses) else 0) for one in parts]),
+        "longest": np.array(np.diff(ptr).max(initial=0)),
+        "ptr": ptr,
+        "table_ptr": table_ptr,
+        "form": addresses_of(found["kind"]),
+        "local": np.concatenate([*nodes, np.zeros((0, 4), np.int64)]),
+        "data": np.concatenate([one.data for one in parts], axis=-2),
+        "numbers": np.concatenate(padded, axis=-2),
+        "table": np.concatenate(tables, axis=-2),
+    }
 
 
 def coordinates(s: Scalars) -> NDArray[np.int64]:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, measures_of, terms_of
+from kinetruss.elements.numbers import one_copy
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, law_numbers, measures_of, terms_of
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, Vector
 
@@ -78,21 +79,22 @@ def springs(system: System) -> Part:
     """The springs of a model."""
     records = system.model.springs
     measures = measures_of(system, "spring")
-    numbers, points, ptr = np.zeros((len(records), 6)), [np.zeros((0, 4))], [0]
-    for k, one in enumerate(records.values()):
-        numbers[k] = one.stiffness, one.damping, one.friction, one.slip, one.play, one.preload
+    numbers = law_numbers(system, "spring", "stiffness", "damping", "friction", "slip", "play", "preload")
+    points, ptr = [np.zeros((0, 4))], [0]
+    for one in records.values():
         if one.table is not None:
             points.append(_points(np.array(one.table, float)))
         ptr.append(sum(map(len, points)))
-    straight = (numbers[:, FRICTION] == 0.0) & (numbers[:, PLAY] == 0.0) & (np.diff(ptr) == 0)
-    start = system.measure_start[measures].tolist()
+    first = one_copy(numbers)
+    straight = (first[:, FRICTION] == 0.0) & (first[:, PLAY] == 0.0) & (np.diff(ptr) == 0)
+    rest = law_numbers(system, "spring", "rest")[..., 0]
     return Part(
         names=tuple(records),
         law=law,
         bent="the spring {!r} has friction, play or a table",
-        loses=(numbers[:, DAMPING] != 0.0) | (numbers[:, FRICTION] != 0.0),
+        loses=(first[:, DAMPING] != 0.0) | (first[:, FRICTION] != 0.0),
         linear=straight,
-        rest=np.array([here if one.rest is None else one.rest for here, one in zip(start, records.values(), strict=True)]),
+        rest=np.where(np.isnan(rest), system.measure_start[..., measures], rest),
         numbers=numbers,
         table_ptr=np.array(ptr),
         table=np.concatenate(points),

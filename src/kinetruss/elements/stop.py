@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, measures_of, terms_of
+from kinetruss.elements.numbers import one_copy
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, law_numbers, measures_of, terms_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
@@ -47,27 +48,30 @@ def law(numbers: F1, table: F2, first: int, last: int, e: float, rate: float, ou
 def stops(system: System) -> Part:
     """The stops of a model."""
     records, measures = system.model.stops, measures_of(system, "stop")
-    start, numbers, switches = system.measure_start[measures], np.zeros((len(records), 5)), {}
+    start, switches = system.measure_start[..., measures], {}
+    numbers = law_numbers(system, "stop", "lower", "upper", "stiffness", "exponent", "damping")
+    here = start[(0,) * (start.ndim - 1)].real
     for k, (name, one) in enumerate(records.items()):
         ends = {"lower": one.lower, "upper": one.upper}
         for end, sign in (("lower", 1.0), ("upper", -1.0)):
             if (value := ends[end]) is None:
                 continue
-            if sign * (start[k] - value) < 0.0:
+            if sign * (here[k] - value) < 0.0:
                 raise InputError(
-                    f"stops.{name}.{end}: the coordinate is {start[k]:.6g} in the model, beyond the stop at {value:.6g}. "
+                    f"stops.{name}.{end}: the coordinate is {here[k]:.6g} in the model, beyond the stop at {value:.6g}. "
                     "Move the nodes or the stop."
                 )
             if one.coordinate is not None:
                 switches[f"{name}.{end}"] = Event(coordinate=one.coordinate, value=value, stop=False)
-        low, high = (-math.inf if one.lower is None else one.lower), (math.inf if one.upper is None else one.upper)
-        numbers[k] = low - start[k], high - start[k], one.stiffness, one.exponent, one.damping
+    for column, none_there in ((LOWER, -math.inf), (UPPER, math.inf)):
+        given = numbers[..., column]
+        numbers[..., column] = np.where(np.isnan(given), none_there, given - start)
     none = np.zeros(len(records), np.int64)
     return Part(
         names=tuple(records),
         law=law,
         bent="the stop {!r} is met or left",
-        loses=numbers[:, DAMPING] > 0.0,
+        loses=one_copy(numbers)[:, DAMPING] > 0.0,
         linear=none,
         rest=start,
         numbers=numbers,

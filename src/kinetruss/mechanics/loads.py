@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss.elements.caching import cached
 from kinetruss.elements.kinds import LOADS
+from kinetruss.elements.loads.load import load_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics.rotating_base import RotatingBase, base_of
 from kinetruss.mechanics.system import System
@@ -23,20 +24,24 @@ if TYPE_CHECKING:
 
 
 def history_of(load: Any, t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Components (times, c) of a load: constant, or linear between the entries of a table and constant outside it."""
+    """Components (times, c) of a load: constant, or linear between the entries of a table and constant outside it.
+
+    load : a record, or as `load_of` gives it.
+    """
     table = getattr(load, load.amounts)
     if table is None:
-        given = np.atleast_1d(np.array(getattr(load, load.amount), float))
-        return np.broadcast_to(given, (len(t), len(given)))
-    rows = np.array(table, float).reshape(len(table), -1)
-    return np.stack([np.interp(t, load.times, column) for column in rows.T], axis=1)
+        given = np.atleast_1d(np.asarray(getattr(load, load.amount)))[..., None, :]
+        return np.broadcast_to(given, (*given.shape[:-2], len(t), given.shape[-1]))
+    rows = table if isinstance(table, np.ndarray) else np.array(table, float).reshape(len(table), -1)
+    columns = np.moveaxis(rows, -2, -1).reshape(-1, len(load.times))
+    found = np.stack([np.interp(t, load.times, column) for column in columns], axis=-1)
+    return np.moveaxis(found.reshape(len(t), *rows.shape[:-2], rows.shape[-1]), 0, -2)
 
 
 @cached(256)
 def unit_loads_of(system: System, name: str) -> tuple[UnitLoad, ...]:
     """The unit load of each component of a load; none where the ground takes all of it."""
-    load = system.model.loads[name]
-    return LOADS[type(load)].units(system, load)
+    return LOADS[type(system.model.loads[name])].units(system, load_of(system, name))
 
 
 # Loads of a load case on a time axis.
@@ -94,16 +99,16 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None, *, rota
     base = base_of(system)
     if base is not None and not rotating:
         raise InputError(ROTATES)
-    loads, (steady, factors) = system.model.loads, _steady(system, name)
-    force = np.zeros((len(t), len(steady.loads), 3))
+    steady, factors = _steady(system, name)
+    amounts = {load: _over(factor) * history_of(load_of(system, load), t) for load, factor in factors.items()}
+    force = np.zeros((*system.x0.shape[:-2], len(t), len(steady.loads), 3), system.x0.dtype)
     for k, load in enumerate(steady.loads):
-        force[:, k, : system.dim] = factors[load] * history_of(loads[load], t)
-    amounts = {load: factor * history_of(loads[load], t) for load, factor in factors.items() if load not in steady.loads}
+        force[..., k, : system.dim] = amounts.pop(load)
     unit_loads = [
         (load, unit, amount)
         for load, components in amounts.items()
         if components.any() and (units := unit_loads_of(system, load))
-        for unit, amount in zip(units, components.T, strict=True)
+        for unit, amount in zip(units, np.moveaxis(components, -1, 0), strict=True)
         if amount.any()
     ]
     return replace(steady, force=force, unit_loads=tuple(unit_loads), t=t, amounts=amounts, base=base)
@@ -116,20 +121,27 @@ def _steady(system: System, name: str | None) -> tuple[Loads, Mapping[str, float
     if name is not None and name not in model.load_cases:
         raise InputError(f"No load case called {name!r}. There are: {', '.join(model.load_cases) or 'none'}.")
     case = LoadCase() if name is None else model.load_cases[name]
-    gravity = system.gravity.copy()
+    gravity, given = system.gravity.copy(), system.load_numbers
     if case.gravity is not None:
-        gravity[: system.dim] = case.gravity
+        gravity[..., : system.dim] = given[f"case {name} gravity"]
     own = np.isfinite(system.own_gravity)
-    factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
+    factors: dict[str, Any] = dict.fromkeys(model.loads, 1.0) if case.loads is None else {**case.loads}
     if refused := [fault for fault in loads_along_beams(model) if factors.get(str(fault.path[1]))]:
         raise InputError(str(refused[0]))
+    if case.loads is not None:
+        factors = dict(zip(factors, np.moveaxis(given[f"case {name} factor"], -1, 0), strict=True))
     nodal = {load: record.node for load in factors if isinstance(record := model.loads[load], NodalForce)}
     steady = Loads(
         name=name or "all",
         loads=tuple(nodal),
         gravity=gravity,
-        lump_gravity=np.where(own, np.nan_to_num(system.own_gravity), gravity),
+        lump_gravity=np.where(own, np.nan_to_num(system.own_gravity), gravity[..., None, :]),
         node=np.array([system.node_index(node) for node in nodal.values()], np.int64),
         force=np.zeros((0, len(nodal), 3)),
     )
     return steady, factors
+
+
+def _over(factor: Any) -> Any:
+    """A number of each copy over times and components."""
+    return np.asarray(factor)[..., None, None]

@@ -4,24 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from kinetruss.elements.continua_arrays import Continua, compiled_continua, pair_arrays
+from kinetruss.elements.continua_arrays import Continua
+from kinetruss.elements.numbers import sums_at
 from kinetruss.errors import InputError, shown
-from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
-from kinetruss.mechanics.measure_arrays import measure_arrays
-from kinetruss.mechanics.members import DRIVEN, RIGID, member_arrays
-from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, inner_parts
+from kinetruss.kernels.structure.structure import ANGLE
+from kinetruss.mechanics.gathered import arrays_at, gathered
+from kinetruss.model import Inner, Model, inner_parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-
-_AXIS = {"x": 0, "y": 1, "z": 2}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -46,7 +42,9 @@ class System:
     (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
     those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
-    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,).
+    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,); law_numbers as "spring
+    stiffness" of all of a kind, NaN what is not given; load_numbers as "load NAME force",
+    "case NAME gravity" and "body NAME center".
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -100,6 +98,8 @@ class System:
     drive_measure: NDArray[np.int64]
     force_elements: tuple[str, ...]
     force_element_measure: NDArray[np.int64]
+    law_numbers: dict[str, NDArray[np.float64]]
+    load_numbers: dict[str, NDArray[np.float64]]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
@@ -127,7 +127,7 @@ class System:
     def node_mass(self) -> NDArray[np.float64]:
         """Lumped masses plus the mass of bodies at single nodes, (n,) kg."""
         own = self.pair_p == self.pair_q
-        return self.lump + np.bincount(self.pair_p[own], weights=self.pair_mass[own], minlength=len(self.lump))
+        return self.lump + sums_at(self.pair_p[own], self.pair_mass[..., own], self.lump.shape[-1])
 
     @cached_property
     def force_element_spans(self) -> dict[str, slice]:
@@ -236,112 +236,15 @@ class ByIdentity:
 @lru_cache(maxsize=32)
 def _compiled(key: ByIdentity) -> System:
     model = key.model
-    nodes, members = tuple(model.nodes), tuple(model.members)
-    index = {name: i for i, name in enumerate(nodes)}
-    x0 = np.zeros((len(nodes), 3))
-    if nodes:
-        x0[:, : model.dim] = [node.at for node in model.nodes.values()]
-    names = chain.from_iterable(member.ends for member in model.members.values())
-    ends = np.fromiter((index[name] for name in names), np.int32, 2 * len(members))
-    p, q = np.ascontiguousarray(ends[::2]), np.ascontiguousarray(ends[1::2])
-    distance = np.linalg.norm(x0[q] - x0[p], axis=1) if members else np.zeros(0)
-    fields = member_arrays(model, distance)
-    fields |= _node_arrays(model, index) | pair_arrays(model, index)
-    fields |= measure_arrays(model, index, x0)
-    fields |= _row_arrays(model, members, index, x0, p, q, fields)
     system = System(
         model=model,
         dim=model.dim,
-        nodes=nodes,
-        members=members,
+        nodes=tuple(model.nodes),
+        members=tuple(model.members),
         drives=tuple(model.all_drives),
-        x0=x0,
-        p=p,
-        q=q,
-        continua=compiled_continua(model, index, x0),
-        **fields,
+        **arrays_at(*gathered(model)),
     )
     for value in vars(system).values():
         if isinstance(value, np.ndarray):
             value.setflags(write=False)
     return system
-
-
-def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
-    count = len(index)
-    lump = np.array([node.mass for node in model.nodes.values()])
-    own = np.full((count, 3), np.nan)
-    for i, node in enumerate(model.nodes.values()):
-        if node.gravity is not None:
-            own[i] = 0.0
-            own[i, : model.dim] = node.gravity
-    gravity = np.zeros(3)
-    gravity[: model.dim] = model.gravity or 0.0
-    prescribed = np.zeros((count, 3), np.bool_)
-    prescribed[:, model.dim :] = True
-    for name, axes in model.fixed.items():
-        prescribed[index[name], [_AXIS[axis] for axis in axes]] = True
-    for i, node in enumerate(model.nodes.values()):
-        if node.scalar:
-            prescribed[i, 1:] = True
-    velocity0 = np.zeros((count, 3))
-    for name, vector in model.velocities.items():
-        velocity0[index[name], : model.dim] = vector
-    pairs = []
-    for d, drive in enumerate(model.all_drives.values()):
-        if isinstance(drive, CoordinateDrive):
-            prescribed[index[drive.node], _AXIS[drive.axis]] = True
-            pairs.append((3 * index[drive.node] + _AXIS[drive.axis], d))
-    return {
-        "lump": lump,
-        "own_gravity": own,
-        "gravity": gravity,
-        "velocity0": velocity0,
-        "prescribed": prescribed.reshape(-1),
-        "coordinate_drive": np.array(pairs, np.int32).reshape(-1, 2),
-        "supports": tuple(name for name in index if name in model.fixed),
-    }
-
-
-def _row_arrays(
-    model: Model,
-    members: tuple[str, ...],
-    index: dict[str, int],
-    x0: NDArray[np.float64],
-    p: NDArray[np.int32],
-    q: NDArray[np.int32],
-    fields: dict[str, Any],
-) -> dict[str, Any]:
-    place = {name: i for i, name in enumerate(members)}
-    length_drive, rows, start = {}, [], []
-    for d, drive in enumerate(model.all_drives.values()):
-        m = int(fields["drive_measure"][d])
-        if m >= 0:
-            rows.append((0, SUM, d, 0.0, m))
-            start.append(float(fields["measure_start"][m]))
-        elif isinstance(drive, AngleDrive):
-            i = place[drive.bar]
-            dx, dy, _ = x0[q[i]] - x0[p[i]]
-            rows.append((i, ANGLE, d, 0.0, -1))
-            start.append(float(np.arctan2(dy, dx)))
-        elif isinstance(drive, CoordinateDrive):
-            start.append(x0[index[drive.node], _AXIS[drive.axis]])
-        elif isinstance(drive, LengthDrive):
-            length_drive[place[drive.bar]] = d
-            start.append(fields["length0"][place[drive.bar]])
-    kept = np.flatnonzero(np.isin(fields["kind"], (RIGID, DRIVEN)))
-    last = len(fields["measures"]) - len(model.force_elements)
-    held = range(last - len(model.couplings), last)
-    rows += [(0, SUM, -1, fields["measure_start"][m], m) for m in held]
-    member, kind, drive_of, value, measure = zip(*rows, strict=True) if rows else ((), (), (), (), ())
-    driven = np.full(len(members), -1)
-    driven[list(length_drive)] = list(length_drive.values())
-    count = len(kept)
-    return {
-        "row_member": np.concatenate([kept, member]).astype(np.int32),
-        "row_kind": np.concatenate([np.full(count, LENGTH), kind]).astype(np.int8),
-        "row_drive": np.concatenate([driven[kept], drive_of]).astype(np.int32),
-        "row_value": np.concatenate([fields["length0"][kept], value]).astype(np.float64),
-        "row_measure": np.concatenate([np.full(count, -1), measure]).astype(np.int64),
-        "drive_start": np.array(start, np.float64),
-    }

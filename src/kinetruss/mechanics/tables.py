@@ -9,6 +9,7 @@ from scipy.sparse import csr_array
 
 from kinetruss.elements.caching import cached
 from kinetruss.elements.kinds import element_arrays
+from kinetruss.elements.numbers import chosen
 from kinetruss.kernels.structure.structure import NodalLoads, Structure
 from kinetruss.mechanics.system import System
 
@@ -47,29 +48,31 @@ def elements(system: System) -> dict[str, NDArray[Any]]:
 
 def _pairs(system: System) -> dict[str, NDArray[Any]]:
     """Members of constant mass, then masses of bodies, membranes and solids between two nodes."""
-    steady = np.flatnonzero(~system.two_rods & ((system.rods[:, 0] != 0.0) | system.is_body))
-    mass = np.zeros((len(steady), 4))
+    rods, lead = system.rods, system.rods.shape[:-2]
+    heavy = chosen(rods[..., 0] != 0.0, "bars without mass")
+    steady = np.flatnonzero(~system.two_rods & (heavy | system.is_body))
+    mass = np.zeros((*lead, len(steady), 4), rods.dtype)
     # uniform bar: m/6 [[2, 1], [1, 2]]
-    mass[:, 0] = mass[:, 2] = system.rods[steady, 0] / 3.0
-    mass[:, 1] = system.rods[steady, 0] / 6.0
+    mass[..., 0] = mass[..., 2] = rods[..., steady, 0] / 3.0
+    mass[..., 1] = rods[..., steady, 0] / 6.0
     at = system.is_body[steady]
     bodies = steady[at]
-    m, e, f, inertia = system.body[bodies].T
-    mass[at] = planar_body_mass(m, e, f, inertia, system.length0[bodies])
+    m, e, f, inertia = np.moveaxis(system.body[..., bodies, :], -1, 0)
+    mass[..., at, :] = planar_body_mass(m, e, f, inertia, system.length0[..., bodies])
     # bodies on nodes, membranes and solids: AB alone; AA and BB stand with the nodes (share)
     apart = np.flatnonzero(system.pair_p != system.pair_q)
     p, q = [system.p[steady], system.pair_p[apart]], [system.q[steady], system.pair_q[apart]]
-    between, skew = [system.pair_mass[apart]], [system.pair_skew[apart]]
+    between, skew = [system.pair_mass[..., apart]], [system.pair_skew[..., apart]]
     if (found := system.continua) is not None and found.lump.any():
         p, q, between = [*p, found.p], [*q, found.q], [*between, found.mass]
-        skew.append(np.zeros(len(found.p)))
-    more = np.zeros((sum(map(len, between)), 4))
-    more[:, 1], more[:, 3] = np.concatenate(between), np.concatenate(skew)
+        skew.append(np.zeros((*lead, len(found.p))))
+    more = np.zeros((*lead, sum(one.shape[-1] for one in between), 4), rods.dtype)
+    more[..., 1], more[..., 3] = np.concatenate(between, axis=-1), np.concatenate(skew, axis=-1)
     return {
         "pair_A": 3 * np.concatenate(p).astype(np.int64),
         "pair_B": 3 * np.concatenate(q).astype(np.int64),
-        "pair": np.concatenate([mass, more]),
-        "pair_member": np.concatenate([steady, np.full(len(more), -1)]),
+        "pair": np.concatenate([mass, more], axis=-2),
+        "pair_member": np.concatenate([steady, np.full(more.shape[-2], -1)]),
     }
 
 
@@ -136,15 +139,15 @@ def continua_mass(system: System) -> Any:
 
 def _varying(system: System) -> dict[str, NDArray[Any]]:
     """Active members and bars with rotary inertia: m_A, m_B, h_A, h_B, J and axial mass (kernels.structure.mass)."""
-    members = np.flatnonzero(system.two_rods | (system.rods[:, 2] > 0.0))
-    out = np.zeros((len(members), 6))
-    m_b, l_b, r_b, m_t, l_t, r_t = system.rods[members].T
+    members = np.flatnonzero(system.two_rods | chosen(system.rods[..., 2].real > 0.0, "rotary inertia of bars"))
+    m_b, l_b, r_b, m_t, l_t, r_t = np.moveaxis(system.rods[..., members, :], -1, 0)
+    out = np.zeros((*m_b.shape, 6), m_b.dtype)
     two = system.two_rods[members]
     # J: second moments about the ends, and rotary inertias
-    out[:, 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
+    out[..., 4] = np.where(two, (m_b * l_b**2 + m_t * l_t**2) / 3.0 + r_b + r_t, r_b)
     # m_A, m_B and first moments h_A, h_B of active members
     for k, values in enumerate((m_b, m_t, 0.5 * m_b * l_b, 0.5 * m_t * l_t)):
-        out[:, k] = np.where(two, values, 0.0)
+        out[..., k] = np.where(two, values, 0.0)
     p, q = system.p[members].astype(np.int64), system.q[members].astype(np.int64)
     return {"varying_A": 3 * p, "varying_B": 3 * q, "varying": out, "varying_member": members}
 
@@ -156,5 +159,5 @@ def _laws(system: System) -> dict[str, NDArray[Any]]:
         "law_B": 3 * system.q[members].astype(np.int64),
         "law_kind": system.law[members].astype(np.int64),
         "law_member": members,
-        "law": np.stack([system.spring[members], system.natural[members], system.damping[members]], axis=1),
+        "law": np.stack([one[..., members] for one in (system.spring, system.natural, system.damping)], axis=-1),
     }

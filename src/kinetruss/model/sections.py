@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field, Tag, field_validator, model_validator
 
 from kinetruss.model.record import (
@@ -162,8 +163,10 @@ class Rectangle(Record):
         """J, m^4, of Saint-Venant's torsion: a b^3/3 (1 - 192 b/(pi^5 a) sum tanh(n pi a/(2 b))/n^5), n odd, a >= b (Timoshenko
         and Goodier, Theory of Elasticity, section 109).
         """
-        b, a = sorted((self.width, self.height))
-        series = sum(math.tanh(n * math.pi * a / (2 * b)) / n**5 for n in range(1, 40, 2))
+        b, a = (self.width, self.height) if np.all(np.real(self.width) <= np.real(self.height)) else (self.height, self.width)
+        # the sides may be complex, or many
+        tanh = math.tanh if isinstance(a / b, float) else np.tanh
+        series = sum(tanh(n * math.pi * a / (2 * b)) / n**5 for n in range(1, 40, 2))
         return a * b**3 / 3 * (1 - 192 * b / (math.pi**5 * a) * series)
 
     @property

@@ -19,9 +19,11 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.elements.directions import axes_along, unit
 from kinetruss.elements.loads.follower import FLAT_COUPLE, FORCE, Follower
 from kinetruss.elements.loads.load import Load, OnBeam, OnMember, OnOthers, Spread, UnitLoad
 from kinetruss.elements.local_axes import orientation, turned
+from kinetruss.elements.numbers import apart, chosen
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
 from kinetruss.kernels.structure.tables import entry_at
@@ -112,29 +114,26 @@ class TurnedLoad(UnitLoad):
         """As UnitLoad.forces."""
         share, along, across = self.data.T
         d = np.einsum("j,...jc->...c", along, r)
-        one = d / np.sqrt(np.sum(d * d, axis=-1, keepdims=True))
-        axis = one
-        if self.axis and self.planar:
-            axis = turned(one)
-        elif self.axis:
-            h = self.reference + np.einsum("j,...jc->...c", across, r)
-            h = h - one * np.sum(h * one, axis=-1, keepdims=True)
-            axis = h / np.sqrt(np.sum(h * h, axis=-1, keepdims=True))
-            axis = axis if self.axis == 1 else np.cross(one, axis)
+        if self.axis == 0:
+            axis = unit(d)
+        elif self.planar:
+            axis = turned(unit(d))
+        else:
+            axis = axes_along(d, self.reference + np.einsum("j,...jc->...c", across, r))[self.axis]
         return np.asarray(share[:, None] * axis[..., None, :])
 
 
-def _length(system: System, load: MemberLoad | MemberCouple) -> float:
+def _length(system: System, load: MemberLoad | MemberCouple) -> Any:
     """Length of the member in the model, m."""
     model = system.model
     ends = (model.beams if load.member in model.beams else model.bars)[load.member].ends
-    return math.dist(*(model.nodes[node].at for node in ends))
+    return apart(*(system.x0[..., system.node_index(node), : system.dim] for node in ends))
 
 
-def _span(system: System, load: MemberLoad | MemberCouple) -> tuple[float, float]:
+def _span(system: System, load: MemberLoad | MemberCouple) -> tuple[Any, Any]:
     """Where a load begins and ends, as fractions from end A."""
     length = _length(system, load)
-    return (load.start or 0.0) / length, 1.0 if load.end is None else load.end / length
+    return 0.0 if load.start is None else load.start / length, 1.0 if load.end is None else load.end / length
 
 
 def _on_beams(system: System, load: MemberLoad) -> Iterator[OnBeam]:
@@ -150,12 +149,17 @@ def _along_bar(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDA
     # three points are exact: w_j = L int q H_j dxi
     at, weight = np.polynomial.legendre.leggauss(3)
     eta = 0.5 * (1.0 + at)
-    q, xi = 0.5 * weight * (end - begin) * _length(system, load) * (first + (last - first) * eta), begin + (end - begin) * eta
+    a, b, length = (np.asarray(one)[..., None] for one in (first, last, _length(system, load)))
+    begin, end = (np.asarray(one)[..., None] for one in (begin, end))
+    q, xi = 0.5 * weight * (end - begin) * length * (a + (b - a) * eta), begin + (end - begin) * eta
     node, reference = orientation(system)
     nodes = [system.p[i], system.q[i], *([] if node[i] < 0 else [node[i]])]
-    data = np.array([[q @ (1.0 - xi), -1.0, -1.0], [q @ xi, 1.0, 0.0], [0.0, 0.0, 1.0]])[: len(nodes)]
+    data = np.zeros((*q.shape[:-1], 3, 3), q.dtype)
+    data[...] = [[0.0, -1.0, -1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    data[..., 0, 0], data[..., 1, 0] = np.vecdot(q.conj(), 1.0 - xi), np.vecdot(q.conj(), xi)
+    data = data[..., : len(nodes), :]
     if node[i] < 0:
-        data[:, 2] = 0.0
+        data[..., 2] = 0.0
     return np.array(nodes, np.int64), data, reference[i] if node[i] < 0 else np.zeros(3)
 
 
@@ -164,8 +168,9 @@ def _loads(system: System, load: MemberLoad) -> tuple[UnitLoad, ...]:
     if load.axes == "member":
         planar = int(system.dim == 2)
         return tuple(TurnedLoad(nodes=nodes, data=data, reference=reference, planar=planar, axis=c) for c in range(system.dim))
-    taken = data[:, 0] != 0.0
-    nodes, shared = nodes[taken], np.pad(data[taken, :1], ((0, 0), (2, 1)))
+    taken = np.flatnonzero(chosen(data[..., 0] != 0.0, "nodes that take a load"))
+    shared = np.zeros((*data.shape[:-2], len(taken), 4), data.dtype)
+    nodes, shared[..., 2] = nodes[taken], data[..., taken, 0]
     return tuple(Follower(mode=FORCE, nodes=nodes, data=shared, vector=np.append(one, 0.0)) for one in axes[: system.dim])
 
 
@@ -173,19 +178,18 @@ def _along_beam(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], ND
     """The same of a load along an elastic beam; h is the mean of axis 2 at both ends."""
     (one,), beams = _on_beams(system, load), cast("Any", system.continua).beams
     v = beams.nodes.shape[1]
-    across = beams.axes[one.beam, 1] + beams.ends[one.beam, 1]
-    return (
-        beams.nodes[one.beam],
-        np.stack([beams.shares(*one[:-1]), np.eye(v)[v // 2] - np.eye(v)[0], across], axis=1),
-        np.zeros(3),
-    )
+    across = beams.axes[..., one.beam, 1, :] + beams.ends[..., one.beam, 1, :]
+    along = np.broadcast_to(np.eye(v)[v // 2] - np.eye(v)[0], across.shape)
+    return beams.nodes[one.beam], np.stack([beams.shares(*one[:-1]), along, across], axis=-1), np.zeros(3)
 
 
 def _couples(system: System, load: MemberCouple) -> tuple[UnitLoad, ...]:
     i, (begin, end) = system.members.index(load.member), _span(system, load)
     whole = 0.5 * sum(load.shape) * (end - begin) * _length(system, load)
-    nodes, data = np.array([system.p[i], system.q[i]], np.int64), np.zeros((2, 4))
-    return (Follower(mode=FLAT_COUPLE, nodes=nodes, data=data, vector=np.array([0.0, 0.0, whole, 0.0])),)
+    nodes, data, vector = np.array([system.p[i], system.q[i]], np.int64), np.zeros((2, 4)), np.zeros((*np.shape(whole), 4))
+    vector = vector.astype(np.result_type(whole))
+    vector[..., 2] = whole
+    return (Follower(mode=FLAT_COUPLE, nodes=nodes, data=data, vector=vector),)
 
 
 def _places(system: System, bars: Bars, load: MemberLoad | MemberCouple) -> Iterator[OnMember | OnOthers]:

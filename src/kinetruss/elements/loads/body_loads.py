@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.carriers import planar_share, shares_of
 from kinetruss.elements.loads.follower import COUPLE, FLAT_COUPLE, FORCE, Follower, unit_vector
 from kinetruss.elements.loads.load import Load, OnMember, OnOthers
-from kinetruss.model import BodyCouple, BodyForce, Model
+from kinetruss.elements.numbers import size
+from kinetruss.model import BodyCouple, BodyForce
 from kinetruss.model.beam_frames import carriers_of
 from kinetruss.model.bodies import barycentric, placed
 
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 
 def _forces(system: System, load: BodyForce) -> tuple[Follower, ...]:
     nodes, points = _points(system, load.body)
-    weights = _weights(system.model, load, points)
+    weights = _weights(system, load, points)
     return tuple(unit_vector(FORCE, nodes, points, axis, weights, load.follows, system.dim) for axis in np.eye(3)[: system.dim])
 
 
@@ -36,7 +38,7 @@ def _couples(system: System, load: BodyCouple) -> tuple[Follower, ...]:
     if on_ground(system, load):
         return ()
     nodes, points = _points(system, load.body)
-    none = np.zeros((len(nodes), 2))
+    none = np.zeros((*points.shape[:-1], 2))
     if system.dim == 2:
         vector = np.array([0.0, 0.0, 1.0, 0.0])
         return (Follower(mode=FLAT_COUPLE, nodes=nodes, data=np.zeros((len(nodes), 4)), vector=vector),)
@@ -48,38 +50,41 @@ def _points(system: System, name: str) -> tuple[NDArray[np.int64], NDArray[np.fl
     model = system.model
     names = carriers_of(model, name) or model.bars[name].ends
     nodes = np.array([system.node_index(node) for node in names], np.int64)
-    return nodes, system.x0[nodes, : system.dim]
+    return nodes, system.x0[..., nodes, : system.dim]
 
 
-def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _weights(system: System, load: BodyForce, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """w, u (k, 2) of the point a force acts at."""
-    weights = np.zeros((len(points), 2))
+    model = system.model
     if carriers_of(model, load.body):
-        place = _centre(model, load.body, points) if load.at is None else np.array(load.at, float)
+        place = _centre(system, load.body, points) if load.at is None else np.stack(load.at, axis=-1)
     else:
-        d = points[1] - points[0]
-        u = d / np.linalg.norm(d)
-        e, f = (float(np.linalg.norm(d)) / 2, 0.0) if load.at is None else load.at
-        place = points[0] + e * u + f * np.array([-u[1], u[0]])
-    if len(points) == 2 and model.dim == 2:
+        d = points[..., 1, :] - points[..., 0, :]
+        length = size(d)[..., None]
+        u, across = d / length, np.stack([-d[..., 1], d[..., 0]], axis=-1) / length
+        e, f = (length / 2, 0.0) if load.at is None else (np.asarray(one)[..., None] for one in load.at)
+        place = points[..., 0, :] + e * u + f * across
+    weights = np.zeros((*points.shape[:-1], 2), np.result_type(points, place))
+    if points.shape[-2] == 2 and model.dim == 2:
         # z = p (1 - w) + q w in complex notation: the forces are conj(1 - w) F and conj(w) F
-        d, r = complex(*(points[1] - points[0])), complex(*(place - points[0]))
-        share = (r / d).conjugate()
-        weights[:] = ((1 - share.real, -share.imag), (share.real, share.imag))
+        real, imaginary = planar_share(place - points[..., 0, :], points[..., 1, :] - points[..., 0, :])
+        weights[..., 0, 0], weights[..., 0, 1], weights[..., 1, 0], weights[..., 1, 1] = 1 - real, imaginary, real, -imaginary
     else:
-        weights[:, 0] = barycentric(points, place)[0]
+        weights[..., 0] = shares_of(points, place)
     return weights
 
 
-def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _centre(system: System, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Start position of the centre of mass, m."""
+    model = system.model
     body = model.bodies.get(name)
     if body is None:  # a frame: its origin
-        return np.asarray(points[0])
+        return np.asarray(points[..., 0, :])
     if body.center is None:
-        return np.asarray(points.mean(axis=0))
+        return np.asarray(points.mean(axis=-2))
     origin, axes = placed(body.frame, model.dim)
-    return np.asarray(origin + axes.T @ np.array(body.center, float))
+    center = system.load_numbers.get(f"body {name} center", np.array(body.center, float))
+    return np.asarray(origin + (axes.T @ center[..., None])[..., 0])
 
 
 def _places(system: System, bars: Bars, load: BodyForce | BodyCouple) -> Iterator[OnMember | OnOthers]:

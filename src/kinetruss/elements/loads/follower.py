@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kinetruss.elements.carriers import fixed_in, planar_share
 from kinetruss.elements.loads.load import UnitLoad
 from kinetruss.elements.local_axes import turned
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
 from kinetruss.kernels.structure.tables import entry_at
-from kinetruss.model.bodies import fixed_vector
 
 FORCE, COUPLE, FLAT_COUPLE = 0, 1, 2
 
@@ -162,17 +162,19 @@ def unit_vector(
     dim: int,
 ) -> Follower:
     """A unit vector along a global axis, fixed in space or in the body."""
-    data = np.concatenate([np.zeros((len(nodes), 2)), weights], axis=1)
+    lead = points.shape[:-2]
+    data = np.concatenate([np.zeros((*lead, len(nodes), 2)), weights], axis=-1)
     if not follows:
         return Follower(mode=mode, nodes=nodes, data=data, vector=np.append(axis, 0.0))
-    vector = np.zeros(4)
+    data, vector = data.astype(points.dtype), np.zeros((*lead, 4), points.dtype)
     if dim == 2 and len(nodes) == 2:
-        share = complex(*axis[:2]) / complex(*(points[1] - points[0]))
-        data[:, :2] = ((-share.real, -share.imag), (share.real, share.imag))
+        d = points[..., 1, :] - points[..., 0, :]
+        data[..., 1, 0], data[..., 1, 1] = planar_share(np.broadcast_to(axis[:2], d.shape), d)
+        data[..., 0, :2] = -data[..., 1, :2]
     elif len(nodes) == dim + 1:
-        data[:, 0] = fixed_vector(points, axis[:dim])[0]
+        data[..., 0] = fixed_in(points, axis[:dim])
     else:
-        normal = np.cross(points[1] - points[0], points[2] - points[0])
-        vector[3] = axis @ normal / (normal @ normal)
-        data[:, 0] = fixed_vector(points, axis - vector[3] * normal)[0]
+        normal = np.cross(points[..., 1, :] - points[..., 0, :], points[..., 2, :] - points[..., 0, :])
+        vector[..., 3] = normal @ axis / np.vecdot(normal.conj(), normal)
+        data[..., 0] = fixed_in(points, axis - vector[..., 3:] * normal)
     return Follower(mode=mode, nodes=nodes, data=data, vector=vector)

@@ -5,10 +5,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from kinetruss.elements.caching import cached
 
 if TYPE_CHECKING:
     from kinetruss.kernels.compiled.record import Record
@@ -112,6 +115,21 @@ class OnBeam(NamedTuple):
     first: float
     last: float
     turns: bool
+
+
+@cached(256)
+def load_of(system: System, name: str) -> Any:
+    """A load with the fields of its record and the numbers of the system, which may be complex, and copies."""
+    record = system.model.loads[name]
+    own: dict[str, Any] = {field: getattr(record, field) for field in type(record).model_fields}
+    for field, given in own.items():
+        if (numbers := system.load_numbers.get(f"load {name} {field}")) is None:
+            continue
+        if field in (record.amount, record.amounts):
+            own[field] = numbers
+        else:
+            own[field] = numbers[..., 0] if isinstance(given, float) else tuple(np.moveaxis(numbers, -1, 0))
+    return SimpleNamespace(**own, amount=record.amount, amounts=record.amounts)
 
 
 class Load(NamedTuple):

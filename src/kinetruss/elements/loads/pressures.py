@@ -18,10 +18,11 @@ if TYPE_CHECKING:
 
 def _units(system: System, load: Pressure) -> tuple[Follower, ...]:
     nodes = np.array([system.node_index(node) for node in load.face], np.int64)
-    data, vector = np.zeros((len(nodes), 4)), np.zeros(4)
-    data[:, 2] = 1.0 / len(nodes)
+    depth = np.asarray(load.depth)
+    data, vector = np.zeros((*depth.shape, len(nodes), 4), depth.dtype), np.zeros(4)
+    data[..., 2] = 1.0 / len(nodes)
     if len(nodes) == 2:
-        data[:, 1] = (-load.depth, load.depth)
+        data[..., 0, 1], data[..., 1, 1] = -depth, depth
     else:
         # seen from where the pressure acts, the nodes run counter-clockwise: the normal points against the pressure
         vector[3] = -0.5
