@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from kinetruss.elements.scalars import law_numbers
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.record import F1, I1, I2, Record, record
 from kinetruss.kernels.structure import element_table
@@ -74,10 +75,18 @@ KERNELS = dict(enumerate(zip(element_table.INTERFACES, (force, energy, balance, 
 
 def table(system: System) -> Drags | None:
     """All drags of a system; None where there are none."""
+    own = fields(system)
+    return None if own is None else Drags.of(own)
+
+
+def fields(system: System) -> dict[str, Any] | None:
+    """The fields of `table`."""
     own: dict[str, Any] = system.model.drags
+    if not own:
+        return None
+    area, coefficient, density = law_numbers(system, "drag", "area", "coefficient", "density").T
     at = 3 * np.array([system.node_index(one.node) for one in own.values()], np.int64)
-    c = np.array([one.density * one.coefficient * one.area / 2 for one in own.values()])
-    return Drags.of({"at": at, "c": c}) if own else None
+    return {"at": at, "c": (density * coefficient * area / 2).T}
 
 
 def coordinates(s: Drags) -> NDArray[np.int64]:
