@@ -31,10 +31,10 @@ _NOWHERE, _NOTHING = np.zeros(0, np.int64), np.zeros(0)
 class Members:
     """Which members there are, and for which numbers are given.
 
-    fields : those of `System` in which there are no numbers. at : by name indices of members: active; bars that are no planar
-    body; bodies; length, damping : whose are given; elastic : elastic bars and cables; friction (k, 2) : ends that have some;
-    unknown : whose compliance is that of a hub. Of `bars` : matter (b, 2) places of section and material, mass given, massless,
-    rotary with rotary inertia. Of `elastic` : matter of it, natural, stiffness, pretension given, laws.
+    fields : those of `System` in which there are no numbers. at : by name indices of members: active; body, planar ones; bars,
+    the others; elastic, elastic bars and cables, whose records are `laws`; length, damping, those that have one; friction
+    (k, 2), ends that have some; unknown, whose compliance is that of a hub. Places in `bars` : mass, given; massless; rotary,
+    with rotary inertia; matter (b, 2) : of section and material of each. Places in `elastic` : natural, stiffness, pretension.
     """
 
     matter: Matter
@@ -241,7 +241,10 @@ def _active(members: Members, numbers: Numbers, area: Array, found: dict[str, An
         return clamped
     line, EA = per_length(parts.matter, numbers, area)
     lines, lengths, springs = entries(line), numbers.each("part_length"), numbers.each("part_spring")
-    soft = entries(1 / EA)
+    known = np.flatnonzero((parts.matter >= 0).all(axis=1))
+    soft = np.full_like(EA, np.nan)
+    soft[..., known] = 1 / EA[..., known]
+    soft = entries(soft)
     shapes, areas = members.matter.shapes(numbers), entries(area)
     given, places, masses = (numbers.each(name) for name in ("part_mass", "point_at", "point_mass"))
     for r, length in enumerate(lengths):
@@ -336,5 +339,6 @@ def _in_series(base: Any, tube: Any, length: Any, given: dict[str, Any] | None) 
 
 
 def _weakest(values: list[Any]) -> Any:
+    """The largest known one; of equal ones, where there is no derivative, the first."""
     known = [value for value in values if not np.isnan(value).any()]
     return max(known, key=lambda value: float(np.ravel(value)[0].real)) if known else float("nan")
