@@ -146,6 +146,17 @@ print(json.dumps([C[1, 1], C[0, 0]]))
     assert across == pytest.approx(C * 3.0)
 
 
+def test_its_table_has_derivatives_by_its_numbers(package):
+    code = """
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.numbers import numbers_of, tables_at
+system = compile(ball)
+area = numbers_of(system)["drag area"]
+print(json.dumps(float(tables_at(system, {"drag area": area + 1e-30j})["drag c"].imag[0] / 1e-30)))
+"""
+    assert json.loads(answers(package, FALL, code)) == pytest.approx(C / 0.5)
+
+
 def test_power_series_are_refused_by_name(package):
     code = """
 try:

@@ -65,12 +65,6 @@ def terms_of(system: System, measures: NDArray[np.int64]) -> dict[str, Any]:
     }
 
 
-def law_numbers(system: System, kind: str, *names: str) -> NDArray[Any]:
-    """Numbers (k, w) of the elements of a kind, by the names of their fields."""
-    none = np.zeros((*system.x0.shape[:-2], 0), system.x0.dtype)
-    return np.stack([system.law_numbers.get(f"{kind} {name}", none) for name in names], axis=-1)
-
-
 class Part(NamedTuple):
     """The elements of one kind: names, of those that a person knows; the law; why there is no power series of a law that is
     not linear, with {!r} for the name; the other fields of `Scalars`, `kind` of the terms in place of their code; events where

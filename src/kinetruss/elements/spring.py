@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.elements.numbers import one_copy
-from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, law_numbers, measures_of, terms_of
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, measures_of, terms_of
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, Vector
 
@@ -79,7 +79,7 @@ def springs(system: System) -> Part:
     """The springs of a model."""
     records = system.model.springs
     measures = measures_of(system, "spring")
-    numbers = law_numbers(system, "spring", "stiffness", "damping", "friction", "slip", "play", "preload")
+    numbers = system.numbers("spring", "stiffness", "damping", "friction", "slip", "play", "preload")
     points, ptr = [np.zeros((0, 4))], [0]
     for one in records.values():
         if one.table is not None:
@@ -87,7 +87,7 @@ def springs(system: System) -> Part:
         ptr.append(sum(map(len, points)))
     first = one_copy(numbers)
     straight = (first[:, FRICTION] == 0.0) & (first[:, PLAY] == 0.0) & (np.diff(ptr) == 0)
-    rest = law_numbers(system, "spring", "rest")[..., 0]
+    rest = system.numbers("spring", "rest")[..., 0]
     return Part(
         names=tuple(records),
         law=law,

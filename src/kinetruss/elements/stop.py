@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.elements.numbers import one_copy
-from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, law_numbers, measures_of, terms_of
+from kinetruss.elements.scalars import DAMPED, KEPT, STIFF, STORED, TAKEN, Part, measures_of, terms_of
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
@@ -49,7 +49,7 @@ def stops(system: System) -> Part:
     """The stops of a model."""
     records, measures = system.model.stops, measures_of(system, "stop")
     start, switches = system.measure_start[..., measures], {}
-    numbers = law_numbers(system, "stop", "lower", "upper", "stiffness", "exponent", "damping")
+    numbers = system.numbers("stop", "lower", "upper", "stiffness", "exponent", "damping")
     here = start[(0,) * (start.ndim - 1)].real
     for k, (name, one) in enumerate(records.items()):
         ends = {"lower": one.lower, "upper": one.upper}

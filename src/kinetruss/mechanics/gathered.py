@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from functools import cache
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,6 +17,7 @@ from kinetruss.elements.numbers import Numbers, size
 from kinetruss.mechanics.measure_arrays import Measures, measure_arrays, measures_of
 from kinetruss.mechanics.members import Members, member_arrays, members_of
 from kinetruss.mechanics.row_arrays import AXIS, Rows, row_arrays, rows_of
+from kinetruss.model.data import ELEMENT_FIELDS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -23,12 +26,13 @@ if TYPE_CHECKING:
 
 
 class Joined(NamedTuple):
-    """The structure of a model. fields : those of `System` in which there are no numbers. loads : names of the numbers of loads
-    and load cases. moving, weighed : nodes with a velocity, and with a gravity of their own.
+    """The structure of a model. fields : those of `System` without numbers. elements, loads : names of the numbers of elements,
+    and of loads and load cases. moving, weighed : nodes with a velocity, and with a gravity of their own.
     """
 
     dim: int
     fields: dict[str, Any]
+    elements: tuple[str, ...]
     loads: tuple[str, ...]
     moving: list[int]
     weighed: list[int]
@@ -66,9 +70,29 @@ def gathered(model: Model) -> tuple[Joined, Numbers]:
         "gravity": np.array(model.gravity or (0.0,) * dim, float),
         "velocity": np.array([*moving.values()], float).reshape(-1, dim),
     }
-    loads = _load_numbers(model)
-    joined = Joined(dim, fields, tuple(loads), list(moving), list(weighed), members, bodies, measures, rows, sheets)
-    return joined, Numbers(own | loads | matter.numbers() | of_members | of_bodies | of_measures | of_sheets)
+    elements, loads = _element_numbers(model), _load_numbers(model)
+    joined = Joined(
+        dim, fields, tuple(elements), tuple(loads), list(moving), list(weighed), members, bodies, measures, rows, sheets
+    )
+    return joined, Numbers(own | elements | loads | matter.numbers() | of_members | of_bodies | of_measures | of_sheets)
+
+
+def _element_numbers(model: Model) -> dict[str, Any]:
+    """The numbers of elements whose records say their kind, as "spring stiffness", one an element; NaN those not given."""
+    found = {}
+    for kind, table in ELEMENT_FIELDS.items():
+        records: list[Any] = [*getattr(model, table).values()]
+        for name in _numbers_in(records[0].__class__) if records else ():
+            values = [math.nan if (one := getattr(record, name)) is None else one for record in records]
+            found[f"{kind} {name}"] = np.array(values, float)
+    return found
+
+
+@cache
+def _numbers_in(record: Any) -> tuple[str, ...]:
+    """The fields of an element that are one number each."""
+    own = {name: str(field.annotation) for name, field in record.model_fields.items()}
+    return tuple(name for name, text in own.items() if "float" in text and "tuple" not in text)
 
 
 def _load_numbers(model: Model) -> dict[str, Any]:
@@ -117,6 +141,7 @@ def arrays_at(joined: Joined, numbers: Numbers) -> dict[str, Any]:
     loads = {name: numbers[name] for name in joined.loads}
     loads |= centers_of(joined.bodies, numbers)
     nodes = {
+        "element_numbers": {name: numbers[name] for name in joined.elements},
         "load_numbers": loads,
         "x0": x0,
         "lump": numbers["lump"],

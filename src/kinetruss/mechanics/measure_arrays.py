@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, reduce
+from functools import reduce
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -18,7 +18,6 @@ from kinetruss.kernels.coordinates.forms import ALONG, AROUND, COSINE, FIXED_AXI
 from kinetruss.kernels.coordinates.on_arrays import gradient_on_arrays, value_on_arrays
 from kinetruss.model import Model, turns
 from kinetruss.model.data import FORCE_ELEMENTS
-from kinetruss.model.drives import ForceElement
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -63,7 +62,7 @@ class Measures:
     """Sums of terms. fields : those of `System` in which there are no numbers. data (t, 7) of the terms where they follow from
     no numbers. factors, phases : terms and which of the given ones each has; lines : terms with axes from the line of a bar.
     periods : of each sum, None if it has none; values : couplings whose value is given; turning : drives, to be within half a
-    turn; laws : names of the numbers of elements.
+    turn.
     """
 
     fields: dict[str, Any]
@@ -75,7 +74,6 @@ class Measures:
     periods: tuple[Period | None, ...]
     values: NDArray[np.int64]
     driven: int
-    laws: tuple[str, ...]
 
 
 def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str, Any]]:
@@ -139,10 +137,9 @@ def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str
         periods=tuple(periods),
         values=np.array(list(values), np.int64),
         driven=len(names),
-        laws=tuple(laws := _law_numbers(model)),
     )
     numbers = {"factor": given, "phase": found.data[found.phases, 1], "coupling_value": list(values.values())}
-    return found, {name: np.array(own, float) for name, own in (numbers | laws).items()}
+    return found, {name: np.array(own, float) for name, own in numbers.items()}
 
 
 _NO_NUMBERS = dict.fromkeys(("factor", "phase", "coupling_value"), np.zeros(0))
@@ -163,35 +160,16 @@ _NO_MEASURES = Measures(
     periods=(),
     values=np.zeros(0, np.int64),
     driven=0,
-    laws=(),
 )
-
-
-def _law_numbers(model: Model) -> dict[str, list[float]]:
-    """The numbers of elements on coordinates, as "spring stiffness", one an element; NaN those that are not given."""
-    found = {}
-    for kind, table in FORCE_ELEMENTS.items():
-        records: list[Any] = [*getattr(model, table).values()]
-        for name in _numbers_in(records[0].__class__) if records else ():
-            found[f"{kind} {name}"] = [math.nan if (one := getattr(record, name)) is None else one for record in records]
-    return found
-
-
-@cache
-def _numbers_in(record: Any) -> tuple[str, ...]:
-    """The fields of an element on a coordinate that are one number each."""
-    own = {name: str(field.annotation) for name, field in record.model_fields.items() if name not in ForceElement.model_fields}
-    return tuple(name for name, text in own.items() if "float" in text and "tuple" not in text)
 
 
 def measure_arrays(measures: Measures, numbers: Numbers, x0: Array) -> dict[str, Any]:
     """The measures of `System` from numbers, at places x0 (n, 3)."""
     data = numbers.full(*measures.data.shape)
     period = numbers.full(len(measures.periods))
-    fields = measures.fields | {"law_numbers": {name: numbers[name] for name in measures.laws}}
     if not len(measures.periods):
         none = dict.fromkeys(("measure_period", "measure_start", "measure_scale"), period)
-        return fields | none | {"term_data": data}
+        return measures.fields | none | {"term_data": data}
     data[:] = measures.data
     data[..., measures.factors[:, 0], 0] = measures.signs * numbers["factor"][..., measures.factors[:, 1]]
     data[..., measures.phases, 1] = numbers["phase"]
@@ -202,7 +180,7 @@ def measure_arrays(measures: Measures, numbers: Numbers, x0: Array) -> dict[str,
             factor = data[..., own.largest, 0]
             period[..., m] = TURN * (factor * np.sign(factor.real)) * own.step / own.whole
     found = {"term_data": data, "measure_period": period}
-    return fields | found | _starts(measures, numbers, data, period, x0)
+    return measures.fields | found | _starts(measures, numbers, data, period, x0)
 
 
 def _starts(measures: Measures, numbers: Numbers, data: Array, period: Array, x0: Array) -> dict[str, Any]:

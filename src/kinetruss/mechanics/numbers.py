@@ -106,7 +106,7 @@ def _own_tables(system: System) -> dict[str, NDArray[Any]]:
 
 def _tables(system: System) -> dict[str, NDArray[Any]]:
     """All tables of numbers of a system."""
-    found = {one.name: getattr(system, one.name) for one in fields(system)} | system.law_numbers
+    found = {one.name: getattr(system, one.name) for one in fields(system)} | system.element_numbers
     found |= {f"structure {name}": one for name, one in elements(system).items()}
     for kind in ELEMENTS:
         found |= {f"{kind.name} {name}": one for name, one in (kind.fields(system) or {}).items()}

@@ -42,9 +42,9 @@ class System:
     (k + 1,) their terms, term_kind (t,), term_at (t, 4), term_data (t, 7); measure_scale (k,) that gives gradients the size of
     those of lengths,
     measure_period (k,) after which values are the same (0: never), measure_start (k,); drive_measure (drives,) or -1.
-    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,); law_numbers as "spring
-    stiffness" of all of a kind, NaN what is not given; load_numbers as "load NAME force",
-    "case NAME gravity" and "body NAME center".
+    Elements on coordinates (kinetruss.elements): force_elements (s,) names, force_element_measure (s,). element_numbers as
+    "spring stiffness" of all of a kind, NaN what is not given; load_numbers as "load NAME force", "case NAME gravity" and "body
+    NAME center".
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
     continua : membranes and solids, or None.
     """
@@ -98,7 +98,7 @@ class System:
     drive_measure: NDArray[np.int64]
     force_elements: tuple[str, ...]
     force_element_measure: NDArray[np.int64]
-    law_numbers: dict[str, NDArray[np.float64]]
+    element_numbers: dict[str, NDArray[np.float64]]
     load_numbers: dict[str, NDArray[np.float64]]
     prescribed: NDArray[np.bool_]
     coordinate_drive: NDArray[np.int32]
@@ -148,6 +148,11 @@ class System:
     def sums(self) -> NDArray[np.int64]:
         """Indices of the rows that hold a sum of terms."""
         return np.flatnonzero(self.row_measure >= 0)
+
+    def numbers(self, kind: str, *names: str) -> NDArray[Any]:
+        """Numbers (k, w) of the elements of a kind, by the fields of their records; NaN those that are not given."""
+        none = np.zeros((*self.x0.shape[:-2], 0), self.x0.dtype)
+        return np.stack([self.element_numbers.get(f"{kind} {name}", none) for name in names], axis=-1)
 
     def with_rows(self, rows: Any, **changes: Any) -> System:
         """The system with these of its rows (indices or a mask), in their order."""

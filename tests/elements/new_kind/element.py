@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
-from kinetruss.elements.scalars import law_numbers
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.compiled.record import F1, I1, I2, Record, record
 from kinetruss.kernels.structure import element_table
@@ -84,7 +83,7 @@ def fields(system: System) -> dict[str, Any] | None:
     own: dict[str, Any] = system.model.drags
     if not own:
         return None
-    area, coefficient, density = law_numbers(system, "drag", "area", "coefficient", "density").T
+    area, coefficient, density = system.numbers("drag", "area", "coefficient", "density").T
     at = 3 * np.array([system.node_index(one.node) for one in own.values()], np.int64)
     return {"at": at, "c": (density * coefficient * area / 2).T}
 
