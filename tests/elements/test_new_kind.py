@@ -20,15 +20,14 @@ OWN = Path(__file__).parent / "new_kind"
 C = 1.225 * 0.5 * 0.8 / 2
 FIELD = "    poses: Table[Name, Pose] = ReadOnly()\n"
 KIND = """    Element(
-        "drag",
         drag.table,
-        drag.fields,
         drag.coordinates,
         drag.KERNELS,
         drag.tangents,
         without_series=lambda system: "drag resists" if system.model.drags else None,
         loses=lambda s: True,
         results=drag.results,
+        fields=drag.fields,
     ),
 """
 MODEL = """kinetruss: 1

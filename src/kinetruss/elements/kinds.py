@@ -73,22 +73,20 @@ class Results(NamedTuple):
 
 
 class Element(NamedTuple):
-    """name : of the kind. table : the record of all elements of this kind in a system, or None; fields : its arrays by name,
-    whose numbers may be complex, and copies, as those of the system are. coordinates (rows, w) of its record, flat, -1 for
+    """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
     none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
     (kernels.structure.element_table), interface and kernel. without_series : why a system has no power series of these forces,
     or None. loses : whether elements of its record take energy.
 
     With positions and velocities (n, 3), as sparse matrices (3 n, 3 n): tangents : K and C, minus the derivatives of the forces
     by x and by v. geometric : the stiffness of the forces that small displacements u from x add, for critical loads; None where
-    these have none. rows : the
-    equations of small displacements have rows for the deformations of its elements (statics.small_displacements). results : at
-    times (times,), positions and velocities (times, 3 n), where its elements have some that are not on a coordinate.
+    these have none. rows : the equations of small displacements have rows for the deformations of its elements
+    (statics.small_displacements). results : at times (times,), positions and velocities (times, 3 n), where its elements have
+    some that are not on a coordinate. fields : the arrays of the record by name, whose numbers may be complex, and copies, as
+    those of the system are (mechanics.numbers).
     """
 
-    name: str
     table: Callable[[Any], Any]
-    fields: Callable[[Any], dict[str, NDArray[Any]] | None]
     coordinates: Callable[[Any], NDArray[np.int64]]
     kernels: Mapping[int, tuple[Any, Any]]
     tangents: Callable[[Any, Any, Any, Any], tuple[Any, Any]]
@@ -97,6 +95,7 @@ class Element(NamedTuple):
     geometric: Callable[[Any, Any, Any, Any], Any] | None = None
     rows: bool = False
     results: Callable[[Any, Any, Any, Any, Any], Results] | None = None
+    fields: Callable[[Any], dict[str, NDArray[Any]] | None] | None = None
 
 
 def _bent(system: System) -> str | None:
@@ -108,9 +107,7 @@ def _bent(system: System) -> str | None:
 
 ELEMENTS = (
     Element(
-        "on coordinates",
         on_coordinates,
-        fields_on_coordinates,
         scalars.coordinates,
         scalars.KERNELS,
         scalars.tangents,
@@ -118,11 +115,10 @@ ELEMENTS = (
         loses=lambda s: bool(s.loses.any()),
         geometric=scalars.geometric,
         rows=True,
+        fields=fields_on_coordinates,
     ),
     Element(
-        "edges",
         continua_matrices.table,
-        continua_matrices.fields,
         continua.coordinates,
         continua.KERNELS,
         continua_matrices.tangents,
@@ -130,6 +126,7 @@ ELEMENTS = (
         loses=continua.loses,
         geometric=continua_matrices.geometric,
         rows=True,
+        fields=continua_matrices.fields,
     ),
 )
 """All kinds, in the order of their sums."""

@@ -59,7 +59,7 @@ def system_at(system: System, changes: Mapping[str, NDArray[Any]]) -> System:
 
 def tables_at(system: System, changes: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
     """Arrays of numbers of a system with some of its numbers changed, (copies, ...): fields of `System`, of `Structure`
-    ("structure law"), of the records of elements ("on coordinates numbers") and of beams ("beams rigidity").
+    ("structure law"), of the records of elements, by the file of the kind ("scalars numbers"), and of beams ("beams rigidity").
 
     Derivatives by a number p: tables_at(p + i h).imag/h.
 
@@ -109,7 +109,13 @@ def _tables(system: System) -> dict[str, NDArray[Any]]:
     found = {one.name: getattr(system, one.name) for one in fields(system)} | system.element_numbers
     found |= {f"structure {name}": one for name, one in elements(system).items()}
     for kind in ELEMENTS:
-        found |= {f"{kind.name} {name}": one for name, one in (kind.fields(system) or {}).items()}
+        if kind.fields is not None:
+            file = kind.coordinates.__module__.rpartition(".")[2]
+            found |= {f"{file} {name}": one for name, one in (kind.fields(system) or {}).items()}
+        elif (record := kind.table(system)) is not None:
+            raise AnalysisError(
+                f"Elements of the kind {type(record).__name__} have no tables at other numbers. Leave them out."
+            )
     if system.continua is not None:
         found |= {"continua mass": system.continua.mass, "continua lump": system.continua.lump}
         if (beams := system.continua.beams) is not None:
