@@ -30,8 +30,8 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
-from kinetruss.model import Model
-from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
+from kinetruss.model import WholeModel
+from kinetruss.model.beam_frames import axes_of_beam, frame_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -110,13 +110,13 @@ def hermite_slopes(xi: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     return 6 * xi * (xi - 1), (1 - xi) * (1 - 3 * xi), 6 * xi * (1 - xi), xi * (3 * xi - 2)
 
 
-def beam_elements(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> BeamElements | None:
+def beam_elements(model: WholeModel, index: dict[str, int], x0: NDArray[np.float64]) -> BeamElements | None:
     """The elastic beams of a model at positions x0 (n, 3), or None if it has none."""
     elastic = {name: beam for name, beam in model.beams.items() if beam.kind == "elastic"}
     if not elastic:
         return None
     dim, v = model.dim, 2 * (model.dim + 1)
-    every = frames(model)
+    every = model.inner.frames
     count = len(elastic)
     nodes, length = np.zeros((count, v), np.int64), np.zeros(count)
     axes, ends = np.zeros((count, dim, v)), np.zeros((count, dim, v))
@@ -145,7 +145,7 @@ def beam_elements(model: Model, index: dict[str, int], x0: NDArray[np.float64]) 
     )
 
 
-def _matter(model: Model, beam: Any, l: float) -> tuple[Floats, float, Floats]:
+def _matter(model: WholeModel, beam: Any, l: float) -> tuple[Floats, float, Floats]:
     """Rigidities of the modes, N m, mass a length, kg/m, and rotary inertias a length, kg m."""
     section, material = model.section_of(beam), cast("Material", model.material_of(beam))
     E, A, (I2, I3) = material.E, section.area, section.second_moments

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.elements.beams import BeamElements, beam_elements
-from kinetruss.model import Material, Model, Orthotropic, body_mass
+from kinetruss.model import Material, Orthotropic, WholeModel, body_mass
 from kinetruss.model.beam_frames import rigid_beams
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ THIN = 1e-10
 """Eigenvalues of m_ij below this fraction of the largest count as zero: the body lies in a plane or on a line."""
 
 
-def pair_arrays(model: Model, index: dict[str, int]) -> dict[str, NDArray[Any]]:
+def pair_arrays(model: WholeModel, index: dict[str, int]) -> dict[str, NDArray[Any]]:
     """pair_p, pair_q, pair_mass, pair_skew and thin of `System`."""
     pairs: list[tuple[int, int, float, float]] = []
     thin = np.zeros(len(index), np.bool_)
@@ -115,7 +115,7 @@ class Continua:
         return edge_elements(self.p, self.q, self.start, self.groups, delays)
 
 
-def compiled_continua(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
+def compiled_continua(model: WholeModel, index: dict[str, int], x0: NDArray[np.float64]) -> Continua | None:
     """All membranes, solids and elastic beams of a model on positions x0 (n, 3), or None if it has none."""
     patches, beams = tuple(_patches(model, index, x0)), beam_elements(model, index, x0)
     if not patches and beams is None:
@@ -160,7 +160,7 @@ def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:
     return np.asarray(nodes[:, i] * n + nodes[:, j])
 
 
-def _patches(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> list[Patch]:
+def _patches(model: WholeModel, index: dict[str, int], x0: NDArray[np.float64]) -> list[Patch]:
     found = []
     parts: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
     for name, part in parts:
@@ -343,7 +343,7 @@ class Skin:
     kinds: tuple[str, ...]
 
 
-def skin_of(model: Model) -> Skin:
+def skin_of(model: WholeModel) -> Skin:
     """The elements of membranes; of solids the faces that belong to one element only."""
     index = {name: k for k, name in enumerate(model.nodes)}
     records: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
@@ -370,7 +370,7 @@ def skin_of(model: Model) -> Skin:
     )
 
 
-def body_faces(model: Model, x0: NDArray[np.float64]) -> list[list[int]]:
+def body_faces(model: WholeModel, x0: NDArray[np.float64]) -> list[list[int]]:
     """Nodes of the triangles that a body of three nodes or more is drawn with: its hull in the start configuration (n, dim)."""
     if not model.bodies:
         return []

@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.coordinates.forms import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
-from kinetruss.model import Model, turns
+from kinetruss.model import WholeModel, turns
 from kinetruss.model.data import FORCE_ELEMENTS
 
 if TYPE_CHECKING:
@@ -25,12 +25,12 @@ TURN = 2 * math.pi
 _OF_STARTS = ("measure_period", "measure_start", "measure_scale")
 
 
-def is_measured(model: Model, drive: Any) -> bool:
+def is_measured(model: WholeModel, drive: Any) -> bool:
     """True for drives whose coordinate is a sum of terms, not the length or the planar angle of one bar."""
     return drive.kind == "hinge" or (drive.kind == "angle" and model.dim == 3)
 
 
-def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64]) -> dict[str, Any]:
+def measure_arrays(model: WholeModel, index: dict[str, int], x0: NDArray[np.float64]) -> dict[str, Any]:
     """The measures of `System`: of drives, then of couplings, then of elements, in the order of the model."""
     sums: list[tuple[str, list[tuple[Any, float]], float | None]]
     sums = [(name, [(drive, 1.0)], None) for name, drive in model.all_drives.items() if is_measured(model, drive)]
@@ -61,7 +61,7 @@ def measure_arrays(model: Model, index: dict[str, int], x0: NDArray[np.float64])
     return found | {"force_elements": tuple(model.force_elements), "force_element_measure": np.arange(first, len(sums))}
 
 
-def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np.float64]) -> dict[str, Any]:
+def _starts(model: WholeModel, found: dict[str, Any], sums: list[Any], x0: NDArray[np.float64]) -> dict[str, Any]:
     """Scale, period and start value of every measure."""
     from kinetruss.kernels.coordinates.straight_line import addresses_of
     from kinetruss.kernels.structure.terms import measure_gradient, measure_value, nearest_turn
@@ -81,7 +81,7 @@ def _starts(model: Model, found: dict[str, Any], sums: list[Any], x0: NDArray[np
 
 
 def terms_of(
-    model: Model, index: dict[str, int], x0: NDArray[np.float64], one: Any, factor: float
+    model: WholeModel, index: dict[str, int], x0: NDArray[np.float64], one: Any, factor: float
 ) -> list[tuple[int, list[int], list[float]]]:
     """Kind, places and data of the terms of one coordinate."""
 

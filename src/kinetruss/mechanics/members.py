@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN
-from kinetruss.model import Active, Bar, Model, PointMass, natural_length, stiffness
-from kinetruss.model.hub_arms import arms_of, clamped_at
-from kinetruss.model.hub_expansion import pivots_of
+from kinetruss.model import Active, Bar, PointMass, WholeModel, natural_length, stiffness
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,7 +17,7 @@ RIGID, DRIVEN, ELASTIC, FREE = range(4)
 _KINDS = {"rigid": RIGID, "driven": DRIVEN, "elastic": ELASTIC, "cable": ELASTIC, "free": FREE}
 
 
-def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]:
+def member_arrays(model: WholeModel, distance: NDArray[np.float64]) -> dict[str, Any]:
     """Arrays of `System` that have one entry a member; `distance` (m,) of the ends at the start, m."""
     members = list(model.members.items())
     active = [(i, member) for i, (_, member) in enumerate(members) if isinstance(member, Active)]
@@ -33,8 +31,9 @@ def member_arrays(model: Model, distance: NDArray[np.float64]) -> dict[str, Any]
     found["own_rods"] = found["rods"].copy()
     found["clamped"] = _two_rods(model, active, found)
     # hubs are rigid bodies, with their arms and with the members clamped to them
-    of_hubs = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
-    of_hubs |= {one.member for one in pivots_of(model) if one.steady}
+    of_hubs = {arm.name for arms in model.inner.arms.values() for arm in arms}
+    of_hubs |= {name for hub in model.hubs.values() for name in hub.clamped}
+    of_hubs |= {one.member for one in model.inner.pivots if one.steady}
     found["compliance"][[i for i, (name, _) in enumerate(members) if name in of_hubs]] = np.nan
     for i, _, bar in bars:
         if bar.kind != "rigid":
@@ -61,15 +60,15 @@ def _empty(count: int, distance: NDArray[np.float64]) -> dict[str, Any]:
     }
 
 
-def _bars(model: Model, bars: list[tuple[int, str, Bar]], found: dict[str, Any]) -> None:
+def _bars(model: WholeModel, bars: list[tuple[int, str, Bar]], found: dict[str, Any]) -> None:
     """Kinds, compliances, rods and rigid bodies of bars (i, name, bar)."""
     driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
-    known: dict[tuple[int, int, bool], tuple[float, float]] = {}
+    known: dict[tuple[int, int, type[Bar]], tuple[float, float]] = {}
     uniform: list[int] = []
     lines: list[float] = []
     soft: list[float] = []
     for i, _, bar in bars:
-        shared = id(bar.section), id(bar.material), bar.brace  # the properties that many bars have in common
+        shared = id(bar.section), id(bar.material), type(bar)  # the properties that many bars have in common
         per_length = known.get(shared)
         if per_length is None:
             per_length = known[shared] = _per_length(model.section_of(bar), model.material_of(bar))
@@ -90,7 +89,7 @@ def _bars(model: Model, bars: list[tuple[int, str, Bar]], found: dict[str, Any])
     found["rods"][uniform, :2] = np.stack([np.array(lines) * length, length], axis=1)
 
 
-def _two_rods(model: Model, active: list[tuple[int, Active]], found: dict[str, Any]) -> NDArray[np.float64]:
+def _two_rods(model: WholeModel, active: list[tuple[int, Active]], found: dict[str, Any]) -> NDArray[np.float64]:
     """Rods and compliances of active members (i, member); returns the masses clamped on them (k, 3): rod, place in 0..1, kg.
 
     Rod 2 i is the base of member i, with places from end A, rod 2 i + 1 its tube, with places from end A of the tube.
@@ -109,7 +108,7 @@ def _two_rods(model: Model, active: list[tuple[int, Active]], found: dict[str, A
     return np.array(clamped).reshape(-1, 3)
 
 
-def _law(model: Model, bar: Bar, distance: float, i: int, found: dict[str, Any]) -> None:
+def _law(model: WholeModel, bar: Bar, distance: float, i: int, found: dict[str, Any]) -> None:
     """Law, stiffness, natural length and damping of bar i; a damped free bar is a spring without stiffness."""
     found["damping"][i] = bar.damping
     if bar.kind in ("elastic", "cable"):
@@ -121,7 +120,7 @@ def _law(model: Model, bar: Bar, distance: float, i: int, found: dict[str, Any])
         found["law"][i], found["natural"][i] = ENGINEERING, distance
 
 
-def _rod(model: Model, part: Any, length: float) -> tuple[float, float, float]:
+def _rod(model: WholeModel, part: Any, length: float) -> tuple[float, float, float]:
     """Mass, length and rotary inertia m I/A of one rod."""
     section, material = model.section_of(part), model.material_of(part)
     mass = part.mass
@@ -146,7 +145,7 @@ def _loaded(rod: NDArray[np.float64], masses: tuple[PointMass, ...]) -> tuple[fl
     return total, length, second - total * length**2 / 3
 
 
-def _in_series(model: Model, member: Active) -> tuple[float, float]:
+def _in_series(model: WholeModel, member: Active) -> tuple[float, float]:
     """1/(E A), 1/N, by the length of an active member, and the part of its flexibility that does not change with it, m/N."""
     base, tube = _compliance(model, member.base), _compliance(model, member.tube)
     given = member.compliance
@@ -158,7 +157,7 @@ def _in_series(model: Model, member: Active) -> tuple[float, float]:
     return screw, member.tube.length * (tube - screw) + springs
 
 
-def _compliance(model: Model, part: Any) -> float:
+def _compliance(model: WholeModel, part: Any) -> float:
     return _per_length(model.section_of(part), model.material_of(part))[1]
 
 

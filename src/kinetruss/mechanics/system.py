@@ -15,7 +15,7 @@ from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.measure_arrays import measure_arrays
 from kinetruss.mechanics.members import DRIVEN, RIGID, member_arrays
-from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, inner_parts
+from kinetruss.model import AngleDrive, CoordinateDrive, Inner, LengthDrive, Model, WholeModel
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,6 +28,7 @@ _AXIS = {"x": 0, "y": 1, "z": 2}
 class System:
     """Arrays of a model. All vectors have three components; planar models keep z = 0. Coordinates are flat: 3 node + axis.
 
+    model : the whole, with inner parts behind those of the user, in `nodes` and `members` too; given : the user's.
     x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
     tube, each the uniform rod with the same moments as that with its masses; own_rods (m, 6): likewise, without the masses, and
@@ -51,7 +52,8 @@ class System:
     continua : membranes and solids, or None.
     """
 
-    model: Model
+    given: Model
+    model: WholeModel
     dim: int
     nodes: tuple[str, ...]
     members: tuple[str, ...]
@@ -154,10 +156,10 @@ class System:
         names = ("row_member", "row_kind", "row_drive", "row_value", "row_measure")
         return replace(self, **({name: getattr(self, name)[rows] for name in names} | changes))
 
-    @cached_property
+    @property
     def inner(self) -> Inner:
         """The inner parts of the model."""
-        return inner_parts(self.model)
+        return self.model.inner
 
     def _part(self, name: str) -> str:
         """The user's part that a member or coupling belongs to: itself, or of an inner one that of its owner."""
@@ -235,7 +237,11 @@ class ByIdentity:
 
 @lru_cache(maxsize=32)
 def _compiled(key: ByIdentity) -> System:
-    model = key.model
+    return system_of(key.model, key.model.whole)
+
+
+def system_of(given: Model, model: WholeModel) -> System:
+    """Compile a whole of the user's model to arrays."""
     nodes, members = tuple(model.nodes), tuple(model.members)
     index = {name: i for i, name in enumerate(nodes)}
     x0 = np.zeros((len(nodes), 3))
@@ -250,6 +256,7 @@ def _compiled(key: ByIdentity) -> System:
     fields |= measure_arrays(model, index, x0)
     fields |= _row_arrays(model, members, index, x0, p, q, fields)
     system = System(
+        given=given,
         model=model,
         dim=model.dim,
         nodes=nodes,
@@ -267,7 +274,7 @@ def _compiled(key: ByIdentity) -> System:
     return system
 
 
-def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
+def _node_arrays(model: WholeModel, index: dict[str, int]) -> dict[str, Any]:
     count = len(index)
     lump = np.array([node.mass for node in model.nodes.values()])
     own = np.full((count, 3), np.nan)
@@ -304,7 +311,7 @@ def _node_arrays(model: Model, index: dict[str, int]) -> dict[str, Any]:
 
 
 def _row_arrays(
-    model: Model,
+    model: WholeModel,
     members: tuple[str, ...],
     index: dict[str, int],
     x0: NDArray[np.float64],

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from itertools import combinations, islice, pairwise
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.drives import LengthDrive
-from kinetruss.model.members import Bar
+from kinetruss.model.members import Brace
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from kinetruss.model.bodies import Body
     from kinetruss.model.data import ModelData
+    from kinetruss.model.members import Bar
 
 
 FLAT = 1e-6
@@ -239,30 +240,13 @@ INDEPENDENT = 1e-6
 Pair = frozenset[str]
 
 
-def braced(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
-    """The bars of a model with the braces of `groups`: its bodies, and frames of beams; braces of removed ones are left out."""
-    rigid: dict[str, set[str]] = {}
-    """Node -> rigid bodies with it."""
-    for key, body in groups.items():
-        for node in body.nodes if body.kind == "rigid" and body.brace else ():
-            rigid.setdefault(node, set()).add(key)
-    kept = {
-        name: bar
-        for name, bar in model.bars.items()
-        if not bar.brace
-        or (bar.kind == "free" and not name.endswith(CHORD))  # it measures a hinge
-        or not rigid.get(bar.ends[0], set()).isdisjoint(rigid.get(bar.ends[1], ()))
-    }
-    return {**kept, **braces(model, groups, faulty)}
-
-
 def rigid_pairs(model: ModelData) -> set[Pair]:
     """Pairs of nodes joined by a rigid bar."""
     driven = {drive.bar for drive in model.drives.values() if isinstance(drive, LengthDrive)}
     return {frozenset(bar.ends) for name, bar in model.bars.items() if bar.kind == "rigid" and name not in driven}
 
 
-def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
+def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, dict[str, Bar]]:
     """Bars to be added, by name: for each of these bodies the fewest that, with existing rigid bars, make its nodes rigid.
 
     Rigid bars, distances in previous bodies and distances between fixed nodes are kept. Then come the edges of the carriers,
@@ -277,11 +261,13 @@ def braces_of_each(model: ModelData, groups: Mapping[str, Body], more: Mapping[s
     found: dict[str, dict[str, Bar]] = {}
     for name, body in more.items():
         missing = _missing(model, body, pairs, clusters)
-        found[name] = {_name(model, {}, f"{name}.{one}-{two}"): Bar(ends=(one, two), mass=0.0) for one, two in missing}
+        found[name] = {_name(model, (), f"{name}.{one}-{two}"): Brace(ends=(one, two), mass=0.0) for one, two in missing}
     return found
 
 
-def _grown(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]) -> tuple[dict[str, Bar], set[Pair], _Clusters]:
+def _grown(
+    model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]
+) -> tuple[dict[str, dict[str, Bar]], set[Pair], _Clusters]:
     """`braces` of bodies, then all pairs of nodes with a rigid bar, and the sets of nodes of rigid parts."""
     skip = set(faulty)
     axes = "xyz"[: model.dim]
@@ -289,14 +275,17 @@ def _grown(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]) 
     ground = {name for name, fixed in model.fixed.items() if set(fixed) >= set(axes)}
     pairs = rigid_pairs(model)
     clusters = _Clusters(model, ground)
-    found: dict[str, Bar] = {}
+    found: dict[str, dict[str, Bar]] = {}
+    taken = set[str]()
     for name, body in groups.items():
         if body.kind != "rigid" or name in skip or odd & set(body.nodes):
             continue
         if body.brace:
+            own = found[name] = {}
             for one, two in _missing(model, body, pairs, clusters):
-                found[_name(model, found, f"{name}.{one}-{two}")] = Bar(ends=(one, two), brace=True)
+                own[_name(model, taken, f"{name}.{one}-{two}")] = Brace(ends=(one, two))
                 pairs.add(frozenset((one, two)))
+            taken.update(own)
         clusters.add(set(body.nodes))
     return found, pairs, clusters
 
@@ -335,9 +324,9 @@ class _Clusters:
         self.sets.append(own)
 
 
-def _name(model: ModelData, found: dict[str, Bar], name: str) -> str:
+def _name(model: ModelData, taken: Container[str], name: str) -> str:
     """The name, or a similar free one if another member has it."""
-    while name in model.bars or name in model.active or name in found:
+    while name in model.bars or name in model.active or name in taken:
         name += "'"
     return name
 

@@ -22,8 +22,8 @@ from kinetruss.mechanics import CABLE, System, cached, compile, ends_of
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Active, Bar, BodyCouple, Model
+from kinetruss.model.data import ModelData
 from kinetruss.model.hub_arms import arm_through
-from kinetruss.model.hub_expansion import pivots_of
 from kinetruss.results import Forces
 
 if TYPE_CHECKING:
@@ -139,7 +139,7 @@ def _parts(system: System) -> Parts:
     )
 
 
-def _numbers(model: Model, part: Any) -> tuple[float, ...]:
+def _numbers(model: ModelData, part: Any) -> tuple[float, ...]:
     section, material = model.section_of(part), model.material_of(part)
     if isinstance(part, Bar) and part.body is not None:
         section = material = None
@@ -162,10 +162,9 @@ ROUND_OFF = 1e-10
 
 def twisted_parts(model: Model) -> NDArray[np.bool_]:
     """Parts (parts,) that may be under torsion: arms and members of hinges and of `BodyCouple.member`."""
-    through = {(load.body, load.member) for load in _couples(model).values()}
+    through, pivots = {(load.body, load.member) for load in _couples(model).values()}, model.whole.inner.pivots
     names = {str(name) for _, name in through}
-    names |= {arm.name for body, member in through if member and (arm := arm_through(model, body, member))}
-    pivots = pivots_of(model) if model.hubs else []
+    names |= {arm.name for body, member in through if member and (arm := arm_through(model.whole, body, member))}
     names |= {one.tip for one in pivots}
     names |= {one.member for one in pivots if one.clamped or [other.member for other in pivots].count(one.member) == 2}
     return np.array([name in names for name in parts_of(model).members], np.bool_)
@@ -195,7 +194,7 @@ def torsion_of(model: Model, forces: Forces) -> NDArray[np.float64] | None:
                 continue
             i = index[name]
             torque = sign * np.einsum("tc,tc->t", couple, ends_of(system, x, i)[2])
-            rods = 2 if isinstance(model.members[name], Active) else 1
+            rods = 2 if name in model.active else 1
             found[:, parts.first[i] : parts.first[i] + rods] += np.where(np.abs(torque) > size, torque, 0.0)[:, None]
     return found
 
@@ -208,13 +207,13 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
         given = case_loads(compile(model), arrays["time"].values, case, rotating=True).amounts
         by_end: dict[tuple[str, int], str] = {}
         for name, load in couples.items():
-            arm = arm_through(model, load.body, str(load.member))
+            arm = arm_through(model.whole, load.body, str(load.member))
             if name in given and arm is not None:
                 # what leaves at one end entered at the other: of a member with couples at both ends the first counts
                 own = by_end.setdefault((arm.member, 0), f"{arm.end}") == f"{arm.end}"
                 yield arm.name, arm.member if own else "", arm.end, given[name]
-    if model.hubs and pivots_of(model):
-        coupling = arrays["coupling_force"].values if model.couplings else np.zeros((len(x), 0))
+    if model.whole.inner.pivots:
+        coupling = arrays["coupling_force"].values if model.whole.couplings else np.zeros((len(x), 0))
         hinges = couples_at_hinges(compile(model), x, arrays["member_force"].values, coupling)
         rubbed = {}
         if "bearing_couple" in arrays:
@@ -223,7 +222,7 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
             alone = not pivot.clamped and [one.member for one, _ in hinges].count(pivot.member) == 1
             own = not alone and pivot.member not in twisted
             twisted.add(pivot.member)
-            more = rubbed.get(list(model.members).index(pivot.tip), 0.0)
+            more = rubbed.get(list(model.whole.members).index(pivot.tip), 0.0)
             yield pivot.tip, pivot.member if own else "", pivot.end, couple + more
 
 

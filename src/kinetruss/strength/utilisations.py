@@ -268,8 +268,8 @@ def _beam_rows(model: Model, bent: dict[str, tuple[NDArray[np.float64], ...]]) -
 @cached()
 def axes_of_verdict(system: System) -> Axes:
     """What is judged, and the rules."""
-    names, members, _, _ = subjects(parts_of(system.model))
-    beams = list(beam_parts(system.model))
+    names, members, _, _ = subjects(parts_of(system.given))
+    beams = list(beam_parts(system.given))
     names, members = names + beams, members + beams
     return Axes(
         {

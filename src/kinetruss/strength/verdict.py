@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
+from kinetruss.model.members import Brace
 from kinetruss.results import Arrays, Column, Forces, Status, Verdict, provenance, row_text, variable
 from kinetruss.results.wide_tables import most_used
 from kinetruss.strength.beam_verdict import beam_notes, beam_parts, chord_of
@@ -52,11 +53,10 @@ def unchecked(model: Model) -> dict[str, str]:
     >>> unchecked(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"a": bar}))
     {'a': 'yield: no yield strength'}
     """
-    parts = parts_of(model)
+    parts, members = parts_of(model), model.whole.members
     found: dict[str, list[str]] = {}
     for r, (part, member) in enumerate(zip(parts.names, parts.members, strict=True)):
-        bar = model.bars.get(member)
-        if (bar is None or not bar.brace) and (what := missing(parts, r)):
+        if not isinstance(members[member], Brace) and (what := missing(parts, r)):
             found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
     for name in beam_parts(model):
         material = model.material_of(model.beams[name])
@@ -76,11 +76,11 @@ def _by_member(
     model: Model, data: Any, value: NDArray[np.float64], used: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
     """Over (times, members), of values and utilisations over (times, parts, rules)."""
-    rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.members)}
+    rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.whole.members)}
     index |= {name: index[chord_of(name)] for name in beam_parts(model)}
     of = np.array([index[str(name)] for name in data["member"].values], np.int64)
     stress, buckling = rules.index("yield"), rules.index("buckling")
-    count = len(model.members)
+    count = len(model.whole.members)
     largest = _largest(np.fmax.reduce(np.where(np.isinf(used), np.nan, used), axis=2), of, count)
     some = np.zeros(count, np.bool_)
     some[[index[name] for name in unchecked(model)]] = True
@@ -158,7 +158,7 @@ def check(
     rows, worst first; parts without a section, a material or a yield strength are at its end with a note. Where compression
     times its safety factor reaches Euler's load, the ``beam-column`` has no finite value: its utilisation is infinite, `note`
     says why, and ``buckling``, finite and at least 1, comes before it. Braces of a
-    body (`Bar.brace`) represent the body, so they have no rows.
+    body represent the body, so they have no rows.
     Elastic beams follow the bars, see `strength.beams`. ``message``, and ``data.attrs["not_held"]`` as a list,
     name actions that may bend bars but are not in their section forces; ``note`` repeats this for their entries.
 
@@ -236,7 +236,7 @@ def told(
         said[k, -1] = beyond_euler(float(worst["factored"][k, -1]), float(worst["euler"][k, -1]), safety)
     left = not_held(model, under)
     add_to_notes(left, members, worst["utilisation"], said)
-    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
+    said[[isinstance(model.whole.members.get(member), Brace) for member in members]] = ""  # braces represent a body, not bars
     with np.errstate(divide="ignore"):
         margin = 1 / worst["utilisation"] - 1
     known = {

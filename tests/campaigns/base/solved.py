@@ -12,7 +12,7 @@ import models
 import numpy as np
 from answers import Answer, Part, Refused
 from covers import covers
-from models import Case
+from models import Case, is_brace, whole
 
 import kinetruss as kt
 
@@ -135,10 +135,10 @@ def inverse(model: kt.Model, case: Case) -> Found:
 
 def _stands(model: kt.Model) -> None:
     """Refuse what has no unique answer: the factors of singular matrices are at the mercy of round-off, and may be worse."""
-    bars = {name: kt.Bar(ends=bar.ends) for name, bar in model.bars.items() if bar.kind != "free" and not bar.brace}
+    bars = {name: kt.Bar(ends=bar.ends) for name, bar in model.bars.items() if bar.kind != "free" and not is_brace(bar)}
     if not (model.membranes or model.solids) and kt.kinematics.mobility(model.with_(bars=model.bars | bars)).undriven:
         raise kt.InputError("a mechanism")
-    rigid = [one for one in model.bars.values() if one.kind in ("rigid", "driven")]
+    rigid = [one for one in whole(model).bars.values() if one.kind in ("rigid", "driven")]
     parts = [*rigid, *(part for one in model.active.values() for part in (one.base, one.tube))]
     hard = any(model.section_of(part) is None or model.material_of(part) is None for part in parts)
     if hard and kt.kinematics.mobility(model).self_stress:

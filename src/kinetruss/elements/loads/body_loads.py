@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.elements.loads.follower import COUPLE, FLAT_COUPLE, FORCE, Follower, unit_vector
 from kinetruss.elements.loads.load import Load, OnMember, OnOthers
-from kinetruss.model import BodyCouple, BodyForce, Model
+from kinetruss.model import BodyCouple, BodyForce, WholeModel
 from kinetruss.model.beam_frames import carriers_of
 from kinetruss.model.bodies import barycentric, placed
 
@@ -51,7 +51,7 @@ def _points(system: System, name: str) -> tuple[NDArray[np.int64], NDArray[np.fl
     return nodes, system.x0[nodes, : system.dim]
 
 
-def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _weights(model: WholeModel, load: BodyForce, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """w, u (k, 2) of the point a force acts at."""
     weights = np.zeros((len(points), 2))
     if carriers_of(model, load.body):
@@ -71,7 +71,7 @@ def _weights(model: Model, load: BodyForce, points: NDArray[np.float64]) -> NDAr
     return weights
 
 
-def _centre(model: Model, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _centre(model: WholeModel, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Start position of the centre of mass, m."""
     body = model.bodies.get(name)
     if body is None:  # a frame: its origin

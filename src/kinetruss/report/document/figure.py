@@ -89,7 +89,7 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
 def _member(places: Places, run: RunResult, part: str) -> int | None:
     """The place among the members shown of the member that an entry is about."""
     model = run.model
-    name = part if part in {*model.members, *model.beams, *model.drives} else part.rpartition(".")[0]
+    name = part if part in {*model.whole.members, *model.beams, *model.drives} else part.rpartition(".")[0]
     name = getattr(model.all_drives.get(name), "bar", name)
     names = [places.scene.header["members"][k] for k in places.members]
     return names.index(name) if name in names else None
