@@ -329,7 +329,7 @@ def _trajectories(model: ModelData) -> Iterator[Fault]:
         yield from _trajectory(model, trajectory, path)
 
 
-def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
+def trajectory_faults(model: Model, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
     """Faults of a trajectory against the drives and poses of a model.
 
     >>> import kinetruss as kt
@@ -339,8 +339,8 @@ def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] =
     ["no drive or pose coordinate called 'motor'."]
     """
     moved_by(trajectory)  # refuses what is none
-    yield from unknown_names(model, trajectory, path)
-    yield from _trajectory(model, trajectory, path)
+    yield from unknown_names(model.whole, trajectory, path)
+    yield from _trajectory(model.whole, trajectory, path)
 
 
 def _trajectory(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:

@@ -15,6 +15,7 @@ from kinetruss.model.data import ModelData
 from kinetruss.model.hub_expansion import add_hubs
 from kinetruss.model.hubs import missing_nodes
 from kinetruss.model.inner import Inner, Owner
+from kinetruss.model.members import Brace
 from kinetruss.model.references import unknown_names
 from kinetruss.model.table import ReadOnly
 
@@ -53,6 +54,11 @@ class WholeModel(ModelData):
         inner = self.inner.bars
         own = {name: bar for name, bar in self.bars.items() if name not in inner}
         return ReadOnly({**own, **self.active, **{name: self.bars[name] for name in inner}})
+
+    @cached_property
+    def real_members(self) -> dict[str, Bar | Active]:
+        """The first of them: those of the user, and arms of hubs; the others stand for no part that bears its forces alone."""
+        return ReadOnly({name: one for name, one in self.members.items() if not isinstance(one, Brace)})
 
     @classmethod
     def growing(cls, model: ModelData) -> WholeModel:
