@@ -218,7 +218,9 @@ def _whole_hubs(model: Model, groups: Sequence[SizedGroup]) -> None:
         sized = [group for group in groups if not set(names).isdisjoint(group.members)]
         if sized and not set(names) <= set(sized[0].members):
             mend = f"Name all of them in one group, or none: {', '.join(names)}."
-            raise ModelError([Fault(("groups", sized[0].name), f"has not all arms of hub {hub!r}, which have one section.", mend)])
+            raise ModelError(
+                [Fault(("groups", sized[0].name), f"has not all arms of hub {hub!r}, which have one section.", mend)]
+            )
 
 
 def _wanted(model: Model, mission: Mission) -> list[tuple[str, tuple[str, ...], Catalogue | str, tuple[str, ...]]]:
@@ -360,7 +362,9 @@ def _entry(table: dict[str, Any], name: str, record: Any) -> str:
     return name
 
 
-def _used(model: Model, table: dict[str, Any], bars: Mapping[str, Any], active: dict[str, Active], field: str) -> dict[str, Any]:
+def _used(
+    model: Model, table: dict[str, Any], bars: Mapping[str, Any], active: dict[str, Active], field: str
+) -> dict[str, Any]:
     """The table without entries that only sized members used before."""
 
     def names(some_bars: Mapping[str, Any], some_active: Mapping[str, Active]) -> set[Any]:

@@ -20,9 +20,9 @@ from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
+    from kinetruss.model.runs import BaseRotation, Condition
     from kinetruss.model.the_model import Model
     from kinetruss.model.whole import WholeModel
-    from kinetruss.model.runs import BaseRotation, Condition
 
 
 MOVING = (

@@ -157,7 +157,7 @@ def shift_of(run: RunResult, found: Result) -> Any:
         return found.data["displacement"].values
     if "position" not in found.data:
         return None
-    return found.data["position"].values - np.array([node.at for node in run.origin.nodes.values()])
+    return found.data["position"].values - np.array([node.at for node in run.origin.whole.nodes.values()])
 
 
 def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:

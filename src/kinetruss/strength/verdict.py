@@ -11,7 +11,6 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
-from kinetruss.model.members import Brace
 from kinetruss.results import Arrays, Column, Forces, Status, Verdict, provenance, row_text, variable
 from kinetruss.results.wide_tables import most_used
 from kinetruss.strength.beam_verdict import beam_notes, beam_parts, chord_of
@@ -53,10 +52,10 @@ def unchecked(model: Model) -> dict[str, str]:
     >>> unchecked(kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"a": bar}))
     {'a': 'yield: no yield strength'}
     """
-    parts, members = parts_of(model), model.whole.members
+    parts = parts_of(model)
     found: dict[str, list[str]] = {}
     for r, (part, member) in enumerate(zip(parts.names, parts.members, strict=True)):
-        if not isinstance(members[member], Brace) and (what := missing(parts, r)):
+        if what := missing(parts, r):
             found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
     for name in beam_parts(model):
         material = model.material_of(model.beams[name])
@@ -236,7 +235,6 @@ def told(
         said[k, -1] = beyond_euler(float(worst["factored"][k, -1]), float(worst["euler"][k, -1]), safety)
     left = not_held(model, under)
     add_to_notes(left, members, worst["utilisation"], said)
-    said[[isinstance(model.whole.members.get(member), Brace) for member in members]] = ""  # braces represent a body, not bars
     with np.errstate(divide="ignore"):
         margin = 1 / worst["utilisation"] - 1
     known = {

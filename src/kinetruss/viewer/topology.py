@@ -9,6 +9,7 @@ import numpy as np
 
 from kinetruss.elements.continua_arrays import body_faces, skin_of
 from kinetruss.elements.local_axes import orientation
+from kinetruss.kernels.sections.peaks import UNKNOWN
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.beam_forces import beam_curves
 from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, WholeModel, turns
@@ -66,6 +67,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     members, (sections, rectangles) = whole.members, _sections(whole)
     index = {name: i for i, name in enumerate(whole.nodes)}
     chords, frames = beams_by_chord(whole), frame_nodes(whole)
+    inner = len(members) - len(parts.first)
     header: dict[str, Any] = {
         "nodes": list(whole.nodes),
         "members": [name.removesuffix(CHORD) if name in chords else name for name in members],
@@ -81,7 +83,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
             _drive(name, drive, index, list(members), [one.ends for one in members.values()])
             for name, drive in model.all_drives.items()
         ],
-        "parts": list(parts.names),
+        "parts": [*parts.names, *list(members)[len(parts.first) :]],
         "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None]
         + list(_flat_bodies(whole)),
         "solids": body_faces(whole, system.x0[:, : model.dim]),
@@ -98,10 +100,11 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "orient": orientation(system).node,
         "radius": np.array([max(_fibres(one)) for one in sections]),
         "box": np.array([_fibres(one) for one in rectangles]).reshape(-1, 2),
-        "part_member": parts.member.astype(np.int32),
-        "part_shape": parts.shape.astype(np.int32),
-        "part_scale": parts.scale,
-        "part_allowed": parts.yield_strength / model.safety.yielding,
+        # what inner bars are made of is not known
+        "part_member": np.append(parts.member, np.arange(len(parts.first), len(members))).astype(np.int32),
+        "part_shape": np.append(parts.shape, np.full(inner, UNKNOWN)).astype(np.int32),
+        "part_scale": np.concatenate([parts.scale, np.full((inner, 4), np.nan)]),
+        "part_allowed": np.append(parts.yield_strength / model.safety.yielding, np.full(inner, np.nan)),
         "lump": system.lump,
     }
     if len(skin.nodes):
