@@ -38,8 +38,8 @@ def tips() -> dict[str, Any]:
 def raised(model: kt.Model) -> tuple[Any, Any, Any]:
     """All legs grow."""
     start = {
-        name: float(np.linalg.norm(np.subtract(*(model.nodes[n].at for n in member.ends))))
-        for name, member in model.members.items()
+        name: float(np.linalg.norm(np.subtract(*(model.whole.nodes[n].at for n in member.ends))))
+        for name, member in model.whole.members.items()
         if name in model.driven_members
     }
     moves = {name: (one, one + 0.03 + 0.005 * k) for k, (name, one) in enumerate(start.items())}

@@ -83,8 +83,8 @@ def test_a_rigid_beam_on_a_hinge_is_a_pendulum_in_its_plane():
     found = kt.dynamics.linearise(model)
     assert found.frequency.values == pytest.approx([math.sqrt(1.5 * 9.81 / L) / (2 * math.pi)], rel=1e-9)
     push = np.cross(axis, (0, 0, -1.0))
-    speeds = {name: tuple(2.0 * np.cross(axis, np.array(node.at))) for name, node in model.nodes.items() if name != "A"}
-    held = {name: v for name, v in speeds.items() if name not in model.fixed}
+    speeds = {name: tuple(2.0 * np.cross(axis, np.array(node.at))) for name, node in model.whole.nodes.items() if name != "A"}
+    held = {name: v for name, v in speeds.items() if name not in model.whole.fixed}
     run = kt.dynamics.simulate(model.with_(velocities=held), 1.0, samples=21)
     place = run.motion.position.sel(node="B").values
     assert np.abs(place @ axis).max() < 1e-8

@@ -112,7 +112,7 @@ def add_frames(whole: WholeModel) -> None:
 
     def add(node: str, at: tuple[float, ...], owner: Owner) -> None:
         if node not in own:  # else a fault
-            whole.nodes[node], inner.nodes[node] = Node(at=at, coincident=True), owner
+            whole.nodes[node], inner.nodes[node] = Node.model_construct(at=at, coincident=True), owner
 
     for name, frame in inner.frames.items():
         at = whole.nodes[frame.origin].at
@@ -175,7 +175,7 @@ def shape_bars(whole: WholeModel, names: Iterable[str]) -> dict[str, dict[str, B
 def add_chords(whole: WholeModel) -> None:
     """Add free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
     for name, beam in sound_beams(whole):
-        whole.bars[f"{name}{CHORD}"] = Brace(ends=beam.ends, kind="free", mass=0.0)
+        whole.bars[f"{name}{CHORD}"] = Brace.model_construct(ends=beam.ends, kind="free", mass=0.0)
         whole.inner.bars[f"{name}{CHORD}"] = Owner("beams", name)
 
 

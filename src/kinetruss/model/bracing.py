@@ -237,6 +237,9 @@ CHORD = ".chord"
 INDEPENDENT = 1e-6
 """Least norm of the new part of the gradient of a bar that counts as independent."""
 
+SOUND = 0.01
+"""Normalised volume above which all edges of a simplex are independent."""
+
 Pair = frozenset[str]
 
 
@@ -283,7 +286,7 @@ def _grown(
         if body.brace:
             own = found[name] = {}
             for one, two in _missing(model, body, pairs, clusters):
-                own[_name(model, taken, f"{name}.{one}-{two}")] = Brace(ends=(one, two))
+                own[_name(model, taken, f"{name}.{one}-{two}")] = Brace.model_construct(ends=(one, two))
                 pairs.add(frozenset((one, two)))
             taken.update(own)
         clusters.add(set(body.nodes))
@@ -335,16 +338,20 @@ def _missing(model: ModelData, body: Body, pairs: set[Pair], clusters: _Clusters
     """Pairs of nodes that need a bar."""
     import numpy as np
 
+    from kinetruss.model.bodies import quality
+
     nodes = body.nodes
     x = np.array([model.nodes[name].at for name in nodes], float)
-    space = _Space(x)
     every = list(combinations(range(len(nodes)), 2))
     kept = [(i, j) for i, j in every if frozenset((nodes[i], nodes[j])) in pairs or clusters.together(nodes[i], nodes[j])]
     if len(kept) == len(every):
         return []
+    carriers = [nodes.index(name) for name in body.carried_by(model.dim)]
+    if not kept and len(carriers) == len(nodes) and quality(x) > SOUND:  # all edges are independent
+        return [(nodes[i], nodes[j]) for i, j in every]
+    space = _Space(x)
     for i, j in kept:
         space.take(i, j)
-    carriers = [nodes.index(name) for name in body.carried_by(model.dim)]
     edges = [sorted(pair) for pair in combinations(carriers, 2)]
     wanted: list[tuple[int, int]] = [(i, j) for i, j in sorted(edges) if space.take(i, j)]
     done = sorted(carriers)

@@ -157,7 +157,7 @@ def _add_axes(whole: WholeModel) -> None:
 
 def _add_node(whole: WholeModel, hub: str, node: str, at: tuple[float, ...], *, still: bool = False) -> None:
     """Add a node of a hub. still : it moves and stands with the centre, which the ground holds."""
-    whole.nodes[node], whole.inner.nodes[node] = Node(at=at, coincident=True), Owner("hubs", hub, hub)
+    whole.nodes[node], whole.inner.nodes[node] = Node.model_construct(at=at, coincident=True), Owner("hubs", hub, hub)
     if still:
         whole.fixed[node] = whole.fixed[hub]
         if hub in whole.support_motion:

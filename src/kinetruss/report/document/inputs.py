@@ -15,7 +15,6 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Model, Of, Record, Run
 from kinetruss.model.data import FORCE_ELEMENTS
-from kinetruss.model.members import Brace
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
@@ -31,7 +30,7 @@ def section_constants(model: Model) -> list[Table]:
     """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
     users: dict[str, list[str]] = {}
     sections: dict[str, Any] = {}
-    for name, member in {**model.whole.members, **model.beams}.items():
+    for name, member in {**model.whole.real_members, **model.beams}.items():
         rods = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, rod in rods.items():
             section = model.section_of(rod)
@@ -88,7 +87,7 @@ def members_of(model: Model) -> list[Row]:
     system = compile(model)
     mass = system.rods[:, 0] + system.rods[:, 3] + system.body[:, 0]
     found = []
-    for k, (name, member) in enumerate({**system.model.members, **model.members}.items()):
+    for k, (name, member) in enumerate({**system.model.real_members, **model.members}.items()):
         if name not in model.members and not mass[k]:
             continue
         rods = (member.base, member.tube) if isinstance(member, Active) else (member,)
@@ -288,8 +287,7 @@ def _to(clamp: str) -> str:
 def _parts(model: Model) -> Iterator[tuple[str, str]]:
     """Materials and sections with the parts that use them."""
     users: dict[str, list[str]] = {}
-    given = {name: one for name, one in model.whole.members.items() if not isinstance(one, Brace)}
-    for name, member in (given | dict(model.beams)).items():
+    for name, member in {**model.whole.real_members, **model.beams}.items():
         parts = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, part in parts.items():
             for record in (model.material_of(part), model.section_of(part)):
