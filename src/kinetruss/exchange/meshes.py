@@ -210,8 +210,7 @@ def _bodies(model: Model, x: Any, left: list[LeftOut]) -> Iterator[NDArray[np.fl
         try:
             hull = ConvexHull(points)
         except (QhullError, ValueError):
-            owner = whole.inner.bodies.get(name)
-            left.append(LeftOut("body", name if owner is None else owner.text, "its nodes span no volume"))
+            left.append(LeftOut("body", whole.inner.part_of(name), "its nodes span no volume"))
             continue
         faces = points[hull.simplices]
         outward = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])

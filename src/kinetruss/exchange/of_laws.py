@@ -141,7 +141,8 @@ def couplings_of(model: Model, places: Mapping[str, Place], left: list[LeftOut])
             if place is not None:
                 factors[place.pivot] = factors.get(place.pivot, 0.0) + factor * place.sign
         if None in own:
-            left.append(LeftOut("couplings", name, "it couples what is no angle of a joint: the robot has more freedoms"))
+            what = model.whole.inner.part_of(name)
+            left.append(LeftOut("couplings", what, "it couples what is no angle of a joint: the robot has more freedoms"))
         else:
             found.append(JointCoupling(name=name, factors=factors, where=name))
     return found

@@ -161,23 +161,18 @@ class System:
         """The inner parts of the model."""
         return self.model.inner
 
-    def _part(self, name: str) -> str:
-        """The user's part that a member or coupling belongs to: itself, or of an inner one that of its owner."""
-        owner = self.inner.bars.get(name) or self.inner.couplings.get(name)
-        return name if owner is None else owner.text
-
     def row_name(self, r: Any) -> str:
         """The name of what row r prescribes: a member, ``angle of`` one, a drive or a coupling."""
         return f"angle of {self._of(r)}" if self._turns(r) else self._of(r)
 
     def part_of(self, r: Any) -> str:
         """The same, of an inner part its owner."""
-        part = self._part(self._of(r))
+        part = self.inner.part_of(self._of(r))
         return f"angle of {part}" if self._turns(r) and part == self._of(r) else part
 
     def parts_of(self, rows: Any) -> list[str]:
         """The user's parts to which some rows belong, each once."""
-        return list(dict.fromkeys(self._part(self._of(r)) for r in rows))
+        return list(dict.fromkeys(self.inner.part_of(self._of(r)) for r in rows))
 
     def _of(self, r: Any) -> str:
         """The member, drive or coupling of a row."""

@@ -194,7 +194,6 @@ def perpendicular(axis: NDArray[np.float64], along: NDArray[np.float64]) -> NDAr
 def add_hubs(model: ModelData, whole: WholeModel) -> None:
     """Add the arms, axes and bodies of the hubs of a model to its whole, and let members end at their arms."""
     inner = whole.inner
-    inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs})
     inner.pivots.extend(pivots_of(model))
     for hub, arms in inner.arms.items():
         _add_arms(whole, hub, arms)

@@ -48,3 +48,8 @@ class Inner:
     spins: list[Spin] = field(default_factory=list)
     arms: dict[str, list[Arm]] = field(default_factory=dict)
     pivots: list[Pivot] = field(default_factory=list)
+
+    def part_of(self, name: str) -> str:
+        """The user's part to which a bar, coupling or body belongs: itself, or of an inner one its owner in words."""
+        owner = self.bars.get(name) or self.couplings.get(name) or self.bodies.get(name)
+        return name if owner is None else owner.text

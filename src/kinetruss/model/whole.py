@@ -12,6 +12,7 @@ from kinetruss.model.body_checks import body_faults
 from kinetruss.model.bracing import braces
 from kinetruss.model.checks import dimension
 from kinetruss.model.data import ModelData
+from kinetruss.model.hub_arms import arms_of
 from kinetruss.model.hub_expansion import add_hubs
 from kinetruss.model.hubs import missing_nodes
 from kinetruss.model.inner import Inner, Owner
@@ -87,6 +88,7 @@ def expanded(model: ModelData) -> WholeModel:
     First hubs get their arms and bodies, then beams their frames; last the bars that all rigid ones still need.
     """
     whole = WholeModel.growing(model)
+    whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})
     if model.hubs and missing_nodes(model):
         return whole.sealed()
     if model.hubs:

@@ -263,7 +263,7 @@ def closure(run: RunResult) -> dict[str, Any] | None:
         at = int(error.argmax())
         if worst is None or error[at] > worst["error"]:
             share = float(error[at] / length[at]) if length[at] else 0.0
-            part = whole.inner.bars[name].text if name in whole.inner.bars else name
+            part = whole.inner.part_of(name)
             worst = {"error": float(error[at]), "relative": share, "member": part, "time": float(time[at])}
     return worst
 

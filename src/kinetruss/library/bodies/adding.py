@@ -75,7 +75,7 @@ def rigid(
     >>> import kinetruss as kt
     >>> ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"], gravity=(0, 0, -9.81))
     >>> top = kt.library.bodies.rigid(ground, "top", mass=1.0, center=(0, 0, 0.1), inertia=(2e-3, 2e-3, 1e-3), nodes=["O"])
-    >>> len(top.nodes), len(top.bars), kt.kinematics.mobility(top).degrees_of_freedom
+    >>> len(top.nodes), len(top.whole.bars), kt.kinematics.mobility(top).degrees_of_freedom
     (5, 9, 3)
     """
     if name in model.bodies:
