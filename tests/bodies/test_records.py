@@ -20,15 +20,17 @@ def made(body, nodes=MORE, **fields):
 
 def test_bars_are_added_once():
     model = made({"nodes": FOUR, "mass": 2.0}, CORNERS)
-    assert len(model.bars) == 6
-    assert all(bar.brace and bar.kind == "rigid" for bar in model.bars.values())
-    assert model.with_(title="again").bars == model.bars
-    assert len(made({"nodes": FOUR}, CORNERS, bars={"own": ("Y", "X")}).bars) == 6
+    assert not model.bars and len(model.whole.bars) == 6
+    assert all(name in model.whole.inner.bars and bar.kind == "rigid" for name, bar in model.whole.bars.items())
+    assert {owner.text for owner in model.whole.inner.bars.values()} == {"body b"}
+    assert model.with_(title="again").whole.bars == model.whole.bars
+    assert len(made({"nodes": FOUR}, CORNERS, bars={"own": ("Y", "X")}).whole.bars) == 6
 
 
 def test_braces_go_with_their_body():
     model = made({"nodes": FOUR, "mass": 2.0}, CORNERS, bars={"own": ("O", "X")})
-    assert list(model.with_(bodies={}).bars) == ["own"]
+    assert list(model.bars) == ["own"] and len(model.whole.bars) == 6
+    assert list(model.with_(bodies={}).whole.bars) == ["own"]
 
 
 @pytest.mark.parametrize(("shared", "bars", "freedoms"), [(1, 12, 9), (2, 11, 7), (3, 9, 6), (4, 6, 6)])
@@ -38,7 +40,7 @@ def test_shared_nodes_are_joints(shared, bars, freedoms):
     names = [f"N{k}" for k in range(8 - shared)]
     nodes = {name: tuple(rng.normal(size=3)) for name in names}
     found = kt.Model(nodes=nodes, bodies={"a": kt.Body(nodes=names[:4]), "b": kt.Body(nodes=names[-4:])})
-    assert len(found.bars) == bars
+    assert len(found.whole.bars) == bars
     counts = mobility(found)
     assert (counts.degrees_of_freedom, counts.self_stress) == (freedoms, 0)
 
@@ -51,20 +53,20 @@ def test_more_nodes_are_held_without_redundance(dim):
     nodes["M"] = tuple(np.mean([nodes["N0"], nodes["N1"]], axis=0))  # in line with two of them
     order = ["N0", "N1", "M", *(f"N{k}" for k in range(2, 9))]
     found = kt.Model(nodes=nodes, bodies={"b": kt.Body(nodes=order, carriers=["N0", "N1", "N2", "N3"][: dim + 1])})
-    assert len(found.bars) == dim * 10 - dim * (dim + 1) // 2
+    assert len(found.whole.bars) == dim * 10 - dim * (dim + 1) // 2
     counts = mobility(found)
     assert (counts.degrees_of_freedom, counts.self_stress) == (dim * (dim + 1) // 2, 0)
 
 
 def test_fixed_nodes_need_no_bar_between_them():
     found = made({"nodes": FOUR}, CORNERS, fixed=["O", "X"])
-    assert len(found.bars) == 5
+    assert len(found.whole.bars) == 5
     assert mobility(found).degrees_of_freedom == 1
 
 
 def test_straining_bodies_are_not_braced():
-    assert not made({"nodes": FOUR, "mass": 1.0, "kind": "straining"}).bars
-    assert not made({"nodes": FOUR, "mass": 1.0, "brace": False}).bars
+    assert not made({"nodes": FOUR, "mass": 1.0, "kind": "straining"}).whole.bars
+    assert not made({"nodes": FOUR, "mass": 1.0, "brace": False}).whole.bars
 
 
 @pytest.mark.parametrize("suffix", [".yaml", ".json"])

@@ -66,8 +66,8 @@ def test_a_failed_member_of_a_hinge_takes_bearing_and_drive_with_it() -> None:
         conditions={"failed": kt.Condition(failed=("arm",))},
     )
     left = kt.under(model, "failed")
-    assert list(left.nodes) == ["O", "A", "E"] and list(left.bars) == ["tie"]
-    assert not left.hubs and not left.bodies and not left.drives and not left.bearings
+    assert list(left.whole.nodes) == ["O", "A", "E"] and list(left.whole.bars) == ["tie"]
+    assert not left.hubs and not left.whole.bodies and not left.drives and not left.bearings
 
 
 def test_a_beam_under_a_temperature_is_refused() -> None:

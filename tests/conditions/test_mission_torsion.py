@@ -121,8 +121,8 @@ def test_a_sizing_counts_torsion_and_proves_it(tmp_path: Path) -> None:
     """The tube is the lightest that passes runs of models with each tube; with smaller ones only the message is left."""
     model, worst = swung(), {}
     for d in WALLS:
-        arm = model.bars["O.link"].with_(section=kt.Tube(outer=1e-3 * d, inner=1e-3 * (d - 2)), material="steel_s235")
-        with_tube = model.with_(bars={**model.bars, "O.link": arm})
+        tube = kt.Tube(outer=1e-3 * d, inner=1e-3 * (d - 2))
+        with_tube = model.with_(hubs={"O": model.hubs["O"].with_(section=tube, material="steel_s235")})
         rows = [row for name in model.runs for row in kt.run(with_tube, name).verdict.table()]
         worst[d] = max(row.utilisation for row in rows if row.part == "O.link" and row.checked)
     lightest = next(d for d in WALLS if worst[d] <= 1)

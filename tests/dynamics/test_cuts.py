@@ -99,10 +99,10 @@ def closes(model, motion, forces, time):
     assert system.unique
     assert system.residual < 1e-11 * system.largest
     assert system.difference < 1e-12 * system.largest * system.condition
-    for node in model.nodes:
+    for node in model.whole.nodes:
         found = kt.dynamics.free_body(model, motion, forces, node=node, time=time)
         assert found.residual < 1e-11 * system.largest
-    for member in model.members:
+    for member in model.whole.members:
         found = kt.dynamics.free_body(model, motion, forces, member=member, time=time)
         assert found.residual < 1e-11 * system.largest
     return system

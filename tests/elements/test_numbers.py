@@ -217,8 +217,7 @@ def _largest(values):
 
 def _moved(model: kt.Model, by: float, name: str = "B") -> dict[str, object]:
     node = model.nodes[name]
-    own = {name: one for name, one in model.nodes.items() if not one.director}
-    return {"nodes": {**own, name: node.with_(at=(node.at[0] + by, *node.at[1:]))}}
+    return {"nodes": {**model.nodes, name: node.with_(at=(node.at[0] + by, *node.at[1:]))}}
 
 
 CHANGES = {

@@ -95,7 +95,7 @@ def test_every_part_is_in_equilibrium_and_energy_is_kept() -> None:
     model, motion, forces = linkage()
     largest = float(np.abs(forces.data.joint_force).max())
     for time in motion.data.time.values[[0, 4, 8]]:
-        for cut in [{"member": name} for name in model.bars] + [{"node": name} for name in model.nodes]:
+        for cut in [{"member": name} for name in model.whole.bars] + [{"node": name} for name in model.whole.nodes]:
             assert kt.dynamics.free_body(model, motion, forces, time=time, **cut).residual < 1e-11 * largest
         assert kt.dynamics.newton_euler(model, motion, forces, time=time).residual < 1e-11 * largest
     assert np.abs(forces.data.energy_balance).max() < 1e-10 * np.abs(forces.data.power).max()

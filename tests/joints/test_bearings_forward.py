@@ -121,7 +121,7 @@ def test_friction_between_moving_parts_keeps_momenta() -> None:
     size = float(np.abs(run.forces.data.joint_force).max())
     for member in ("crank", "link", "K.link"):
         assert kt.dynamics.free_body(model, run.motion, run.forces, member=member, time=0.05).residual < 1e-9 * size
-    for node in model.nodes:
+    for node in model.whole.nodes:
         assert kt.dynamics.free_body(model, run.motion, run.forces, node=node, time=0.05).residual < 1e-9 * size
     back = kt.dynamics.inverse(model, run.motion)
     assert np.allclose(back.data.bearing_couple, run.forces.data.bearing_couple, atol=1e-9)

@@ -38,8 +38,8 @@ def tips() -> dict[str, Any]:
 def raised(model: kt.Model) -> tuple[Any, Any, Any]:
     """All legs grow."""
     start = {
-        name: float(np.linalg.norm(np.subtract(*(model.nodes[n].at for n in member.ends))))
-        for name, member in model.members.items()
+        name: float(np.linalg.norm(np.subtract(*(model.whole.nodes[n].at for n in member.ends))))
+        for name, member in model.whole.members.items()
         if name in model.driven_members
     }
     moves = {name: (one, one + 0.03 + 0.005 * k) for k, (name, one) in enumerate(start.items())}
@@ -74,7 +74,7 @@ def test_hubs_carry_it() -> None:
     found = kt.dynamics.inverse(loaded, motion)
     # the legs' additional forces make the opposite couple about the centre and no force
     x = motion.data.position.values
-    nodes = list(model.nodes)
+    nodes = list(model.whole.nodes)
     change = (found.data.joint_force - forces.data.joint_force).values
     push, turn = np.zeros((len(x), 3)), np.zeros((len(x), 3))
     for k in range(6):
@@ -136,7 +136,7 @@ def test_arms_and_members_are_twisted_and_bent() -> None:
     torque = demand.data.axis_torque.sel(active="L0").values
     sections, plain = kt.strength.sections(loaded, found), kt.strength.sections(model, forces)
     assert "torsion" not in plain.data
-    x, nodes = motion.data.position.values, list(model.nodes)
+    x, nodes = motion.data.position.values, list(model.whole.nodes)
     place = {name: x[:, nodes.index(name)] for name in ("C", "C.L0", "F0", "F0.L0")}
     along = place["C.L0"] - place["F0.L0"]
     along /= np.linalg.norm(along, axis=1)[:, None]

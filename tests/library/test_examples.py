@@ -20,7 +20,7 @@ def test_script(script, capsys, tmp_path):
         if isinstance(model, kt.Model):  # what a script builds can be written, read, shown and drawn
             path = tmp_path / f"{name}.yaml"
             again = kt.read(kt.io.write(model, path))
-            assert kt.viewer.scene(again).header["nodes"] == list(model.nodes)
+            assert kt.viewer.scene(again).header["nodes"] == list(model.whole.nodes)
             assert kt.report.picture(again, tmp_path / f"{name}.svg").is_file()
 
 

@@ -188,9 +188,8 @@ def given(data: Any, path: tuple[Any, ...]) -> bool:
 def cases() -> Iterator[Any]:
     for title, data in MODELS.items():
         model = kt.Model(**data)
-        inner = kt.model.inner_parts(model).nodes
         for ref, name, path in names_in(model):
-            if given(data, path) and name not in inner:
+            if given(data, path) and name not in model.whole.inner.nodes:
                 yield pytest.param(data, ref, name, path, id=f"{title} {'.'.join(map(str, path))} {ref.word}")
 
 

@@ -43,7 +43,7 @@ def test_drawings_and_figures_have_beams_and_no_frames(tmp_path):
     assert {"A", "B", "C", "D", "lower", "upper", "tie"} <= words
     assert not any(".d" in name for name in words)
     ends = {frozenset((tuple(line[0]), tuple(line[-1]))) for line in stand.lines}
-    found = dict(zip(run.model.nodes, run.motion.position.values[0], strict=True))
+    found = dict(zip(run.model.whole.nodes, run.motion.position.values[0], strict=True))
     assert ends == {frozenset((tuple(found[a]), tuple(found[b]))) for a, b in ("AB", "BC", "AD")}
     assert {kind: len(nodes) for kind, nodes in stand.supports.items()} == {"clamped": 1, "held": 1, "guided": 0}
     assert stand.dots.shape == (4, 2)
@@ -55,21 +55,21 @@ def test_scenes_name_what_is_left_out():
     kinds = dict(zip(header["members"], header["kinds"], strict=True))
     assert (kinds["lower"], kinds["upper"], kinds["tie"]) == ("beam", "rigid", "rigid")
     assert {name for name, kind in kinds.items() if kind == "frame"} == {
-        name for name, bar in one.bars.items() if any(".d" in end for end in bar.ends)
+        name for name, bar in one.whole.bars.items() if any(".d" in end for end in bar.ends)
     }
-    assert [header["nodes"][k] for k in header["directors"]] == [name for name in one.nodes if ".d" in name]
+    assert [header["nodes"][k] for k in header["directors"]] == [name for name in one.whole.nodes if ".d" in name]
     assert {header["nodes"][held["node"]] for held in header["supports"]} == {"A", "D"}
 
 
 def test_the_colour_of_a_beam_is_its_own_axial_force():
     run = kt.run(model(), "here")
     found = middle_forces(run.model, run.forces["all"])
-    columns = [list(run.model.members).index(name) for name in ("lower.chord", "tie")]
+    columns = [list(run.model.whole.members).index(name) for name in ("lower.chord", "tie")]
     assert found[0, columns] == pytest.approx([-PUSH, 0.0], abs=1e-9)
     propped = model().with_(fixed={"D": "xy", "C": "x"})
     unknown = kt.run(propped, "here")
-    assert np.isnan(middle_forces(propped, unknown.forces["all"])[0, list(propped.members).index("lower.chord")])
-    assert np.isnan(found[0, list(run.model.members).index("upper.chord")])  # of a rigid beam no section force is known
+    assert np.isnan(middle_forces(propped, unknown.forces["all"])[0, list(propped.whole.members).index("lower.chord")])
+    assert np.isnan(found[0, list(run.model.whole.members).index("upper.chord")])  # of a rigid beam no section force is known
 
 
 def cantilever() -> tuple[kt.Model, kt.results.Result]:

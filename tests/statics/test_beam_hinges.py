@@ -9,7 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.errors import ModelError
-from kinetruss.model import beam_checks as free_spins
+from kinetruss.model import beam_frames
 
 STEEL = kt.Material(E=200e9, density=7800.0)
 BOX = kt.Rectangle(width=0.02, height=0.03)
@@ -66,7 +66,7 @@ def test_a_hinge_along_the_beam_lets_it_twist():
     for about in (1, 3):
         model = clamped_beam(about, (0, 0, 0)).with_(loads={"T": kt.BodyCouple(body="M", moment=(2.0, 0, 0))})
         moved = kt.statics.linear(model).displacement
-        turn = (moved.sel(node="M.d2") - moved.sel(node="M")).sel(axis="z").item() / (model.nodes["M.d2"].at[1])
+        turn = (moved.sel(node="M.d2") - moved.sel(node="M")).sel(axis="z").item() / (model.whole.nodes["M.d2"].at[1])
         turns[about] = turn * G * BOX.torsion_constant / (2.0 * L / 2)
     assert turns == pytest.approx({1: 1.0, 3: 0.5}, rel=1e-9)
 
@@ -83,8 +83,8 @@ def test_a_rigid_beam_on_a_hinge_is_a_pendulum_in_its_plane():
     found = kt.dynamics.linearise(model)
     assert found.frequency.values == pytest.approx([math.sqrt(1.5 * 9.81 / L) / (2 * math.pi)], rel=1e-9)
     push = np.cross(axis, (0, 0, -1.0))
-    speeds = {name: tuple(2.0 * np.cross(axis, np.array(node.at))) for name, node in model.nodes.items() if name != "A"}
-    held = {name: v for name, v in speeds.items() if name not in model.fixed}
+    speeds = {name: tuple(2.0 * np.cross(axis, np.array(node.at))) for name, node in model.whole.nodes.items() if name != "A"}
+    held = {name: v for name, v in speeds.items() if name not in model.whole.fixed}
     run = kt.dynamics.simulate(model.with_(velocities=held), 1.0, samples=21)
     place = run.motion.position.sel(node="B").values
     assert np.abs(place @ axis).max() < 1e-8
@@ -157,13 +157,13 @@ def test_a_hinge_along_its_neighbour_lets_it_spin():
 
 
 def test_free_spins_are_sought_as_often_in_many_beams_as_in_few(monkeypatch):
-    sought, plain = [], free_spins.frames
-    monkeypatch.setattr(free_spins, "frames", lambda model: sought.append(len(model.beams)) or plain(model))
+    sought, plain = [], beam_frames.frames
+    monkeypatch.setattr(beam_frames, "frames", lambda model: sought.append(len(model.beams)) or plain(model))
     for count in (2, 20):
         ends = {f"{end}{k}": (float(k), y, 0.5 * (k % 3)) for k in range(count) for end, y in (("A", 0.0), ("B", 1.0))}
         beams = {f"b{k}": kt.Beam(ends=(f"A{k}", f"B{k}"), release=[f"A{k}", f"B{k}"]) for k in range(count)}
         model = kt.Model(nodes=ends, beams=beams, material=STEEL, section=kt.Rod(diameter=0.02))
-        assert len(free_spins.spins(model)) == count
+        assert len(model.whole.inner.spins) == count
     assert sought.count(2) == sought.count(20) > 0
 
 

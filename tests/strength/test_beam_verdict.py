@@ -141,7 +141,7 @@ def test_a_simulated_run_a_mission_and_the_pictures_have_the_same_utilisation(tm
         bending = one.extremes.sel(part="arm", quantity="bending")
         along = kt.strength.beams(model, run.forces["all"], stations=97).section_M.sel(moment="3")
         assert float(bending.value) == pytest.approx(float(abs(along).max()), rel=1e-6)
-    chord = list(model.members).index("arm.chord")
+    chord = list(model.whole.members).index("arm.chord")
     shown = strength_histories(model, run.forces["all"])["utilisation"][:, chord]
     assert shown.max() == pytest.approx(row_of(whole, "arm", "yield").utilisation, rel=1e-12)
     assert worst_of(model, whole)["stress"][chord] == pytest.approx(float(stress.max()), rel=1e-12)

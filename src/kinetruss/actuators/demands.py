@@ -12,7 +12,6 @@ from kinetruss.actuators.shafts import Parts, at_motor, motor_demand, parts_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics import RIGID, compile
 from kinetruss.model import Active, BodyCouple, Model, Motor
-from kinetruss.model.hub_arms import hub_of
 from kinetruss.results import Demand, Forces, Motion, provenance, variable
 from kinetruss.results.records import check_samples
 
@@ -66,19 +65,20 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
     check_samples(motion)
     if not np.array_equal(time, demand.arrays["time"].values):
         raise InputError("Motion and demand have other instants. Evaluate the demand along this motion.")
-    nodes, found = list(model.nodes), {}
+    whole, found = model.whole, {}
+    nodes = list(whole.nodes)
     for k, name in enumerate(demand.arrays["active"].values.tolist()):
         torque = demand.arrays["axis_torque"].values[:, k]
         if name not in model.active or np.isnan(torque).any():
             continue
-        ends = model.active[name].ends
+        ends = whole.active[name].ends
         d = position[:, nodes.index(ends[1])] - position[:, nodes.index(ends[0])]
         along = torque[:, None] * d / np.linalg.norm(d, axis=1)[:, None]
         for which, end, sign in (("A", ends[0], 1.0), ("B", ends[1], -1.0)):
-            hub = hub_of(model, end, name)
-            if not hub and len(model.fixed.get(end, "")) == 3:
+            hub = whole.inner.nodes.get(end)
+            if hub is None and len(whole.fixed.get(end, "")) == 3:
                 continue
-            if not hub:
+            if hub is None:
                 raise InputError(
                     f"{name!r} ends at node {end!r}, which passes no moment: nothing holds the torque of its screw. Give the "
                     f"node a hub with an arm for it: hubs={{{end!r}: kt.Hub(arms={{{name!r}: 0.05}})}}."
@@ -86,7 +86,7 @@ def screw_couples(model: Model, motion: Motion, demand: Demand) -> dict[str, Bod
             moments = tuple(map(tuple, (sign * along).tolist()))
             # of one instant: a constant couple
             table = {"times": tuple(time.tolist()), "moments": moments} if len(time) > 1 else {"moment": moments[0]}
-            found[f"{name}.torque.{which}"] = BodyCouple(body=f"{hub}.hub", member=name, **table)
+            found[f"{name}.torque.{which}"] = BodyCouple(body=f"{hub.name}.hub", member=name, **table)
     return found
 
 
@@ -187,7 +187,7 @@ def evaluate(model: Model, motion: Motion, forces: Forces) -> Demand:
 def _belongs(model: Model, motion: Motion, forces: Forces) -> None:
     """InputError unless motion and forces are of the same instants and places, and of the model's members and drives."""
     for what, found in (("motion", motion), ("forces", forces)):
-        if found.arrays["member"].values.tolist() != list(model.members):
+        if found.arrays["member"].values.tolist() != list(model.whole.members):
             raise InputError(f"The {what} and the model have other members. Compute the {what} for this model.")
     if not np.array_equal(motion.arrays["time"].values, forces.arrays["time"].values):
         raise InputError("Motion and forces have other instants. Cut both alike.")

@@ -157,7 +157,7 @@ def _check_name(model: Model, member: str | None, node: str | None) -> None:
             f"{member!r} is a beam, and free bodies are of bars and nodes. Its end forces and section forces are those of "
             f"strength.beams; the free body of its end: --node {model.beams[member].ends[0]}."
         )
-    for what, given, known in (("member", member, model.members), ("node", node, model.nodes)):
+    for what, given, known in (("member", member, model.whole.members), ("node", node, model.whole.nodes)):
         if given is not None and given not in known:
             raise InputError(f"No {what} called {given!r}. {nearest(given, known)}")
 
@@ -171,5 +171,6 @@ def _forces(model: Model, name: str | None, time: float | None, case: str | None
         return runs.forces_at_rest(model, load_case=case)
     if time is not None:
         return runs.forces_at(model, name, [time], load_case=case)
-    around = () if node is None else tuple(key for key, one in model.members.items() if node in one.ends)
+    members = model.members if node in model.nodes else model.whole.members
+    around = () if node is None else tuple(key for key, one in members.items() if node in one.ends)
     return runs.forces_at_peak(model, name, around if member is None else (member,), load_case=case)

@@ -298,13 +298,11 @@ def _next(found: Imported) -> list[str]:
 
 
 def _record(found: Imported) -> dict[str, Any]:
-    from kinetruss.model import inner_parts
-
-    mobility, inner = found.mobility, inner_parts(found.model)
+    mobility = found.mobility
     return {
-        "nodes": sum(name not in inner.nodes for name in found.model.nodes),
-        "bars": sum(name not in inner.bars for name in found.model.bars),
-        "bodies": sum(name not in inner.bodies for name in found.model.bodies),
+        "nodes": len(found.model.nodes),
+        "bars": len(found.model.bars),
+        "bodies": len(found.model.bodies),
         "drives": list(found.model.all_drives),
         "degrees_of_freedom": mobility.degrees_of_freedom,
         "undriven": mobility.undriven,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -72,9 +72,10 @@ def default_groups(model: Model) -> dict[str, tuple[str, ...]]:
     >>> list(default_groups(vgt.double_octahedral(bays=2)))[:4]
     ['B1.lower_longerons', 'B1.upper_longerons', 'B1.battens', 'B1.actuators']
     """
-    prefixes = dict.fromkeys(_prefix(name) for name in model.members)
+    members = model.whole.real_members
+    prefixes = dict.fromkeys(_prefix(name) for name in members)
     chains = {prefix + name for prefix in prefixes for names in BAY.values() for name in names}
-    if chains == set(model.members):
+    if chains == set(members):
         return {prefix + group: tuple(prefix + name for name in names) for prefix in prefixes for group, names in BAY.items()}
     return _by_section(model)
 
@@ -104,7 +105,7 @@ def _by_section(model: Model) -> dict[str, tuple[str, ...]]:
     Members without a section, planar bodies, cables and springs of given stiffness are not sized.
     """
     kinds: dict[tuple[str, str], list[str]] = {}
-    for name, member in model.members.items():
+    for name, member in model.whole.real_members.items():
         part = member.tube if isinstance(member, Active) else member
         section = model.section_of(part)
         if section is not None and untubed(member) is None and getattr(member, "stiffness", None) is None:
@@ -184,7 +185,7 @@ def make_plan(model: Model, mission: Mission) -> Plan:
         weights = {name: _weight(tube.section) for name, tube in stock.tubes.items()}
         order = sorted(weights, key=weights.__getitem__)
         label = stock.title or (chosen if isinstance(chosen, str) else "the catalogue")
-        members = dict.fromkeys(one for pattern in patterns for one in matched(list(model.members), pattern))
+        members = dict.fromkeys(one for pattern in patterns for one in matched(list(model.whole.real_members), pattern))
         material = stock.material if isinstance(stock.material, Material) else None
         faults += list(_lacking(model, name, tuple(members), material))
         groups.append(
@@ -201,7 +202,25 @@ def make_plan(model: Model, mission: Mission) -> Plan:
         first += len(order)
     if faults:
         raise ModelError(faults)
+    _whole_hubs(model, groups)
     return _arrays(model, mission, tuple(groups))
+
+
+def _whole_hubs(model: Model, groups: Sequence[SizedGroup]) -> None:
+    """Refuse to size some arms of a hub, or in several groups: all have its section.
+
+    Raises
+    ------
+    ModelError : with the hub, and all its arms.
+    """
+    for hub, arms in model.whole.inner.arms.items():
+        names = [arm.name for arm in arms]
+        sized = [group for group in groups if not set(names).isdisjoint(group.members)]
+        if sized and not set(names) <= set(sized[0].members):
+            mend = f"Name all of them in one group, or none: {', '.join(names)}."
+            raise ModelError(
+                [Fault(("groups", sized[0].name), f"has not all arms of hub {hub!r}, which have one section.", mend)]
+            )
 
 
 def _wanted(model: Model, mission: Mission) -> list[tuple[str, tuple[str, ...], Catalogue | str, tuple[str, ...]]]:
@@ -226,7 +245,7 @@ def _weight(tube: Tube) -> tuple[float, float]:
 def _lacking(model: Model, group: str, members: tuple[str, ...], material: Material | None) -> list[Fault]:
     """Faults of members that cannot be checked without a material."""
     for name in members:
-        if what := untubed(model.members[name]):
+        if what := untubed(model.whole.members[name]):
             mend = "Leave it out; only bars and active members have tubes."
             return [Fault(("groups", group), f"member {name!r} is {what}, which has no tube.", mend)]
         stuff = material or model.material_of(_part(model, name))
@@ -239,15 +258,15 @@ def _lacking(model: Model, group: str, members: tuple[str, ...], material: Mater
 
 def _part(model: Model, name: str) -> Any:
     """The record that gets the tube: a bar, or the tube of an active member."""
-    member = model.members[name]
+    member = model.whole.members[name]
     return member.tube if isinstance(member, Active) else member
 
 
 def _arrays(model: Model, mission: Mission, groups: tuple[SizedGroup, ...]) -> Plan:
-    parts, index = parts_of(model), {name: k for k, name in enumerate(model.members)}
+    parts, index = parts_of(model), {name: k for k, name in enumerate(model.whole.members)}
     rows = [(name, g) for g, group in enumerate(groups) for name in group.members]
     member = np.array([index[name] for name, _ in rows], np.int64)
-    active = np.array([isinstance(model.members[name], Active) for name, _ in rows], np.bool_)
+    active = np.array([name in model.active for name, _ in rows], np.bool_)
     first = parts.first[member] if rows else np.zeros(0, np.int64)
     tubes = [tube for group in groups for tube in group.tubes]
     start = np.array([group.first for group in groups], np.int64)
@@ -276,7 +295,7 @@ def _arrays(model: Model, mission: Mission, groups: tuple[SizedGroup, ...]) -> P
 
 def _stuff(model: Model, name: str, material: Material | None) -> tuple[float, ...]:
     """E, strength, base_least, base_largest, base_squash of `Sized`."""
-    member: Bar | Active = model.members[name]
+    member: Bar | Active = model.whole.members[name]
     C = end_condition(member.buckling)
     # members without a material, or without its yield strength, are refused before
     own = cast("Material", material or model.material_of(_part(model, name)))
@@ -294,7 +313,7 @@ def _stuff(model: Model, name: str, material: Material | None) -> tuple[float, .
 
 def with_tubes(model: Model, plan: Plan, choice: NDArray[np.int64]) -> Model:
     """The model with a tube for every group; the masses of its members are those of the tubes."""
-    bars, active = dict(model.bars), dict(model.active)
+    bars, active, hubs = dict(model.bars), dict(model.active), dict(model.hubs)
     sections, materials = dict(model.sections), dict(model.materials)
     for group, index in zip(plan.groups, choice, strict=True):
         section = _entry(sections, group.tube_name(int(index)), group.tube(int(index)))
@@ -304,11 +323,14 @@ def with_tubes(model: Model, plan: Plan, choice: NDArray[np.int64]) -> Model:
         for name in group.members:
             if name in active:
                 active[name] = active[name].with_(tube=active[name].tube.with_(**changes))
-            else:
+            elif name in bars:
                 bars[name] = bars[name].with_(**changes)
-    changed: dict[str, Any] = {"bars": bars, "active": active, "safety": plan.safety}
-    changed["sections"] = _used(model, sections, bars, active, "section")
-    changed["materials"] = _used(model, materials, bars, active, "material")
+            else:
+                hub = model.whole.inner.bars[name].name
+                hubs[hub] = hubs[hub].with_(**{key: one for key, one in changes.items() if key != "mass"})
+    changed: dict[str, Any] = {"bars": bars, "active": active, "hubs": hubs, "safety": plan.safety}
+    changed["sections"] = _used(model, sections, {**bars, **hubs}, active, "section")
+    changed["materials"] = _used(model, materials, {**bars, **hubs}, active, "material")
     return model.with_(**changed)
 
 
@@ -340,13 +362,15 @@ def _entry(table: dict[str, Any], name: str, record: Any) -> str:
     return name
 
 
-def _used(model: Model, table: dict[str, Any], bars: dict[str, Any], active: dict[str, Active], field: str) -> dict[str, Any]:
+def _used(
+    model: Model, table: dict[str, Any], bars: Mapping[str, Any], active: dict[str, Active], field: str
+) -> dict[str, Any]:
     """The table without entries that only sized members used before."""
 
     def names(some_bars: Mapping[str, Any], some_active: Mapping[str, Active]) -> set[Any]:
         parts = [*some_bars.values(), *(part for one in some_active.values() for part in (one.base, one.tube))]
         return {getattr(part, field) for part in parts if isinstance(getattr(part, field), str)}
 
-    before, now = names(model.bars, model.active), names(bars, active)
+    before, now = names({**model.bars, **model.hubs}, model.active), names(bars, active)
     default = getattr(model, field)
     return {name: one for name, one in table.items() if name in now or name not in before or name == default}

@@ -119,8 +119,8 @@ def _mass(model: Model, members: tuple[str, ...] | None = None) -> float:
     rods = system.rods
     if members is None:
         return float(rods[:, 0].sum() + rods[:, 3].sum() + system.body[:, 0].sum())
-    index = {name: k for k, name in enumerate(model.members)}
-    return float(sum(rods[index[name], 3 if isinstance(model.members[name], Active) else 0] for name in members))
+    index = {name: k for k, name in enumerate(model.whole.members)}
+    return float(sum(rods[index[name], 3 if name in model.active else 0] for name in members))
 
 
 def _row(
@@ -153,7 +153,7 @@ def _tube_before(model: Model, group: SizedGroup) -> str:
     """The sections of a group as they were, by name or size."""
     found = []
     for name in group.members:
-        member = model.members[name]
+        member = model.whole.members[name]
         section = model.section_of(member.tube if isinstance(member, Active) else member)
         if section is None:
             found.append("-")
@@ -168,7 +168,7 @@ def _replaced(model: Model, plan: Plan) -> list[str]:
     """Masses given in numbers, which the masses of the tubes replace."""
     given = []
     for name in plan.group_of:
-        member = model.members[name]
+        member = model.whole.members[name]
         if (member.tube if isinstance(member, Active) else member).mass is not None:
             given.append(name)
     if not given:

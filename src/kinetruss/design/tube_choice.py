@@ -212,7 +212,7 @@ def _out_of_tubes(model: Model, sized: Selection, plan: Plan, loadings: list[Loa
     row = cast("Row", telling(_rows_of(verdict, group.members)))  # there is one: members of groups have materials
     where = f"{row.part} reaches {row.utilisation:.4g} times what is allowed by {row.rule}"
     where += f" at {row.time:.4g} s ({row.load_case})"
-    member = model.members[row.member]
+    member = model.whole.members[row.member]
     if isinstance(member, Active) and model.section_of(member.base) is not None:
         where += "; its base rod counts too, the weaker of base and tube buckles"
     if sized.passes > 1 and _sufficient_alone(model, plan, loadings, g):

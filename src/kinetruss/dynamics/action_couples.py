@@ -21,13 +21,13 @@ from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.kernels.structure.terms import term_gradients
 from kinetruss.mechanics import cached
 from kinetruss.mechanics.bars import Bars, bars_of
-from kinetruss.model.hub_expansion import Pivot, pivots_of
+from kinetruss.model.hub_expansion import Pivot
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
-    from kinetruss.model import Model
+    from kinetruss.model.data import ModelData
 
 
 Found = Iterator[Action | NotOnBars]
@@ -68,7 +68,7 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
         yield from _pinned(system, bars, weights, key)
 
 
-def _measured(model: Model, name: str) -> tuple[str, list[Any]]:
+def _measured(model: ModelData, name: str) -> tuple[str, list[Any]]:
     """Whose measure it is, a drive's, a coupling's or an element's, and its coordinates."""
     if name in model.force_elements:
         kind, record = model.force_elements[name]
@@ -270,7 +270,7 @@ def _bars_across(system: System, bars: Bars, weights: dict[int, NDArray[np.float
 @cached()
 def hinges_of(system: System) -> tuple[Pivot, ...]:
     """The hinges of hubs."""
-    return tuple(pivots_of(system.model)) if system.model.hubs else ()
+    return tuple(system.inner.pivots)
 
 
 def hinge_bodies(system: System) -> set[str]:

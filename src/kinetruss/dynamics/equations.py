@@ -166,11 +166,11 @@ def _motions(
     system: System, tasks: Mapping[str, Any], trajectory: Any, t_end: float
 ) -> tuple[dict[str, Table], dict[str, int]]:
     """Motions of drives and of support coordinates by name, and the column of each."""
-    tables = {} if trajectory is None else drive_tables(system.model, trajectory, t_end)
+    tables = {} if trajectory is None else drive_tables(system.given, trajectory, t_end)
     for name, task in tasks.items():
         tables.pop(name, None)
         if isinstance(task, TRAJECTORY_TASKS):
-            tables[name] = drive_tables(system.model, task, t_end)[name]
+            tables[name] = drive_tables(system.given, task, t_end)[name]
     for node, history in system.model.support_motion.items():
         check_support(node, history, 0.0, t_end)
         displacement = np.array(history.displacements)

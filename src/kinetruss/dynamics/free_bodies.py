@@ -251,10 +251,10 @@ def free_body(
         raise InputError("Name one thing to cut free: member=..., or node=...")
     here = instant_of(model, motion, forces, time)
     if node is not None:
-        if node not in model.nodes:
+        if node not in here.system.model.nodes:
             raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
         return _node(here, node, forces.load_case)
-    if member not in model.members:
+    if member not in here.system.model.members:
         raise InputError(f"No member called {member!r}. {nearest(member, model.members)}")
     return _member(here, str(member), forces.load_case)
 

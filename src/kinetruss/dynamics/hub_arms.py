@@ -23,7 +23,7 @@ from kinetruss.elements.pin_friction import pins_of
 from kinetruss.mechanics import cached, ends_of, turned
 from kinetruss.mechanics.bars import Bars, bars_of
 from kinetruss.model import BodyCouple, body_mass
-from kinetruss.model.hub_arms import arm_through, arms_of, clamped_at, is_grounded, loops
+from kinetruss.model.hub_arms import arm_through, clamped_at, is_grounded, loops
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -47,7 +47,7 @@ def grounded_tips(system: System, node: str) -> list[str] | None:
     model = system.model
     for hub in model.hubs:
         if is_grounded(model, hub):
-            tips = [arm.name for arm in arms_of(model, hub)]
+            tips = [arm.name for arm in model.inner.arms[hub]]
             tips += [at for one in hinges_of(system) if one.hub == hub for at in one.nodes]
             if node == hub:
                 return tips
@@ -61,13 +61,13 @@ def _braces(system: System, bars: Bars, hub: str) -> list[int]:
 
 
 def _arms(system: System, bars: Bars, hub: str) -> list[int]:
-    model = system.model
-    return [bars.index[arm.name] for arm in arms_of(model, hub)] + [bars.index[name] for name in clamped_at(model, hub)]
+    arms = [bars.index[arm.name] for arm in system.inner.arms[hub]]
+    return arms + [bars.index[name] for name in clamped_at(system.given, hub)]
 
 
 def _shared(system: System, bars: Bars, hub: str) -> bool:
     """Whether others share the moments of a hub, so that statics alone does not give them."""
-    return hub in loops(system.model) or _shared_with_others(system, bars, hub, set(_arms(system, bars, hub)))
+    return hub in loops(system.given) or _shared_with_others(system, bars, hub, set(_arms(system, bars, hub)))
 
 
 def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:

@@ -75,7 +75,7 @@ def joint_reaction(
     found = forces.forces if isinstance(forces, Simulation) else forces
     check_samples(found)
     names = _joint_nodes(model, body, at)
-    if point is not None and point not in model.nodes:
+    if point is not None and point not in model.whole.nodes:
         raise InputError(f"No node called {point!r}. {nearest(point, model.nodes)}")
     push = _pushes(model, found, body, names)
     place = _spatial(found.motion.data["position"].sel(node=list(names)).values)
@@ -95,19 +95,19 @@ def joint_reaction(
         coords["coupling"] = held_by
     attrs = {"kind": "joint_reaction", "body": body, "nodes": list(names), "unique": 1, "message": ""}
     start = _spatial(found.motion.arrays["position"].values[:1])[0]
-    if body in model.bodies and determined(compile(model), start, body, names) is False:
+    if body in model.whole.bodies and determined(compile(model), start, body, names) is False:
         attrs |= {"unique": 0, "message": _shared_out(body, names)}
     return xr.Dataset(data, coords=coords, attrs=attrs)
 
 
 def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str, ...]:
     """Names of the joint's nodes, all of them the body's."""
-    own = nodes_of(model, body)
+    own, bodies = nodes_of(model, body), model.whole.bodies
     if not isinstance(at, str):
         names = tuple(at)
-    elif at in model.joints and at not in model.bodies:
+    elif at in model.joints and at not in bodies:
         names = tuple(name for name in own if name in model.joints[at].nodes)
-    elif at in own and at not in model.bodies:
+    elif at in own and at not in bodies:
         names = (at,)
     else:
         names = shared_nodes(model, body, at)
@@ -115,7 +115,7 @@ def _joint_nodes(model: Model, body: str, at: str | Sequence[str]) -> tuple[str,
         raise InputError(f"{body} and {at if isinstance(at, str) else 'an empty list'} share no node, so there is no joint.")
     if strange := [name for name in names if name not in own]:
         raise InputError(f"{strange[0]!r} is not a node of {body}. {nearest(strange[0], own)}")
-    for other, record in model.bodies.items():
+    for other, record in bodies.items():
         common = set(record.nodes) & set(own)
         if other != body and len(common) > 1 and common & set(names) and not common <= set(names):
             raise InputError(
@@ -137,7 +137,7 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
     a = _spatial(_accelerations(forces))
     g = np.zeros(3)
     g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
-    place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.nodes)}
+    place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.whole.nodes)}
     out = np.zeros((len(a), len(names), 3))
     for s, j, m, skew in _shares(model, body):
         if s in place:
@@ -150,7 +150,7 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
             if node in place:
                 out[:, place[node]] -= load[:, k]
     for bar in _own_bars(model, body):
-        for end, node in enumerate(model.bars[bar].ends):
+        for end, node in enumerate(model.whole.bars[bar].ends):
             if node in place:
                 out[:, place[node]] += _spatial(joint_force.sel(member=bar).values[:, end])
     return out
@@ -178,11 +178,11 @@ def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
 
 def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
     """Pairs (s, j) of mass-carrying nodes with m_sj, kg, and the skew part that multiplies a_j turned by 90 degrees."""
-    record = model.bodies[body]
+    record = model.whole.bodies[body]
     nodes = record.carried_by(model.dim)
     if not record.mass:
         return
-    m, skew = body_mass(model, record)
+    m, skew = body_mass(model.whole, record)
     for i, s in enumerate(nodes):
         for k, j in enumerate(nodes):
             yield s, j, float(m[i, k]), 0.0 if i == k else skew if i < k else -skew
@@ -190,7 +190,7 @@ def _shares(model: Model, body: str) -> Iterator[tuple[str, str, float, float]]:
 
 def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
     """Nodes and forces (time, nodes, 3) equivalent to the loads on the body itself."""
-    system, own = compile(model), set(model.bodies[body].nodes)
+    system, own = compile(model), set(model.whole.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
     case = forces.load_case if forces.load_case in model.load_cases else None
     for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case, rotating=True).unit_loads:
@@ -205,10 +205,10 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
 
     Each acts on the nodes of the hinge and on one node off it; on the body, this is a couple.
     """
-    system, own = compile(model), set(model.bodies[body].nodes)
+    system, own = compile(model), set(model.whole.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
     for m, name in enumerate(system.measures):
-        kind = "coupling" if name in model.couplings else model.force_elements.get(name, ("drive",))[0]
+        kind = "coupling" if name in system.model.couplings else model.force_elements.get(name, ("drive",))[0]
         torque = forces.data[f"{kind}_force"].sel({kind: name}).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
             if (form := system.term_kind[t]) not in (FIXED_AXIS, AROUND):
@@ -222,8 +222,8 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
 
 def _own_bars(model: Model, body: str) -> list[str]:
     """Rigid bars between nodes of the body."""
-    own = set(model.bodies[body].nodes)
-    return [name for name, bar in model.bars.items() if bar.kind == "rigid" and own.issuperset(bar.ends)]
+    own = set(model.whole.bodies[body].nodes)
+    return [name for name, bar in model.whole.bars.items() if bar.kind == "rigid" and own.issuperset(bar.ends)]
 
 
 def _spatial(y: NDArray[np.float64]) -> NDArray[np.float64]:

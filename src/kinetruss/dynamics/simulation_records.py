@@ -73,7 +73,7 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
         data=Arrays(Axes(axes), trace.t, data, attrs).later,
         status=status,
         message=motion.message,
-        provenance=provenance(system.model, **options),
+        provenance=provenance(system.given, **options),
         motion=motion,
         forces=forces,
     )
@@ -129,7 +129,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
         data=data.later,
         status=motion.status,
         message=motion.message,
-        provenance=provenance(system.model, load_case=loads.name),
+        provenance=provenance(system.given, load_case=loads.name),
         motion=motion,
         load_case=loads.name,
     )

@@ -111,7 +111,7 @@ def problem_of(model: Model, t_end: float, options: Options) -> Problem:
 
 @cached(4)
 def _kept(system: System, t_end: float, options: Options) -> Problem:
-    return _set_up(system.model, t_end, options)
+    return _set_up(system.given, t_end, options)
 
 
 def _set_up(model: Model, t_end: float, options: Options) -> Problem:
@@ -144,7 +144,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     unsure = _not_unique(system, reduced, eq, x)
     notes += [not_unique_note(unsure)] if unsure else []
     notes += [] if motors is not None else _still_note(model, system, eq)
-    notes += [spins] if (spins := spin_note(model)) else []
+    notes += [spins] if (spins := spin_note(model.whole)) else []
     if method.solver == "sparse" and eq.solver == DENSE:
         notes += ["The dense solver is used: only it chooses the independent constraints anew during the motion."]
     found = Problem(

@@ -33,14 +33,14 @@ from scipy.sparse import coo_array, csr_array
 
 from kinetruss.elements.directions import axes_along, start_references
 from kinetruss.elements.numbers import entries, one_copy, size
-from kinetruss.model.beam_frames import axes_of_beam, frame_of, frames
+from kinetruss.model.beam_frames import axes_of_beam, frame_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.elements.matter import Matter
     from kinetruss.elements.numbers import Array, Numbers
-    from kinetruss.model import Beam, Model
+    from kinetruss.model import Beam, WholeModel
 
 
 MODES = {2: ("axial", "D3", "S3"), 3: ("axial", "D3", "S3", "D2", "S2", "torsion")}
@@ -134,10 +134,10 @@ class Beams:
     damped: NDArray[np.int64]
 
 
-def beams_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Beams | None, dict[str, Any]]:
+def beams_of(model: WholeModel, index: dict[str, int], matter: Matter) -> tuple[Beams | None, dict[str, Any]]:
     """The elastic beams of a model, None if it has none; and their numbers."""
     elastic = {name: beam for name, beam in model.beams.items() if beam.kind == "elastic"}
-    records, every = tuple(elastic.values()), frames(model) if elastic else {}
+    records, every = tuple(elastic.values()), model.inner.frames
     massive = [k for k, beam in enumerate(records) if beam.mass is not None]
     damped = [k for k, beam in enumerate(records) if beam.damping]
     numbers = {

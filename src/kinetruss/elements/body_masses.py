@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from kinetruss.elements.matter import Matter
     from kinetruss.elements.numbers import Array, Numbers
-    from kinetruss.model import Body, Model
+    from kinetruss.model import Body, WholeModel
 
 
 THIN = 1e-10
@@ -41,7 +41,7 @@ class Bodies:
     matter: Matter
 
 
-def bodies_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Bodies, dict[str, Any]]:
+def bodies_of(model: WholeModel, index: dict[str, int], matter: Matter) -> tuple[Bodies, dict[str, Any]]:
     """The bodies with mass, and their numbers."""
     names = tuple(name for name, body in model.bodies.items() if body.mass)
     bodies = [model.bodies[name] for name in names]

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kinetruss.elements.continua import EdgeElements
     from kinetruss.elements.matter import Matter
     from kinetruss.elements.numbers import Array, Numbers
-    from kinetruss.model import Model
+    from kinetruss.model import WholeModel
 
 
 # Membranes, solids and beams as arrays: edges, which elements share, and the stiffness of each element by its edges.
@@ -116,7 +116,7 @@ class SheetPart(NamedTuple):
     own: dict[str, int]
 
 
-def sheets_of(model: Model, index: dict[str, int], matter: Matter) -> tuple[Sheets | None, dict[str, Any]]:
+def sheets_of(model: WholeModel, index: dict[str, int], matter: Matter) -> tuple[Sheets | None, dict[str, Any]]:
     """The membranes, solids and elastic beams of a model, None if it has none; and their numbers."""
     beams, of_beams = beams_of(model, index, matter)
     parts, thickness, own = [], list[float](), list[float]()
@@ -380,7 +380,7 @@ class Skin:
     kinds: tuple[str, ...]
 
 
-def skin_of(model: Model) -> Skin:
+def skin_of(model: WholeModel) -> Skin:
     """The elements of membranes; of solids the faces that belong to one element only."""
     index = {name: k for k, name in enumerate(model.nodes)}
     records: list[tuple[str, Any]] = [*model.membranes.items(), *model.solids.items()]
@@ -407,7 +407,7 @@ def skin_of(model: Model) -> Skin:
     )
 
 
-def body_faces(model: Model, x0: NDArray[np.float64]) -> list[list[int]]:
+def body_faces(model: WholeModel, x0: NDArray[np.float64]) -> list[list[int]]:
     """Nodes of the triangles that a body of three nodes or more is drawn with: its hull in the start configuration (n, dim)."""
     if not model.bodies:
         return []

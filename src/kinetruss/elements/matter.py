@@ -9,7 +9,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from kinetruss.elements.numbers import Array, Numbers
-    from kinetruss.model import Model
+    from kinetruss.model import WholeModel
 
 _OF_MATERIALS = ("E", "density", "poisson")
 
@@ -27,17 +27,17 @@ class Shape:
 class Matter:
     """Sections and materials of the parts of a model, in the order in which parts are asked for."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: WholeModel) -> None:
         self.model = model
         self.sections: list[Any] = []
         self.materials: list[Any] = []
         self._sizes: list[tuple[type, dict[str, float | None]]] = []
         self._places: dict[int, int] = {id(None): -1}
-        self._known: dict[tuple[int, int, bool], tuple[int, int]] = {}
+        self._known: dict[tuple[int, int, type], tuple[int, int]] = {}
 
     def of(self, part: Any) -> tuple[int, int]:
         """The places of section and material of a part; -1 is none."""
-        shared = id(part.section), id(part.material), getattr(part, "brace", False)  # what many parts have in common
+        shared = id(part.section), id(part.material), type(part)  # what many parts have in common
         if (found := self._known.get(shared)) is None:
             section, material = self.model.section_of(part), self.model.material_of(part)
             found = self._known[shared] = self._put(self.sections, section), self._put(self.materials, material)

@@ -18,6 +18,7 @@ from kinetruss.io.part_tables import read_parts
 from kinetruss.io.yaml_text import Tree, parse, read_text
 from kinetruss.limits import LARGEST, MOST_ENTRIES, hold
 from kinetruss.model import Bar, Model, Node, nearest
+from kinetruss.model.members import Brace
 from kinetruss.units import parse as quantity
 
 if TYPE_CHECKING:
@@ -233,18 +234,18 @@ def write_dxf(path: Path, model: Model, x: NDArray[np.float64]) -> list[LeftOut]
     ezdxf = needed("ezdxf", "exchange")
     document: Any = ezdxf.new("R2010", units=METRES)
     space = document.modelspace()
-    place = {name: k for k, name in enumerate(model.nodes)}
+    place = {name: k for k, name in enumerate(model.whole.nodes)}
     driven = model.driven_members
-    for name, member in model.members.items():
+    for name, member in model.whole.members.items():
         a, b = (x[place[node]] for node in member.ends)
-        brace = getattr(member, "brace", False)
+        brace = isinstance(member, Brace)
         layer = "active" if name in driven else "bodies" if brace else LAYERS[getattr(member, "kind", "rigid")]
         space.add_line(a.tolist(), b.tolist(), dxfattribs={"layer": layer})
         if not brace:
             height = 0.02 * float(((b - a) @ (b - a)) ** 0.5)
             text = re.sub(r"[\x00-\x1f]", " ", name)
             space.add_text(text, height=height, dxfattribs={"layer": layer, "insert": ((a + b) / 2).tolist()})
-    for name in model.fixed:
+    for name in (one for one in model.nodes if one in model.whole.fixed):
         space.add_point(x[place[name]].tolist(), dxfattribs={"layer": "support"})
     document.saveas(path)
     left = [LeftOut("fixed", name, f"is held along {axes} only; a point marks it") for name, axes in model.fixed.items()

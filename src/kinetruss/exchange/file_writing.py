@@ -101,9 +101,10 @@ def _pose(what: Any, time: float | None) -> _Pose:
 
 
 def _at(model: Model, run: Any, index: int | None) -> _Pose:
-    x = np.zeros((len(model.nodes), 3))
+    nodes = model.whole.nodes
+    x = np.zeros((len(nodes), 3))
     if run is None:
-        x[:, : model.dim] = [node.at for node in model.nodes.values()]
+        x[:, : model.dim] = [node.at for node in nodes.values()]
         return _Pose(model=model, x=x, vectors={}, forces=None)
     motion = run.motion
     x[:, : model.dim] = motion.position.isel(time=index).values

@@ -21,6 +21,7 @@ from kinetruss.exchange.robots import LeftOut
 from kinetruss.library.mesh_arrays import mesh
 from kinetruss.limits import LARGEST
 from kinetruss.model import Bar, Model
+from kinetruss.model.members import Brace
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -137,8 +138,10 @@ def write_vtu(
     the number of the member in the model (-1: none), and ``force``, N.
     """
     meshio = needed("meshio", "exchange")
-    place = {name: k for k, name in enumerate(model.nodes)}
-    lines = np.array([[place[node] for node in member.ends] for member in model.members.values()], np.int64).reshape(-1, 2)
+    place = {name: k for k, name in enumerate(model.whole.nodes)}
+    lines = np.array([[place[node] for node in member.ends] for member in model.whole.members.values()], np.int64).reshape(
+        -1, 2
+    )
     cells: list[tuple[str, Any]] = [("line", lines)] if len(lines) else []
     number = [np.arange(len(lines), dtype=float)] if len(lines) else []
     force = [np.full(len(lines), np.nan) if forces is None else np.asarray(forces, float)] if len(lines) else []
@@ -200,13 +203,14 @@ def stl_bytes(model: Model, x: NDArray[np.float64]) -> tuple[bytes, list[LeftOut
 def _bodies(model: Model, x: Any, left: list[LeftOut]) -> Iterator[NDArray[np.float64]]:
     from scipy.spatial import ConvexHull, QhullError
 
-    place = {name: k for k, name in enumerate(model.nodes)}
-    for name, body in model.bodies.items():
+    whole = model.whole
+    place = {name: k for k, name in enumerate(whole.nodes)}
+    for name, body in whole.bodies.items():
         points = x[[place[node] for node in body.nodes]]
         try:
             hull = ConvexHull(points)
         except (QhullError, ValueError):
-            left.append(LeftOut("body", name, "its nodes span no volume"))
+            left.append(LeftOut("body", whole.inner.part_of(name), "its nodes span no volume"))
             continue
         faces = points[hull.simplices]
         outward = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
@@ -217,10 +221,10 @@ def _bodies(model: Model, x: Any, left: list[LeftOut]) -> Iterator[NDArray[np.fl
 
 def _bars(model: Model, x: Any, left: list[LeftOut]) -> Iterator[NDArray[np.float64]]:
     """Prisms along bars and active members; braces are part of their body."""
-    place = {name: k for k, name in enumerate(model.nodes)}
+    place = {name: k for k, name in enumerate(model.whole.nodes)}
     size = float(np.ptp(x, axis=0).max()) or 1.0
-    for name, member in model.members.items():
-        if getattr(member, "brace", False):
+    for name, member in model.whole.members.items():
+        if isinstance(member, Brace):
             continue
         a, b = (x[place[node]] for node in member.ends)
         if not np.linalg.norm(b - a) > 0:

@@ -47,7 +47,7 @@ class Place:
 def acting(model: Model) -> dict[str, Any]:
     """Coordinates by name: of drives theirs, of springs and couplings ``NAME.k`` with the number of the term."""
     found: dict[str, Any] = {}
-    for name, coupling in model.couplings.items():
+    for name, coupling in model.whole.couplings.items():
         found |= {f"{name}.{k}": one for k, (one, _) in enumerate(coupling.terms)}
     for name, spring in model.springs.items():
         found |= {f"{name}.{k}": one for k, (one, _) in enumerate(spring.parts)}
@@ -56,12 +56,12 @@ def acting(model: Model) -> dict[str, Any]:
 
 def values_of(model: Model, coordinates: Mapping[str, Any], x: NDArray[np.float64]) -> dict[str, float]:
     """Values of coordinates, rad or m, at x (n, 3), m; without offsets and cosines, which joints do not have."""
-    place = {name: k for k, name in enumerate(model.nodes)}
+    place = {name: k for k, name in enumerate(model.whole.nodes)}
     found: dict[str, float] = {}
     drives, same = dict(model.drives), {_key(one): name for name, one in model.drives.items()}
     for name, one in coordinates.items():
         if one.kind == "length":
-            a, b = (x[place[node]] for node in model.members[one.bar].ends)
+            a, b = (x[place[node]] for node in model.whole.members[one.bar].ends)
             found[name] = float(np.linalg.norm(b - a))
         elif one.kind == "coordinate":
             found[name] = float(x[place[one.node], "xyz".index(one.axis)])
@@ -134,14 +134,15 @@ def _together(laws: Sequence[tuple[float, float, float, float]]) -> tuple[float,
 def couplings_of(model: Model, places: Mapping[str, Place], left: list[LeftOut]) -> list[JointCoupling]:
     """The couplings whose coordinates all are values of joints; they hold in the pose, where all these are 0."""
     found = []
-    for name, coupling in model.couplings.items():
+    for name, coupling in model.whole.couplings.items():
         own = [places.get(f"{name}.{k}") for k in range(len(coupling.terms))]
         factors: dict[str, float] = {}
         for place, (_, factor) in zip(own, coupling.terms, strict=True):
             if place is not None:
                 factors[place.pivot] = factors.get(place.pivot, 0.0) + factor * place.sign
         if None in own:
-            left.append(LeftOut("couplings", name, "it couples what is no angle of a joint: the robot has more freedoms"))
+            what = model.whole.inner.part_of(name)
+            left.append(LeftOut("couplings", what, "it couples what is no angle of a joint: the robot has more freedoms"))
         else:
             found.append(JointCoupling(name=name, factors=factors, where=name))
     return found

@@ -33,16 +33,17 @@ TABLES = {
 
 def robot_of_model(model: Model, position: Any = None) -> RobotOfModel:
     """The robot of a model. position (n, dim), m : the pose; by default that of the model."""
-    x = np.zeros((len(model.nodes), 3))
-    x[:, : model.dim] = [node.at for node in model.nodes.values()] if position is None else np.asarray(position)[:, : model.dim]
+    nodes = model.whole.nodes
+    x = np.zeros((len(nodes), 3))
+    x[:, : model.dim] = [node.at for node in nodes.values()] if position is None else np.asarray(position)[:, : model.dim]
     return _Maker(model, x).drawn()
 
 
 class _Maker:
     def __init__(self, model: Model, x: NDArray[np.float64]) -> None:
-        self.model, self.x = model, x
-        self.place = {name: k for k, name in enumerate(model.nodes)}
-        self.names = list(model.nodes)
+        self.given, self.model, self.x = model, model.whole, x
+        self.place = {name: k for k, name in enumerate(self.model.nodes)}
+        self.names = list(self.model.nodes)
         self.parts = rigid_parts(model, x)
         self.at: dict[int, list[int]] = {}
         for index, part in enumerate(self.parts):
@@ -76,13 +77,13 @@ class _Maker:
         return found
 
     def drawn(self) -> RobotOfModel:
-        properties, left = masses_of(self.model, self.x, self.parts)
+        properties, left = masses_of(self.given, self.x, self.parts)
         self.left += left
         turns = list(self._turns())
         self._tree(turns)
-        start = values_of(self.model, self.coordinates, self._start())
-        self.pivots = sprung(self.model, self.places, start, self.pivots, self.left)
-        self.pivots = geared(self.model, self.pivots, self.left)
+        start = values_of(self.given, self.coordinates, self._start())
+        self.pivots = sprung(self.given, self.places, start, self.pivots, self.left)
+        self.pivots = geared(self.given, self.pivots, self.left)
         drives = {one.drive: 0 for one in self.pivots if one.drive is not None}
         self.left += [
             LeftOut("drive", one.name, "its angle is at no joint of the tree, or measured from no part of it")
@@ -101,7 +102,7 @@ class _Maker:
             links=links,
             pivots=self.pivots,
             closures=list(self._closures()),
-            couplings=couplings_of(self.model, self.places, self.left),
+            couplings=couplings_of(self.given, self.places, self.left),
             gravity=(gravity[0], gravity[1], gravity[2] if len(gravity) == 3 else 0.0),
             left_out=self.left,
         )
@@ -280,7 +281,7 @@ class _Maker:
                 links=links,
                 points=(self.x[a], self.x[b]),
                 length=length,
-                properties=rods_of(self.model, name, self.x),
+                properties=rods_of(self.given, name, self.x),
             )
 
     def _springs(self, start: Mapping[str, float]) -> Iterator[DrivenLength]:

@@ -20,6 +20,7 @@ from kinetruss.limits import hold
 from kinetruss.mechanics import compile, constraint_jacobian
 from kinetruss.mechanics.rows import null_basis
 from kinetruss.model import Model
+from kinetruss.model.data import ModelData
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -51,10 +52,10 @@ def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
     ------
     InputError : the model has too many coordinates.
     """
-    system = compile(model)
+    system, whole = compile(model), model.whole
     hold(x.size, "The motions of the model", "Export a smaller part.", most=MOST, of="coordinates")
     rows = (system.row_drive < 0) & (system.row_kind == LENGTH)
-    place = {name: k for k, name in enumerate(model.nodes)}
+    place = {name: k for k, name in enumerate(whole.nodes)}
     moved = [3 * place[one.node] + "xyz".index(one.axis) for one in model.drives.values() if one.kind == "coordinate"]
     free = np.union1d(system.free, np.array(moved, dtype=int))
     J = constraint_jacobian(system, x)[:, free][rows]
@@ -62,17 +63,17 @@ def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
     flat = np.zeros((modes.shape[1], x.size))
     flat[:, free] = modes.T
     V = flat.reshape(len(flat), len(x), 3)
-    pairs = _pairs(model, system)
+    pairs = _pairs(whole, system)
     parts = [Rigid("ground", "ground", _still(V))]
     taken = [set(parts[0].nodes)]
-    for name, seed in _seeds(model, pairs):
+    for name, seed in _seeds(whole, pairs):
         if any(set(seed) <= own for own in taken):
             continue
         nodes = _moving_with(x, V, seed, model.dim)
         if nodes is not None:
-            if not _held_together(x, nodes, pairs, taken[0], model):
+            if not _held_together(x, nodes, pairs, taken[0], whole):
                 nodes = _grown(x, seed, nodes, pairs, model.dim)
-                if not _held_together(x, nodes, pairs, taken[0], model):
+                if not _held_together(x, nodes, pairs, taken[0], whole):
                     continue
             parts.append(Rigid(name, "body", nodes))
             taken.append(set(nodes))
@@ -80,10 +81,10 @@ def rigid_parts(model: Model, x: NDArray[np.float64]) -> list[Rigid]:
         if not any(pair <= own for own in taken):
             parts.append(Rigid(name, "rod", sorted(pair)))
             taken.append(set(pair))
-    return [*parts, *_guides(model, taken[0])]
+    return [*parts, *_guides(whole, taken[0])]
 
 
-def _pairs(model: Model, system: Any) -> dict[frozenset[int], str]:
+def _pairs(model: ModelData, system: Any) -> dict[frozenset[int], str]:
     """Rigid bars between nodes, with their names."""
     driven = model.driven_members
     return {
@@ -93,7 +94,7 @@ def _pairs(model: Model, system: Any) -> dict[frozenset[int], str]:
     }
 
 
-def _seeds(model: Model, pairs: Iterable[frozenset[int]]) -> Iterator[tuple[str, list[int]]]:
+def _seeds(model: ModelData, pairs: Iterable[frozenset[int]]) -> Iterator[tuple[str, list[int]]]:
     """Nodes that are in one part: of bodies, of triangles of bars (in the plane of bars)."""
     place = {name: k for k, name in enumerate(model.nodes)}
     for name, body in model.bodies.items():
@@ -117,7 +118,7 @@ def _still(V: Any) -> list[int]:
     return np.flatnonzero(np.abs(V).max(axis=(0, 2), initial=0.0) < ALIKE).tolist()
 
 
-def _guides(model: Model, still: set[int]) -> Iterator[Rigid]:
+def _guides(model: ModelData, still: set[int]) -> Iterator[Rigid]:
     """Nodes that move, held by a support along some axes."""
     for k, name in enumerate(model.nodes):
         if (held := model.fixed.get(name, "")) and k not in still:
@@ -148,7 +149,7 @@ def _crossed(r: Any) -> NDArray[np.float64]:
     return np.array([[0.0, c, -b], [-c, 0.0, a], [b, -a, 0.0]])
 
 
-def _held_together(x: Any, nodes: Sequence[int], pairs: Iterable[frozenset[int]], ground: set[int], model: Model) -> bool:
+def _held_together(x: Any, nodes: Sequence[int], pairs: Iterable[frozenset[int]], ground: set[int], model: ModelData) -> bool:
     """True if the bars, bodies and fixed nodes inside a part make it rigid, by rank."""
     own, dim = set(nodes), model.dim
     place = {name: k for k, name in enumerate(model.nodes)}
@@ -193,7 +194,7 @@ def masses_of(
 
     Bodies and bars belong to the part of their nodes, a mass at a node to the first part with the node.
     """
-    place = {name: k for k, name in enumerate(model.nodes)}
+    place = {name: k for k, name in enumerate(model.whole.nodes)}
     own: list[list[MassProperties]] = [[] for _ in parts]
     left: list[LeftOut] = []
 
@@ -242,7 +243,7 @@ def _moved(model: Model, x: Any, name: str, nodes: Sequence[int]) -> MassPropert
     """A body of the model where its nodes are at x: the rotation that fits them best (Kabsch 1976), exact for a rigid body."""
     given = properties_of(model, name)
     old = np.zeros((len(nodes), 3))
-    old[:, : model.dim] = [model.nodes[node].at for node in model.bodies[name].nodes]
+    old[:, : model.dim] = [model.whole.nodes[node].at for node in model.bodies[name].nodes]
     new = x[list(nodes)]
     center = np.zeros(3)
     center[: model.dim] = given.center

@@ -243,5 +243,5 @@ def _record(system: System, forces: Forces, wanted: list[Coordinate], rows: NDAr
         data=frame,
         status=forces.status,
         message=forces.message,
-        provenance=provenance(system.model, load_case=forces.load_case),
+        provenance=provenance(system.given, load_case=forces.load_case),
     )

@@ -194,4 +194,4 @@ def _record(
     }
     coords = {"gain": gains, "mode": np.arange(1, modes + 1)}
     frame = xr.Dataset(data, coords=coords, attrs={"kind": "active_damping", "feedback": kind})
-    return ActiveDamping(data=frame, message="", provenance=provenance(system.model, load_case=forces.load_case))
+    return ActiveDamping(data=frame, message="", provenance=provenance(system.given, load_case=forces.load_case))

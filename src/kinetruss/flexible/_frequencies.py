@@ -154,5 +154,5 @@ def _record(
         data=frame,
         status=forces.status,
         message=" ".join(text for text in (forces.message, said) if text),
-        provenance=provenance(system.model, load_case=forces.load_case),
+        provenance=provenance(system.given, load_case=forces.load_case),
     )

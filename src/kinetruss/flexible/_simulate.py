@@ -134,7 +134,7 @@ class _Springs:
                 f"Drive {name!r} is no length of an elastic member. Give its member a section and a material, or a stiffness."
             )
         t = np.linspace(0.0, float(trajectory.duration), TABLE)
-        found, drives = sample(system.model, trajectory, t), system.row_drive[rows]
+        found, drives = sample(system.given, trajectory, t), system.row_drive[rows]
         self.length = CubicHermiteSpline(t, found.value[:, drives], found.rate[:, drives])
         self.rate, self.last = self.length.derivative(), float(t[-1])
         self.drives = [system.drives[d] for d in drives]

@@ -274,7 +274,7 @@ def _record(
         data=frame,
         status=forces.status,
         message=forces.message,
-        provenance=provenance(system.model, load_case=forces.load_case),
+        provenance=provenance(system.given, load_case=forces.load_case),
     )
 
 

@@ -39,7 +39,7 @@ def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]
 
 def _motion_faults(name: str, path: str, model: Model) -> list[Fault]:
     try:
-        found = history_faults(model, read_history(path, dim=model.dim, nodes=model.nodes))
+        found = history_faults(model, read_history(path, dim=model.dim, nodes=model.whole.nodes))
     except ModelError as error:
         found = error.faults
     return [Fault(("runs", name, "motion"), f.message, f.mend, f.line, f.column, f.file) for f in found]

@@ -99,15 +99,15 @@ def history_faults(model: Model, history: NodeHistory) -> list[Fault]:
     for kind, columns in (("velocity", "velocities (NODE.vx ..)"), ("acceleration", "accelerations (NODE.ax ..)")):
         if getattr(history, kind) is None:
             found.append(_about(history, f"has no {columns}.", "Inertia forces need them: add the columns."))
-    whole = "xyz"[: model.dim]
-    moving = [n for n in model.nodes if set(model.fixed.get(n, "")) != set(whole) or n in model.support_motion]
+    whole, axes = model.whole, "xyz"[: model.dim]
+    moving = [n for n in whole.nodes if set(whole.fixed.get(n, "")) != set(axes) or n in whole.support_motion]
     if missing := [name for name in moving if name not in history.nodes]:
         found.append(_about(history, f"has no columns for {few(missing, 12)}.", "Add them; only fixed nodes may be omitted."))
-    places = np.array([node.at for node in model.nodes.values()], float)
+    places = np.array([node.at for node in whole.nodes.values()], float)
     allowed = AGREE * float(np.ptp(places, axis=0).max())
     for k, name in enumerate(history.nodes):
-        for axis in () if name in model.support_motion else model.fixed.get(name, ""):
-            column, place = history.position[:, k, "xyz".index(axis)], model.nodes[name].at["xyz".index(axis)]
+        for axis in () if name in whole.support_motion else whole.fixed.get(name, ""):
+            column, place = history.position[:, k, "xyz".index(axis)], whole.nodes[name].at["xyz".index(axis)]
             off = np.abs(column - place)
             if off.max(initial=0.0) > allowed:
                 at = int(off.argmax())

@@ -12,6 +12,7 @@ from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError, UnitError, shown
 from kinetruss.io.csv_tables import Table, read_table
+from kinetruss.io.earlier import without_inner_parts
 from kinetruss.io.histories import measured_columns, read_measured_table
 from kinetruss.io.library_models import on_library_model, with_parameters
 from kinetruss.io.yaml_text import MAX_SIZE, Tree, locate, parse, plain, read_text, refuse
@@ -253,7 +254,7 @@ def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: 
             faults = faults + error.faults
             data = {key: value for key, value in data.items() if key != "library"}
             lost.add(())  # all names that may be referred to
-    reading = Reading(data, folder, max_size)
+    reading = Reading(without_inner_parts(data), folder, max_size)
     with_files(reading)
     faults = faults + reading.faults
     for place in reading.lost:

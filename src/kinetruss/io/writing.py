@@ -8,6 +8,7 @@ from pathlib import Path, PureWindowsPath
 from typing import Any
 
 from kinetruss.errors import Fault, InputError, KinetrussError, ModelError
+from kinetruss.io.earlier import without_inner_parts
 from kinetruss.io.emitting import plain_model, to_json, to_yaml
 from kinetruss.io.patching import patched
 from kinetruss.io.reading import model_of
@@ -85,7 +86,7 @@ def data_of(text: str, folder: Path, max_size: int = MAX_SIZE, *, within: bool =
         return {}, faults
     if tree.table is None:
         raise refuse("is not a table of names.", "Start with kinetruss: 1, then nodes, bars, ...", tree.place)
-    data: dict[str, Any] = plain(tree)
+    data: dict[str, Any] = without_inner_parts(plain(tree))
     if "library" in data or _uses_files(data):
         if within and (outside := _outside(data)):
             raise refuse(

@@ -10,7 +10,6 @@ from kinetruss.io import MAX_SIZE, check as data_faults, placed, read
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.mobility import afloat, beam_deformations, mobility_at
 from kinetruss.model import Model, in_python, loads_along_beams, plausibility
-from kinetruss.model.beam_checks import spins
 
 
 def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
@@ -67,7 +66,7 @@ def _spins(model: Model) -> list[Fault]:
     """Members that are held against a spin about their own axis."""
     said = "is free to spin about its own axis; nothing drives or loads this, so it is held."
     mend = "If it should turn, clamp or drive it, or put a hinge at one end."
-    return [Fault(("beams", one.beams[0]), said, mend) for one in spins(model)]
+    return [Fault(("beams", one.beams[0]), said, mend) for one in model.whole.inner.spins]
 
 
 def _freedoms(model: Model) -> list[Fault]:

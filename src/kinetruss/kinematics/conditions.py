@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from kinetruss.kinematics.turns import halved
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Bar, Condition, LengthDrive, LoadCase, Model, NodalForce, condition_faults, natural_length, nearest
+from kinetruss.model.references import names_in
 from kinetruss.results import Motion
 
 if TYPE_CHECKING:
@@ -29,34 +30,15 @@ def without_arms(model: Model, changes: Mapping[str, Any], failed: set[str]) -> 
     """
     if not (failed and (model.hubs or model.bearings)):
         return {}
-    starts = tuple(f"{hub}.{member}" for hub in model.hubs for member in failed)
+    arms = tuple(f"{hub}.{member}" for hub in model.hubs for member in failed)
 
-    def gone(name: Any) -> bool:
-        return any(str(name) == one or str(name).startswith(f"{one}.") for one in starts)
+    def left(record: Any) -> bool:
+        return not any(name == arm or name.startswith(f"{arm}.") for _, name, _ in names_in(record) for arm in arms)
 
-    def left(table: Mapping[str, Any]) -> dict[str, Any]:
-        return {name: record for name, record in table.items() if not gone(name)}
-
-    hubs = _hubs(model, failed)
-    bodies = {}
-    for name, body in model.bodies.items():
-        of_hub = name.endswith(".hub") and name.removesuffix(".hub") in model.hubs
-        # the body of a hub that loses an arm is made anew from the hub
-        if (
-            name.removesuffix(".hub") in hubs and not any(map(gone, body.nodes))
-            if of_hub
-            else name.removesuffix(".hinges") not in failed
-        ):
-            bodies[name] = body
     return {
-        "hubs": hubs,
-        "bodies": bodies,
-        "bars": {name: bar for name, bar in left(changes["bars"]).items() if not any(map(gone, bar.ends))},
-        "drives": {name: one for name, one in changes["drives"].items() if not any(map(gone, _values(one.model_dump())))},
-        "nodes": left(model.nodes),
-        "fixed": left(model.fixed),
-        "support_motion": left(model.support_motion),
-        "couplings": left(model.couplings),
+        "hubs": _hubs(model, failed),
+        "bars": {name: one for name, one in changes["bars"].items() if left(one)},
+        "drives": {name: one for name, one in changes["drives"].items() if left(one)},
         "bearings": {name: one for name, one in model.bearings.items() if not {one.member, one.against} & failed},
     }
 
@@ -72,17 +54,6 @@ def _hubs(model: Model, failed: set[str]) -> dict[str, Any]:
         if arms or clamped or hub.reach:
             found[name] = hub.with_(arms=arms, hinges=hinges, clamped=clamped)
     return found
-
-
-def _values(value: Any) -> Iterable[Any]:
-    """All values within mappings and sequences."""
-    if isinstance(value, Mapping):
-        value = list(value.values())
-    if isinstance(value, (list, tuple)):
-        for one in value:
-            yield from _values(one)
-    else:
-        yield value
 
 
 # A model under an operating condition, as a model.
@@ -125,7 +96,7 @@ def under(model: Model, condition: str | Condition) -> Model:
 @cached()
 def _under(system: System, name: str) -> Model:
     """The model under one of its own conditions: the same for all its runs."""
-    return _changed(system.model, system.model.conditions[name])
+    return _changed(system.given, system.given.conditions[name])
 
 
 def _changed(model: Model, chosen: Condition) -> Model:
@@ -258,34 +229,54 @@ def _warmed(model: Model, condition: Condition) -> Model:
     system = compile(model)
     length = dict(zip(system.members, system.length0.tolist(), strict=True))
     bars, stretched, unknown = {}, {}, []
-    for name, bar in model.bars.items():
-        bars[name] = bar
+
+    def factor(name: str, bar: Bar) -> float:
+        """How much longer it becomes."""
         warmer = condition.temperatures.get(name, condition.temperature)
-        if not warmer or bar.brace or bar.body is not None or bar.kind in ("driven", "free"):
-            continue
+        if not warmer or bar.body is not None or bar.kind in ("driven", "free"):
+            return 1.0
         material = model.material_of(bar)
         if material is None or material.thermal_expansion is None:
             unknown.append(name)
-            continue
-        factor = 1 + material.thermal_expansion * warmer
-        if bar.kind == "rigid":
-            bars[name] = bar.with_(length=length[name] * factor)
-            stretched[name] = length[name] * factor
-        else:
-            bars[name] = bar.with_(pretension=None, natural_length=factor * natural_length(model, bar, length[name]))
+            return 1.0
+        return 1 + material.thermal_expansion * warmer
+
+    for name, bar in model.bars.items():
+        bars[name], more = bar, factor(name, bar)
+        if more != 1.0 and bar.kind == "rigid":
+            bars[name] = bar.with_(length=length[name] * more)
+            stretched[name] = length[name] * more
+        elif more != 1.0:
+            bars[name] = bar.with_(pretension=None, natural_length=more * natural_length(model, bar, length[name]))
+    hubs = _warmed_hubs(system, factor)
     if unknown:
-        more = f" and {len(unknown) - 1} more" if len(unknown) > 1 else ""
+        more_of = f" and {len(unknown) - 1} more" if len(unknown) > 1 else ""
         raise InputError(
-            f"{unknown[0]!r}{more}: no thermal expansion is known. Give thermal_expansion to its material, 1/K (0 if it keeps "
-            "its length)."
+            f"{unknown[0]!r}{more_of}: no thermal expansion is known. Give thermal_expansion to its material, 1/K "
+            "(0 if it keeps its length)."
         )
-    if not stretched:
+    if not stretched and hubs == model.hubs:
         return model.with_(bars=bars)
-    place = _closed(model, stretched)
-    nodes = {name: node.with_(at=tuple(at)) for (name, node), at in zip(model.nodes.items(), place.tolist(), strict=True)}
-    fixed = {name: _of_length(bar, length[name]) for name, bar in bars.items()}
     active = {name: one.with_(length=length[name]) for name, one in model.active.items()}
-    return model.with_(bars=fixed, active=active, nodes=nodes)
+
+    def keeping(bars: Mapping[str, Bar]) -> Model:
+        return model.with_(bars={name: _of_length(bar, length[name]) for name, bar in bars.items()}, active=active, hubs=hubs)
+
+    place = _closed(model if hubs == model.hubs else keeping(model.bars), stretched)
+    nodes = {name: node.with_(at=tuple(at)) for (name, node), at in zip(model.nodes.items(), place.tolist(), strict=False)}
+    return keeping(bars).with_(nodes=nodes)
+
+
+def _warmed_hubs(system: System, factor: Callable[[str, Bar], float]) -> dict[str, Any]:
+    """Hubs whose rigid arms are longer by these factors."""
+    found = dict(system.given.hubs)
+    for name, arms in system.inner.arms.items():
+        more = {arm.member: factor(arm.name, system.model.bars[arm.name]) for arm in arms}
+        if any(one != 1.0 for one in more.values()):
+            hub = found[name]
+            longer = {one: (by * np.array(hub.arms.get(one, hub.reach), float)).tolist() for one, by in more.items()}
+            found[name] = hub.with_(arms={**hub.arms, **longer})
+    return found
 
 
 def _of_length(bar: Bar, length: float) -> Bar:

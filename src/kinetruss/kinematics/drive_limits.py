@@ -151,7 +151,7 @@ def limit_values(names: Sequence[str], given: Any, what: str) -> NDArray[np.floa
 
 def _of_motor(system: System, name: str) -> tuple[float, list[str]]:
     """Largest rate of a drive at the largest speed of its motor; other limited quantities of its motor and amplifier."""
-    model, drive = system.model, system.model.all_drives[name]
+    model, drive = system.given, system.given.all_drives[name]
     one = model.actuators.get(drive.bar if isinstance(drive, LengthDrive) else name)
     if one is None:
         return np.inf, []

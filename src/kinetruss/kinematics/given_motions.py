@@ -138,14 +138,15 @@ def from_csv(model: Model, path: str | Path) -> Motion:
     >>> motion.length.sel(member="b").values.tolist()
     [2.0, 2.0]
     """
-    history = read_history(path, dim=model.dim, nodes=model.nodes)
+    nodes = model.whole.nodes
+    history = read_history(path, dim=model.dim, nodes=nodes)
     if found := history_faults(model, history):
         raise ModelError(found)
     rates = (
         cast("NDArray[np.float64]", one) for one in (history.velocity, history.acceleration)
     )  # without them there are faults
     x, v, a = (_filled(model, history, one) for one in (history.position, *rates))
-    for k, (name, node) in enumerate(model.nodes.items()):
+    for k, (name, node) in enumerate(nodes.items()):
         if name not in history.nodes:
             x[:, k] = node.at
     return from_arrays(model, history.times, x, v, a)
@@ -153,8 +154,9 @@ def from_csv(model: Model, path: str | Path) -> Motion:
 
 def _filled(model: Model, history: NodeHistory, values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values in the order of the model's nodes; zero for those that are not in the table."""
-    found = np.zeros((len(history.times), len(model.nodes), model.dim))
-    for k, name in enumerate(model.nodes):
+    nodes = model.whole.nodes
+    found = np.zeros((len(history.times), len(nodes), model.dim))
+    for k, name in enumerate(nodes):
         if name in history.nodes:
             found[:, k] = values[:, history.nodes.index(name)]
     return found

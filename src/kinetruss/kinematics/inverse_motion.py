@@ -113,7 +113,7 @@ def task_of(system: System, targets: Any, platform: Sequence[str] | None) -> Any
     if isinstance(targets, TARGETS):
         if platform is not None:
             raise InputError("A task names its platform itself. Leave `platform` out.")
-        if faults := list(target_faults(system.model, targets)):
+        if faults := list(target_faults(system.given, targets)):
             raise ModelError(faults)
         return targets
     names = list(moved_by(targets)[1])  # refuses anything but a trajectory

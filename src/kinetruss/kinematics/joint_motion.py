@@ -126,7 +126,7 @@ def shared_nodes(model: Model, first: Body, second: Body) -> tuple[str, ...]:
 
 def _angle(model: Model, one: Carried, two: Carried, common: Sequence[str]) -> Any:
     """Angle of R_1^T R_2 about the axis fixed in the first body, relative to the start configuration."""
-    start = [np.array(model.nodes[name].at, float) for name in common]
+    start = [np.array(model.whole.nodes[name].at, float) for name in common]
     k = np.array([0.0, 0.0, 1.0]) if model.dim == 2 else (start[1] - start[0]) / np.linalg.norm(start[1] - start[0])
     R = np.einsum("tji,tjk->tik", one.R @ one.at_start, two.R @ two.at_start)
     across = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1) @ k

@@ -103,7 +103,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
         data |= found.passed.variables(system)
     kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space, **found.attrs})
     message = f"{message} {rods_that_stick_out(system, t, L)}".strip()
-    return Motion(data=kept.later, status=status, message=message, provenance=provenance(system.model, space=space))
+    return Motion(data=kept.later, status=status, message=message, provenance=provenance(system.given, space=space))
 
 
 def rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:
@@ -306,7 +306,7 @@ def instants(duration: float, samples: int, times: ArrayLike | None, model: Mode
     """
     if times is None:
         samples = whole(samples, "samples", least=2)
-        a_sample = 1 if model is None else 9 * len(model.nodes) + 4 * len(model.members)
+        a_sample = 1 if model is None else 9 * len(model.whole.nodes) + 4 * len(model.whole.members)
         hold(samples * a_sample, f"A motion of {samples:,} samples", "Take fewer, or write a run to a folder (out).")
         return np.linspace(0.0, duration, samples)
     t = np.atleast_1d(array_of(times, "times", {}, {"times": None}, unit="s"))

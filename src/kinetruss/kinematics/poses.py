@@ -18,6 +18,7 @@ from kinetruss.mechanics.positions import centred, spin_of
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Body, Frame, Model, nearest
 from kinetruss.model.bodies import barycentric, placed
+from kinetruss.model.data import ModelData
 from kinetruss.results import Column, Motion, variable
 
 if TYPE_CHECKING:
@@ -34,21 +35,22 @@ def nodes_of(model: Model, body: str | Sequence[str]) -> tuple[str, ...]:
     """
     if not isinstance(body, str):
         return tuple(names_of(body, "a body, or nodes that move as one, e.g. ('P1', 'P2', 'P3')"))
-    if body == "ground" and body not in model.bodies:
-        return tuple(name for name, axes in model.fixed.items() if set(axes) >= set("xyz"[: model.dim]))
-    if body not in model.bodies and model.dim == 2 and body in model.members:
-        return model.members[body].ends
-    if body not in model.bodies:
+    whole = model.whole
+    if body == "ground" and body not in whole.bodies:
+        return tuple(name for name, axes in whole.fixed.items() if set(axes) >= set("xyz"[: model.dim]))
+    if body not in whole.bodies and model.dim == 2 and body in whole.members:
+        return whole.members[body].ends
+    if body not in whole.bodies:
         hint = nearest(body, model.bodies) if model.bodies else "The model has no bodies: name nodes, e.g. ('P1', 'P2', 'P3')."
         raise InputError(f"No body called {body!r}. {hint}")
-    return model.bodies[body].nodes
+    return whole.bodies[body].nodes
 
 
 def start_frame(
     model: Model, body: str | Sequence[str], frame: Frame | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Origin (3,) m and axes (3, 3), rows, of the frame of a body in the start configuration (see `pose`)."""
-    named = model.bodies.get(body) if isinstance(body, str) else None
+    named = model.whole.bodies.get(body) if isinstance(body, str) else None
     if frame is not None and not isinstance(frame, Frame):
         raise InputError(f"frame is {shown(frame)}. Give kt.Frame(origin=..), or leave it out.")
     own = named.frame if frame is None and named is not None else frame
@@ -69,7 +71,7 @@ def _centre(model: Model, body: Body) -> NDArray[np.float64]:
 
 
 def _middle(model: Model, names: Sequence[str]) -> NDArray[np.float64]:
-    return np.asarray(np.mean([model.nodes[name].at for name in names], axis=0))
+    return np.asarray(np.mean([model.whole.nodes[name].at for name in names], axis=0))
 
 
 # Position and orientation of a body, from its nodes.
@@ -173,7 +175,7 @@ def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Fram
     R = _rotations(system, names, arms[0])
     w, alpha = spin_of(arms, names, system.dim)
     origin, axes = start_frame(model, body, frame)
-    own, along, across, fixed = _follows(model, body, names, origin)
+    own, along, across, fixed = _follows(system.model, body, names, origin)
     index = [system.node_index(name) for name in own]
     nodes = [y.reshape(len(x), -1, 3)[:, index] for y in histories]
     x_c, v_c, a_c = (np.einsum("k,tkc->tc", along, y) + np.einsum("k,tkc->tc", across, turned(y)) for y in nodes)
@@ -185,7 +187,7 @@ def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Fram
 
 
 def _follows(
-    model: Model, body: str | Sequence[str], names: Sequence[str], origin: Array
+    model: ModelData, body: str | Sequence[str], names: Sequence[str], origin: Array
 ) -> tuple[Sequence[str], Array, Array, Array]:
     """Position of a point from nodes: x = sum of along_k x_k + across_k (x_k turned left), + R fixed (m); the nodes first.
 
@@ -208,7 +210,7 @@ def _follows(
     return carriers, along, np.zeros(len(carriers)), origin - np.pad(along @ points, (0, 3 - dim))
 
 
-def _straining(model: Model, body: str | Sequence[str], names: Sequence[str]) -> Body | None:
+def _straining(model: ModelData, body: str | Sequence[str], names: Sequence[str]) -> Body | None:
     """The straining body of a name or of given nodes."""
     if isinstance(body, str):
         found = model.bodies.get(body)

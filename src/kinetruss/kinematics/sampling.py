@@ -123,7 +123,7 @@ def check_trajectory(system: System, trajectory: Any) -> None:
 
 @cached()
 def _faults(system: System, trajectory: ByIdentity) -> tuple[Fault, ...]:
-    return tuple(trajectory_faults(system.model, trajectory.model))
+    return tuple(trajectory_faults(system.given, trajectory.model))
 
 
 def sample_profile(trajectory: Any, times: Floats, start: Mapping[str, float]) -> dict[str, Law]:
@@ -152,14 +152,14 @@ def start_values(model: Model) -> dict[str, float]:
 
 @cached()
 def _starts(system: System) -> dict[str, float]:
-    return {name: _stand(system.model, name, drive) for name, drive in system.model.all_drives.items()}
+    return {name: _stand(system, name, drive) for name, drive in system.model.all_drives.items()}
 
 
-def _stand(model: Model, name: str, drive: Any) -> float:
+def _stand(system: System, name: str, drive: Any) -> float:
+    model = system.model
     if isinstance(drive, CoordinateDrive):
         return model.nodes[drive.node].at["xyz".index(drive.axis)]
     if is_measured(model, drive):
-        system = compile(model)
         return float(system.drive_start[system.drives.index(name)])
     member = model.members[drive.bar]
     p, q = (model.nodes[end].at for end in member.ends)

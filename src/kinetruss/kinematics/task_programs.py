@@ -241,7 +241,7 @@ def _positioning(made: Tasks, task: Positioning) -> None:
 
 
 def _docking(made: Tasks, task: Docking) -> None:
-    origin, own = start_frame(made.system.model, task.platform, task.frame)
+    origin, own = start_frame(made.system.given, task.platform, task.frame)
 
     def place(program: Program) -> Vector:
         if task.frame is None or task.frame.origin is None:

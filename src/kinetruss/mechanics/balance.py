@@ -206,7 +206,7 @@ def balance_of(
     ------
     InputError : an unknown load case or drive, a task that has no meaning at rest.
     """
-    given_forces = _given_forces(system.model, tasks or {}, time)
+    given_forces = _given_forces(system.given, tasks or {}, time)
     held = released(system, tuple(given_forces))
     loads = case_loads(system, np.array([time]), load_case)
     push, torque = np.zeros(len(system.members)), np.zeros(len(system.members))

@@ -10,6 +10,7 @@ from kinetruss.elements.caching import cached
 from kinetruss.kernels.structure.structure import CABLE
 from kinetruss.mechanics.members import FREE
 from kinetruss.mechanics.system import System
+from kinetruss.model.members import Brace
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -25,7 +26,7 @@ class Bars:
     def __init__(self, system: System) -> None:
         model = system.model
         self.system = system
-        self.brace = [name in model.bars and model.bars[name].brace for name in system.members]
+        self.brace = [isinstance(one, Brace) for one in model.members.values()]
         self.ground = {system.node_index(name) for name, axes in model.fixed.items() if len(axes) == model.dim}
         self.index = {name: i for i, name in enumerate(system.members)}
         self._at: list[list[int]] = [[] for _ in system.nodes]

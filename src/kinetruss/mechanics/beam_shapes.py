@@ -22,7 +22,8 @@ from kinetruss.elements.caching import cached
 from kinetruss.mechanics.arrangement import arrange
 from kinetruss.mechanics.mobility import mobility_at
 from kinetruss.mechanics.row_gradients import row_directions
-from kinetruss.mechanics.system import System, compile
+from kinetruss.mechanics.system import System, system_of
+from kinetruss.model import Owner
 from kinetruss.model.beam_frames import shape_bars
 
 if TYPE_CHECKING:
@@ -121,7 +122,8 @@ def fixed_shapes(system: System) -> FixedShapes | None:
         return None
     bars = shape_bars(system.model, [found.names[k] for k in loose])
     added = {name: bar for part in bars.values() for name, bar in part.items()}
-    whole = compile(system.model.with_(bars={**system.model.bars, **added}))
+    owners = {name: Owner("beams", beam) for beam, part in bars.items() for name in part}
+    whole = system_of(system.given, system.model.with_bars(added, owners))
     place = {name: i for i, name in enumerate(whole.members)}
     keys = {key: r for r, key in enumerate(_keys(whole))}
     own = np.array([keys[key] for key in _keys(system)], np.int64)

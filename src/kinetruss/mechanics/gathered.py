@@ -22,7 +22,7 @@ from kinetruss.model.data import ELEMENT_FIELDS
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.model import Model
+    from kinetruss.model import WholeModel
 
 
 class Joined(NamedTuple):
@@ -43,7 +43,7 @@ class Joined(NamedTuple):
     sheets: Sheets | None
 
 
-def gathered(model: Model) -> tuple[Joined, Numbers]:
+def gathered(model: WholeModel) -> tuple[Joined, Numbers]:
     """The structure of a model, and its numbers by name."""
     index, matter = {name: i for i, name in enumerate(model.nodes)}, Matter(model)
     members, of_members = members_of(model, matter)
@@ -77,7 +77,7 @@ def gathered(model: Model) -> tuple[Joined, Numbers]:
     return joined, Numbers(own | elements | loads | matter.numbers() | of_members | of_bodies | of_measures | of_sheets)
 
 
-def _element_numbers(model: Model) -> dict[str, Any]:
+def _element_numbers(model: WholeModel) -> dict[str, Any]:
     """The numbers of elements whose records say their kind, as "spring stiffness", one an element; NaN those not given."""
     found = {}
     for kind, table in ELEMENT_FIELDS.items():
@@ -95,7 +95,7 @@ def _numbers_in(record: Any) -> tuple[str, ...]:
     return tuple(name for name, text in own.items() if "float" in text and "tuple" not in text)
 
 
-def _load_numbers(model: Model) -> dict[str, Any]:
+def _load_numbers(model: WholeModel) -> dict[str, Any]:
     """The numbers of loads and load cases, as "load NAME force": amounts (c,) or in time (times, c), others (k,)."""
     found: dict[str, Any] = {}
     for name, load in model.loads.items():
@@ -112,7 +112,7 @@ def _load_numbers(model: Model) -> dict[str, Any]:
     return found
 
 
-def _prescribed(model: Model, index: Mapping[str, int], rows: Rows) -> NDArray[np.bool_]:
+def _prescribed(model: WholeModel, index: Mapping[str, int], rows: Rows) -> NDArray[np.bool_]:
     """Flat coordinates that are held or driven."""
     found = np.zeros((len(index), 3), np.bool_)
     found[:, model.dim :] = True

@@ -16,7 +16,7 @@ from kinetruss.elements.numbers import size
 from kinetruss.errors import InputError
 from kinetruss.kernels.coordinates.forms import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kernels.coordinates.on_arrays import gradient_on_arrays, value_on_arrays
-from kinetruss.model import Model, turns
+from kinetruss.model import WholeModel, turns
 from kinetruss.model.data import FORCE_ELEMENTS
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ LARGEST_TEETH = 1000
 TURN = 2 * math.pi
 
 
-def is_measured(model: Model, drive: Any) -> bool:
+def is_measured(model: WholeModel, drive: Any) -> bool:
     """True for drives whose coordinate is a sum of terms, not the length or the planar angle of one bar."""
     return drive.kind == "hinge" or (drive.kind == "angle" and model.dim == 3)
 
@@ -76,7 +76,7 @@ class Measures:
     driven: int
 
 
-def measures_of(model: Model, index: dict[str, int]) -> tuple[Measures, dict[str, Any]]:
+def measures_of(model: WholeModel, index: dict[str, int]) -> tuple[Measures, dict[str, Any]]:
     """The measures of a model: of drives, then of couplings, then of elements, in its order; and their numbers.
 
     Raises
@@ -230,7 +230,7 @@ def _on_arrays(fields: dict[str, Any], data: Array, x0: Array) -> Iterator[tuple
 
 
 def terms_of(
-    model: Model, index: dict[str, int], x0: NDArray[np.float64], one: Any, factor: float
+    model: WholeModel, index: dict[str, int], x0: NDArray[np.float64], one: Any, factor: float
 ) -> list[tuple[int, list[int], list[float]]]:
     """Kind, places and data of the terms of one coordinate."""
     found = []
@@ -243,7 +243,7 @@ def terms_of(
     return found
 
 
-def _terms(model: Model, index: dict[str, int], one: Any) -> list[Term]:
+def _terms(model: WholeModel, index: dict[str, int], one: Any) -> list[Term]:
     """The terms of one coordinate."""
 
     def at(*names: str) -> list[int]:

@@ -10,9 +10,7 @@ import numpy as np
 
 from kinetruss.elements.numbers import entries
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, NONE
-from kinetruss.model import Active, Bar, Model, PointMass, natural_length
-from kinetruss.model.hub_arms import arms_of, clamped_at
-from kinetruss.model.hub_expansion import pivots_of
+from kinetruss.model import Active, Bar, PointMass, WholeModel, natural_length
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,7 +57,7 @@ class ActiveParts:
     springs: tuple[dict[str, int] | None, ...]
 
 
-def members_of(model: Model, matter: Matter) -> tuple[Members, dict[str, Any]]:
+def members_of(model: WholeModel, matter: Matter) -> tuple[Members, dict[str, Any]]:
     """The members of a model, and their numbers."""
     driven = {drive.bar for drive in model.all_drives.values() if drive.kind == "length"}
     given: dict[str, list[tuple[Any, Any]]] = {name: [] for name in _GIVEN}
@@ -126,10 +124,11 @@ def _rod(k: int, bar: Bar, at: dict[str, list[Any]], given: dict[str, list[Any]]
         at["rotary"].append(k)
 
 
-def _of_hubs(model: Model) -> list[int]:
+def _of_hubs(model: WholeModel) -> list[int]:
     """The members of hubs, which are rigid bodies, with their arms and with the members clamped to them."""
-    names = {name for hub in model.hubs for name in (*(arm.name for arm in arms_of(model, hub)), *clamped_at(model, hub))}
-    names |= {one.member for one in pivots_of(model) if one.steady}
+    names = {arm.name for arms in model.inner.arms.values() for arm in arms}
+    names |= {name for hub in model.hubs.values() for name in hub.clamped}
+    names |= {one.member for one in model.inner.pivots if one.steady}
     return [i for i, name in enumerate(model.members) if name in names] if names else []
 
 

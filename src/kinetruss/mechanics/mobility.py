@@ -440,7 +440,7 @@ def underdriven(system: System) -> InputError:
             f"{moves_text(system, way.reshape(-1, 3)[:, : system.dim])}. "
             f"{_beside(system)}"
         )
-    if (free := afloat(system.model)) is not None:
+    if (free := afloat(system.given)) is not None:
         return InputError(f"{free.message.capitalize()} {free.mend}")
     moves = "; ".join(found.mechanism_texts(4))
     return InputError(

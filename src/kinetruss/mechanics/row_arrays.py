@@ -10,7 +10,7 @@ import numpy as np
 from kinetruss.kernels.coordinates.on_arrays import angle_of
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM
 from kinetruss.mechanics.members import DRIVEN, RIGID
-from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, Model
+from kinetruss.model import AngleDrive, CoordinateDrive, LengthDrive, WholeModel
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -37,7 +37,7 @@ class Rows:
 PLACE = -1
 
 
-def rows_of(model: Model, index: dict[str, int], kind: NDArray[np.int8], drive_measure: NDArray[np.int64]) -> Rows:
+def rows_of(model: WholeModel, index: dict[str, int], kind: NDArray[np.int8], drive_measure: NDArray[np.int64]) -> Rows:
     """The rows of a model, of whose members `kind` are the kinds, and of whose drives `drive_measure` the measures."""
     place = {name: i for i, name in enumerate(model.members)} if model.all_drives else {}
     driven = np.full(len(kind), -1)

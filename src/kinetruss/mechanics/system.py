@@ -14,7 +14,7 @@ from kinetruss.elements.numbers import sums_at
 from kinetruss.errors import InputError, shown
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics.gathered import arrays_at, gathered
-from kinetruss.model import Inner, Model, inner_parts
+from kinetruss.model import Inner, Model, WholeModel
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 class System:
     """Arrays of a model. All vectors have three components; planar models keep z = 0. Coordinates are flat: 3 node + axis.
 
+    model : the whole, with inner parts behind those of the user, in `nodes` and `members` too; given : the user's.
     x0 (n, 3) positions, m; p, q (m,) end nodes; kind (m,); length0 (m,) prescribed or present length, m;
     two_rods (m,) active members; rods (m, 6): mass, length, rotary inertia of a uniform bar (then zeros), or of base and
     tube, each the uniform rod with the same moments as that with its masses; own_rods (m, 6): likewise, without the masses, and
@@ -49,7 +50,8 @@ class System:
     continua : membranes and solids, or None.
     """
 
-    model: Model
+    given: Model
+    model: WholeModel
     dim: int
     nodes: tuple[str, ...]
     members: tuple[str, ...]
@@ -159,15 +161,10 @@ class System:
         names = ("row_member", "row_kind", "row_drive", "row_value", "row_measure")
         return replace(self, **({name: getattr(self, name)[rows] for name in names} | changes))
 
-    @cached_property
+    @property
     def inner(self) -> Inner:
         """The inner parts of the model."""
-        return inner_parts(self.model)
-
-    def _part(self, name: str) -> str:
-        """The user's part that a member or coupling belongs to: itself, or of an inner one that of its owner."""
-        owner = self.inner.bars.get(name) or self.inner.couplings.get(name)
-        return name if owner is None else owner.text
+        return self.model.inner
 
     def row_name(self, r: Any) -> str:
         """The name of what row r prescribes: a member, ``angle of`` one, a drive or a coupling."""
@@ -175,12 +172,12 @@ class System:
 
     def part_of(self, r: Any) -> str:
         """The same, of an inner part its owner."""
-        part = self._part(self._of(r))
+        part = self.inner.part_of(self._of(r))
         return f"angle of {part}" if self._turns(r) and part == self._of(r) else part
 
     def parts_of(self, rows: Any) -> list[str]:
         """The user's parts to which some rows belong, each once."""
-        return list(dict.fromkeys(self._part(self._of(r)) for r in rows))
+        return list(dict.fromkeys(self.inner.part_of(self._of(r)) for r in rows))
 
     def _of(self, r: Any) -> str:
         """The member, drive or coupling of a row."""
@@ -240,8 +237,13 @@ class ByIdentity:
 
 @lru_cache(maxsize=32)
 def _compiled(key: ByIdentity) -> System:
-    model = key.model
+    return system_of(key.model, key.model.whole)
+
+
+def system_of(given: Model, model: WholeModel) -> System:
+    """Compile a whole of the user's model to arrays."""
     system = System(
+        given=given,
         model=model,
         dim=model.dim,
         nodes=tuple(model.nodes),

@@ -20,19 +20,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import Fault, few
-from kinetruss.model.beam_frames import SHAPE, Axes, Hinge, frame_of, frames, hinges, sound_beams
+from kinetruss.model.beam_frames import Axes, Hinge, frame_of, sound_beams
 from kinetruss.model.common_faults import components
 from kinetruss.model.drives import CoordinateDrive, Coupling
+from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
 from kinetruss.model.loads import BodyCouple, BodyForce
+from kinetruss.model.members import Brace, Node
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Container, Iterable
 
     from numpy.typing import NDArray
 
     from kinetruss.model.beams import Beam
     from kinetruss.model.data import ModelData
+    from kinetruss.model.whole import WholeModel
 
 
 SPIN = ".spin"
@@ -58,10 +61,10 @@ class Spin:
         """The name of the coupling that holds it."""
         return f"{self.beams[0]}{SPIN}"
 
-    def held(self, model: ModelData) -> Coupling:
-        """Y . e = 0 of the frame, e fixed."""
+    def held(self, model: ModelData, inner: Container[str]) -> Coupling:
+        """Y . e = 0 of the frame, e fixed. inner : nodes that do not count for the extent of the structure."""
         a = np.array(self.axis)
-        e = _across(model, a)
+        e = _across([node for name, node in model.nodes.items() if name not in inner], a)
         y = np.cross(e, a)
         terms = []
         for i, director in enumerate(self.frame.nodes):
@@ -70,19 +73,29 @@ class Spin:
                 if abs(factor := float(y[i] * e[c])) > LINE:
                     terms.append((CoordinateDrive(node=director, axis=axis), factor))
                     terms.append((CoordinateDrive(node=self.frame.origin, axis=axis), -factor))
-        return Coupling(terms=tuple(_joined(terms)), value=0.0, beam=self.beams[0])
+        return Coupling(terms=tuple(_joined(terms)), value=0.0)
 
 
-def spin_note(model: ModelData) -> str:
+def add_spins(whole: WholeModel) -> None:
+    """Add the couplings that hold spinning members."""
+    inner = whole.inner
+    frames = {name for name, owner in inner.nodes.items() if owner.table != "hubs"}
+    for one in _spins(whole):
+        inner.spins.append(one)
+        whole.couplings[one.coupling] = one.held(whole, frames)
+        inner.couplings[one.coupling] = Owner("beams", one.beams[0])
+
+
+def spin_note(whole: WholeModel) -> str:
     """The sentence on members that are held; empty without any."""
-    found = spins(model)
+    found = whole.inner.spins
     if not found:
         return ""
     names = few([" and ".join(one.beams) if len(one.beams) < 3 else f"{one.beams[0]} to {one.beams[-1]}" for one in found], 6)
     return f"Free to spin about the own axis, which nothing drives or loads, and held: {names}."
 
 
-def spins(model: ModelData) -> list[Spin]:
+def _spins(model: WholeModel) -> list[Spin]:
     """The members of elastic beams that spin freely, with nothing that drives or loads this, in the order of their frames."""
     if model.dim != 3 or not any(beam.kind == "elastic" and (beam.release or beam.hinges) for beam in model.beams.values()):
         return []
@@ -105,8 +118,8 @@ def spins(model: ModelData) -> list[Spin]:
 class _Turning:
     """Which frames turn together: beams between them, hinges at them, and the nodes to which something of the user refers."""
 
-    def __init__(self, model: ModelData) -> None:
-        self.model, self.every = model, frames(model)
+    def __init__(self, model: WholeModel) -> None:
+        self.model, self.every = model, model.inner.frames
         self.place = {name: k for k, name in enumerate(model.beams)}
         self.beams: dict[str, list[str]] = {frame: [] for frame in self.every}
         self.pins: dict[str, list[Hinge]] = {frame: [] for frame in self.every}
@@ -120,7 +133,7 @@ class _Turning:
                 small, large = sorted((self.together[end] for end in ends), key=len)
                 large |= small
                 self.together.update(dict.fromkeys(small, large))
-        for hinge in hinges(model):
+        for hinge in model.inner.hinges:
             self.pins[hinge.own].append(hinge)
             self.pins[hinge.base].append(hinge)
         self.used = _used(model)
@@ -165,10 +178,11 @@ def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:
     return axis if np.linalg.norm(np.cross(x - x[0], axis), axis=1).max() <= LINE * length else None
 
 
-def _used(model: ModelData) -> set[str]:
+def _used(model: WholeModel) -> set[str]:
     """The nodes to which bars, bodies, drives, couplings, springs and forces of the user refer: they may hold or turn them."""
-    bars = [bar for name, bar in model.bars.items() if not bar.brace and name.partition(SHAPE)[0] not in model.beams]
-    couplings = (one for one in model.couplings.values() if one.beam is None)
+    bars = [bar for bar in model.bars.values() if not isinstance(bar, Brace)]
+    rotations = {name for name, owner in model.inner.couplings.items() if owner.table == "beams"}
+    couplings = (one for name, one in model.couplings.items() if name not in rotations)
     records = [*model.drives.values(), *couplings, *(one for _, one in model.force_elements.values())]
     return {
         *(end for bar in bars for end in bar.ends),
@@ -212,9 +226,9 @@ def _loads(model: ModelData, frame: str, every: dict[str, Axes], axis: NDArray[n
     return False
 
 
-def _across(model: ModelData, a: NDArray[np.float64]) -> NDArray[np.float64]:
+def _across(nodes: Iterable[Node], a: NDArray[np.float64]) -> NDArray[np.float64]:
     """The fixed direction e across the axis."""
-    x = np.array([node.at for node in model.nodes.values() if not node.scalar and not node.director and len(node.at) == 3])
+    x = np.array([node.at for node in nodes if not node.scalar and len(node.at) == 3])
     extent = np.ptp(x, axis=0)
     flat = int(np.argmin(extent)) if extent.min() < FLAT * extent.max() else 2
     n = np.eye(3)[flat]
@@ -235,15 +249,15 @@ def _joined(terms: list[tuple[CoordinateDrive, float]]) -> list[tuple[Coordinate
 
 # Cross-checks of beams: ends, matter, directions, releases, rotations, clamps.
 
+ON_HUB = Owner("hubs", "")
 ALONG = 1e-6
 """Sine of the angle between a beam and its orientation below which these are parallel."""
 Path = tuple[Any, ...]
 
 
-def beam_faults(model: ModelData, dim: int) -> Iterator[Fault]:
+def beam_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
     """Faults of all beams and clamps of a model with `dim` axes."""
-    some = dim == 3 and any(_lets_go(beam) for beam in model.beams.values())
-    held = {name for one in spins(model) for name in one.beams} if some else set[str]()
+    held = {name for one in model.inner.spins for name in one.beams}
     for name, beam in model.beams.items():
         path = ("beams", name)
         if name in model.members:
@@ -263,14 +277,14 @@ def beam_faults(model: ModelData, dim: int) -> Iterator[Fault]:
     yield from _clamps(model)
 
 
-def _ends(model: ModelData, beam: Beam, path: Path) -> Any:
+def _ends(model: WholeModel, beam: Beam, path: Path) -> Any:
     """Faults of the ends; returns True if the beam has a direction."""
     p, q = beam.ends
     good = True
     for k, end in enumerate(beam.ends):
         if end not in model.nodes:
             good = False
-        elif model.nodes[end].scalar or model.nodes[end].director:
+        elif model.nodes[end].scalar or model.inner.nodes.get(end, ON_HUB).table != "hubs":
             yield Fault(
                 (*path, "ends", k), f"{end!r} is no place that a beam can join.", "Name a node.", about=(("nodes", end),)
             )
@@ -321,7 +335,7 @@ def _release(beam: Beam, path: Path, *, loose: bool) -> Iterator[Fault]:
         yield Fault(place, message, mend, about=(("nodes",),))
 
 
-def _hinges(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+def _hinges(model: WholeModel, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
     """A hinge is at an end, in space, about a direction, against something that has a rotation."""
     for end, about in beam.hinges.items():
         place = (*path, "hinges", end)
@@ -337,12 +351,12 @@ def _hinges(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Faul
             yield from components(about, dim, place)
         elif not isinstance(about, int) and not any(about):
             yield Fault(place, "is the zero vector.", "Give a direction, or 1, 2, 3 for an axis of the beam.")
-        elif end in model.nodes and end not in frames(model):
+        elif end in model.nodes and end not in model.inner.frames:
             mend = "Clamp the node, or let another beam share its rotation; a ball joint is release."
             yield Fault(place, f"{end!r} has no rotation that the hinge could hold.", mend, about=(("beams",), ("clamped",)))
 
 
-def _rotation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
+def _rotation(model: WholeModel, beam: Beam, path: Path, dim: int) -> Iterator[Fault]:
     """The rotation is a scalar node, of a rigid beam in the plane whose ends no other beam and no clamp holds."""
     if beam.rotation is None:
         return
@@ -355,7 +369,7 @@ def _rotation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator[Fa
     elif beam.rotation in model.nodes and not model.nodes[beam.rotation].scalar:
         mend = f"Make it one: {beam.rotation}: {{at: [0, 0], scalar: true}}."
         yield Fault(place, f"{beam.rotation!r} is no scalar.", mend, about=(("nodes", beam.rotation),))
-    elif held := [end for end in beam.ends if end not in beam.release and end in frames(model)]:
+    elif held := [end for end in beam.ends if end not in beam.release and end in model.inner.frames]:
         message = f"shares its rotation at {held[0]!r}, where a frame carries it."
         yield Fault(place, message, f"Release that end (release: [{held[0]}]), or leave rotation out.", about=(("beams",),))
 
@@ -380,16 +394,16 @@ def _orientation(model: ModelData, beam: Beam, path: Path, dim: int) -> Iterator
         yield Fault(place, "points along the beam, so it spans no plane with it.", "Give a direction across the beam.")
 
 
-def _taken(model: ModelData) -> Iterator[Fault]:
+def _taken(model: WholeModel) -> Iterator[Fault]:
     """Names that frames need."""
-    for name, frame in frames(model).items():
+    for name, frame in model.inner.frames.items():
         for axis in frame.nodes:
-            if axis in model.nodes and not model.nodes[axis].director:
+            if axis in model.nodes and axis not in model.inner.nodes:
                 yield Fault(("nodes", axis), f"has the name of an axis of the frame at {name!r}.", "Give it another name.")
 
 
-def _clamps(model: ModelData) -> Iterator[Fault]:
-    framed = frames(model)
+def _clamps(model: WholeModel) -> Iterator[Fault]:
+    framed = model.inner.frames
     for node, to in model.clamped.items():
         place = ("clamped", node)
         body = model.bodies.get(to) if to != GROUND else None

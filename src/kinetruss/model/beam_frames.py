@@ -1,4 +1,4 @@
-"""Frames: nodes that carry the rotations of the ends of beams; links with a pin in their middle; chords for pictures."""
+"""Frames: nodes that carry the rotations of the ends of beams, and chords; links with a pin in their middle."""
 
 from __future__ import annotations
 
@@ -13,22 +13,23 @@ from kinetruss.errors import few
 from kinetruss.model.bodies import Body
 from kinetruss.model.bracing import CHORD, braces_of_each
 from kinetruss.model.drives import CoordinateDrive, CosineCoordinate, Coupling
+from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
-from kinetruss.model.members import Active, Bar, Node
+from kinetruss.model.members import Brace, Node
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from numpy.typing import NDArray
 
     from kinetruss.model.beams import Beam
     from kinetruss.model.data import ModelData
+    from kinetruss.model.members import Bar
+    from kinetruss.model.whole import WholeModel
 
 
 SHARE = 0.3
 """Distance of the nodes of a frame from its origin, as a fraction of the shortest beam there."""
-SHAPE = ".shape."
-"""Between the name of a beam and the ends of a bar that holds it in its shape."""
 AWAY = 0.6
 """Distance of a node on the axis of a hinge from the origin, as a fraction of that of the nodes of the frame."""
 STEEP = 0.95
@@ -86,9 +87,9 @@ class Hinge:
     at: tuple[float, ...]
 
 
-def hinges(model: ModelData) -> list[Hinge]:
-    """The hinges of beams."""
-    found, every = [], frames(model)
+def hinges(model: ModelData, every: Mapping[str, Axes]) -> list[Hinge]:
+    """The hinges of beams between these frames."""
+    found = []
     for name, beam in sound_beams(model):
         for end, about in beam.hinges.items():
             own = frame_of(name, beam, end)
@@ -101,75 +102,81 @@ def hinges(model: ModelData) -> list[Hinge]:
     return found
 
 
-def expanded(model: ModelData) -> dict[str, Any]:
-    """Tables `nodes`, `fixed` and `couplings` with what beams add; what they added before is left out first."""
-    own = {name: node for name, node in model.nodes.items() if not node.director}
-    fixed = {name: axes for name, axes in model.fixed.items() if name not in model.nodes or name in own}
-    couplings = {name: one for name, one in model.couplings.items() if one.beam is None}
-    every = "xyz"[: model.dim]
-    nodes: dict[str, Node] = {}
-    for name, frame in frames(model).items():
-        at = own[frame.origin].at
+def add_frames(whole: WholeModel) -> None:
+    """Add the nodes of frames and hinges, their supports, and the couplings of rotations that are coordinates."""
+    inner, own = whole.inner, set(whole.nodes)
+    inner.frames.update(frames(whole))
+    inner.hinges.extend(hinges(whole, inner.frames))
+    every = "xyz"[: whole.dim]
+    owners = {f"{name}.{end}": Owner("beams", name, end) for name, beam in whole.beams.items() for end in beam.ends}
+
+    def add(node: str, at: tuple[float, ...], owner: Owner) -> None:
+        if node not in own:  # else a fault
+            whole.nodes[node], inner.nodes[node] = Node.model_construct(at=at, coincident=True), owner
+
+    for name, frame in inner.frames.items():
+        at = whole.nodes[frame.origin].at
         for k, axis in enumerate(frame.nodes):
             place = tuple(v + frame.size if i == k else v for i, v in enumerate(at))
-            if axis not in own:  # else a fault
-                nodes[axis] = Node(at=place, coincident=True, director=True)
-        if model.clamped.get(name) == GROUND:
-            fixed |= dict.fromkeys(frame.all, every)
-    for hinge in hinges(model):
-        if hinge.node not in own:
-            nodes[hinge.node] = Node(at=hinge.at, coincident=True, director=True)
-        if model.clamped.get(hinge.base) == GROUND:
-            fixed[hinge.node] = every
-    ends = {end for beam in model.beams.values() for end in beam.ends}
-    fixed |= {name: every for name, to in model.clamped.items() if to == GROUND and name in ends & set(own)}
-    for name, beam in rotations(model).items():
-        couplings |= _turning(model, name, beam)
-    return {"nodes": {**own, **nodes}, "fixed": fixed, "couplings": couplings}
+            add(axis, place, Owner("nodes", name, name) if name == frame.origin else owners[name])
+        if whole.clamped.get(name) == GROUND:
+            whole.fixed.update(dict.fromkeys(frame.all, every))
+    for hinge in inner.hinges:
+        add(hinge.node, hinge.at, owners[hinge.own])
+        if whole.clamped.get(hinge.base) == GROUND:
+            whole.fixed[hinge.node] = every
+    ends = {end for beam in whole.beams.values() for end in beam.ends}
+    whole.fixed.update({name: every for name, to in whole.clamped.items() if to == GROUND and name in ends & own})
+    for name, beam in rotations(whole).items():
+        turning = _turning(whole, name, beam)
+        whole.couplings.update(turning)
+        inner.couplings.update(dict.fromkeys(turning, Owner("beams", name)))
 
 
-def carriers_of(model: ModelData, name: str) -> tuple[str, ...] | None:
+def carriers_of(whole: WholeModel, name: str) -> tuple[str, ...] | None:
     """The nodes on which a load on a body acts: carriers of the body, or the frame of a node; None if it is neither."""
-    if name in model.bodies:
-        return model.bodies[name].carried_by(model.dim)
-    found = frames(model).get(name)
+    if name in whole.bodies:
+        return whole.bodies[name].carried_by(whole.dim)
+    found = whole.inner.frames.get(name)
     return None if found is None else found.all
 
 
-def rigid_groups(model: ModelData) -> dict[str, Body]:
+def rigid_groups(whole: WholeModel) -> dict[str, Body]:
     """Bodies of the model, with the frames clamped to them, and rigid beams and frames as further ones without mass."""
-    found = dict(model.bodies)
-    every, pins = frames(model), hinges(model)
+    found = dict(whole.bodies)
+    every, pins = whole.inner.frames, whole.inner.hinges
     for name, frame in every.items():
-        to = model.clamped.get(name)
+        to = whole.clamped.get(name)
         # a node on the axis of a hinge belongs to both frames
         on = tuple(hinge.node for hinge in pins if name in (hinge.own, hinge.base))
         if to in found:
             body = found[to]
-            found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(model.dim), brace=True)
+            found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(whole.dim), brace=True)
         elif to is None:
             found[name if name not in found else f"{name}.frame"] = Body(nodes=(*frame.all, *on), carriers=frame.all)
-    for name, beam in sound_beams(model):
+    for name, beam in sound_beams(whole):
         if beam.kind == "rigid" and beam.rotation is None:
             parts = [every[key].all if (key := frame_of(name, beam, end)) in every else (end,) for end in beam.ends]
             nodes = tuple(dict.fromkeys(node for part in parts for node in part))
-            whole = next((part for part in parts if len(part) > 1), nodes)
-            found[name if name not in found else f"{name}.beam"] = Body(nodes=nodes, carriers=whole)
+            framed = next((part for part in parts if len(part) > 1), nodes)
+            found[name if name not in found else f"{name}.beam"] = Body(nodes=nodes, carriers=framed)
     return found
 
 
-def shape_bars(model: ModelData, names: Iterable[str]) -> dict[str, dict[str, Bar]]:
+def shape_bars(whole: WholeModel, names: Iterable[str]) -> dict[str, dict[str, Bar]]:
     """By elastic beam the rigid bars without mass that hold it in its shape, called ``BEAM.shape.N1-N2``."""
-    every, bodies = frames(model), {}
+    every, bodies = whole.inner.frames, {}
     for name in names:
-        first, second = (every[frame_of(name, model.beams[name], end)].all for end in model.beams[name].ends)
-        bodies[f"{name}{SHAPE[:-1]}"] = Body(nodes=tuple(dict.fromkeys((*first, *second))), carriers=first)
-    return braces_of_each(model, rigid_groups(model), bodies)
+        first, second = (every[frame_of(name, whole.beams[name], end)].all for end in whole.beams[name].ends)
+        bodies[f"{name}.shape"] = Body(nodes=tuple(dict.fromkeys((*first, *second))), carriers=first)
+    return braces_of_each(whole, rigid_groups(whole), bodies)
 
 
-def chords(model: ModelData) -> dict[str, Bar]:
-    """Free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
-    return {f"{name}{CHORD}": Bar(ends=beam.ends, kind="free", mass=0.0, brace=True) for name, beam in sound_beams(model)}
+def add_chords(whole: WholeModel) -> None:
+    """Add free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
+    for name, beam in sound_beams(whole):
+        whole.bars[f"{name}{CHORD}"] = Brace.model_construct(ends=beam.ends, kind="free", mass=0.0)
+        whole.inner.bars[f"{name}{CHORD}"] = Owner("beams", name)
 
 
 def rigid_beams(model: ModelData) -> list[Body]:
@@ -219,13 +226,13 @@ def _turning(model: ModelData, name: str, beam: Beam) -> dict[str, Coupling]:
     for axis, quarter in (("x", 0.0), ("y", -0.5 * math.pi)):
         along = [(CoordinateDrive(node=q, axis=axis), 1.0), (CoordinateDrive(node=p, axis=axis), -1.0)]
         turned = CosineCoordinate(node=scalar, phase=phase + quarter)
-        found[f"{name}.{axis}"] = Coupling(terms=(*along, (turned, -length)), value=0.0, beam=name)
+        found[f"{name}.{axis}"] = Coupling(terms=(*along, (turned, -length)), value=0.0)
     return found
 
 
 def sound_beams(model: ModelData) -> list[tuple[str, Beam]]:
     """The beams whose ends stand; the others are faults."""
-    fitting = {name for name, node in model.nodes.items() if len(node.at) == model.dim and not (node.scalar or node.director)}
+    fitting = {name for name, node in model.nodes.items() if len(node.at) == model.dim and not node.scalar}
     return [
         (name, beam)
         for name, beam in model.beams.items()
@@ -269,7 +276,7 @@ def middle_pins(model: ModelData) -> list[tuple[str, str, str]]:
     [('A', 'B', 'C')]
     """
     joined: dict[str, set[str]] = {}
-    pairs = [bar.ends for bar in model.bars.values() if bar.kind == "rigid" and not bar.brace]
+    pairs = [bar.ends for bar in model.bars.values() if bar.kind == "rigid" and not isinstance(bar, Brace)]
     for a, b in pairs:
         joined.setdefault(a, set()).add(b)
         joined.setdefault(b, set()).add(a)
@@ -309,29 +316,3 @@ def shared_rotations(model: ModelData) -> str:
         f"Beams that meet at {few(nodes, 4)} share one rotation, as if welded. Release a beam that is pinned to the others "
         f"(release: [{nodes[0]}]); {OWN_NODE}."
     )
-
-
-# What pictures show of beams: their chords. The nodes and bars of frames are left out.
-
-FRAME = "frame"
-"""Kind of the bars of frames, which pictures leave out."""
-
-
-def shown_kinds(model: ModelData) -> dict[str, str]:
-    """The kind that pictures show of each member: ``active``, or the kind of the bar; of the chord of a beam ``beam``, or
-    ``rigid``; ``frame`` of bars that end at a node of a frame.
-    """
-    found = {name: "active" if isinstance(one, Active) else one.kind for name, one in model.members.items()}
-    if not model.beams:
-        return found
-    beams = zip(chords(model), (beam.kind for beam in model.beams.values()), strict=False)
-    found |= {chord: "beam" if kind == "elastic" else "rigid" for chord, kind in beams if chord in found}
-    directors = {name for name, node in model.nodes.items() if node.director}
-    found |= {name: FRAME for name, one in model.members.items() if directors & set(one.ends)}
-    return found
-
-
-def shown_names(model: ModelData) -> dict[str, str]:
-    """The name that pictures show of each member: of the chord of a beam that of the beam."""
-    beams = {f"{name}{CHORD}": name for name in model.beams}
-    return {name: beams.get(name, name) for name in model.members}

@@ -36,7 +36,7 @@ class Beam(Record):
         other, and the beam two constraints x_Q - x_P = l (cos, sin) instead of one.
 
     The rotation of a node is carried by its frame: further nodes ``NODE.d1``, ``NODE.d2`` (``NODE.d3``) along x, y (z), held
-    at fixed distances. The model adds them, their bars and their supports.
+    at fixed distances. `Model.whole` has them, their bars and their supports.
 
     Source: J. P. Meijaard, Nonlinear Dynamics 9 (1996) 21-36, and J. B. Jonker and J. P. Meijaard, SPACAR (1990), for the
     deformation modes.
@@ -45,7 +45,7 @@ class Beam(Record):
     >>> steel = kt.Material(E=200e9, density=7800.0)
     >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A"], material=steel,
     ...                  section=kt.Rectangle(width=0.02, height=0.02), beams={"arm": ("A", "B")})
-    >>> list(model.nodes)
+    >>> list(model.whole.nodes)
     ['A', 'B', 'A.d1', 'A.d2', 'B.d1', 'B.d2']
     """
 

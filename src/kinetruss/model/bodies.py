@@ -75,7 +75,7 @@ class Body(Record):
         triangle (flat in space), a line.
     kind : ``rigid``, or ``straining``: the body strains evenly with its carriers, which bars may lengthen (in the plane and
         with two carriers: by similarity).
-    brace : add the missing rigid bars between the nodes; they have no mass and are called ``BODY.N1-N2``.
+    brace : missing rigid bars between the nodes are added in `Model.whole`; they have no mass, and are called ``BODY.N1-N2``.
 
     The mass matrix of the nodes' coordinates is constant: m_ij times the unit matrix with m_ij = int L_i L_j dm over the body,
     L_i the barycentric coordinates of the carriers; in the plane two carriers represent the whole body as in `PlanarBody`.
@@ -83,7 +83,7 @@ class Body(Record):
 
     >>> import kinetruss as kt
     >>> corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
-    >>> list(kt.Model(nodes=corners, bodies={"b": kt.Body(nodes=("O", "X", "Y", "Z"), mass=2.0)}).bars)
+    >>> list(kt.Model(nodes=corners, bodies={"b": kt.Body(nodes=("O", "X", "Y", "Z"), mass=2.0)}).whole.bars)
     ['b.O-X', 'b.O-Y', 'b.O-Z', 'b.X-Y', 'b.X-Z', 'b.Y-Z']
     """
 

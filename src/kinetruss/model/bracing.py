@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from itertools import combinations, islice, pairwise
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.drives import LengthDrive
-from kinetruss.model.members import Bar
+from kinetruss.model.members import Brace
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from kinetruss.model.bodies import Body
     from kinetruss.model.data import ModelData
+    from kinetruss.model.members import Bar
 
 
 FLAT = 1e-6
@@ -236,24 +237,10 @@ CHORD = ".chord"
 INDEPENDENT = 1e-6
 """Least norm of the new part of the gradient of a bar that counts as independent."""
 
+SOUND = 0.01
+"""Normalised volume above which all edges of a simplex are independent."""
+
 Pair = frozenset[str]
-
-
-def braced(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
-    """The bars of a model with the braces of `groups`: its bodies, and frames of beams; braces of removed ones are left out."""
-    rigid: dict[str, set[str]] = {}
-    """Node -> rigid bodies with it."""
-    for key, body in groups.items():
-        for node in body.nodes if body.kind == "rigid" and body.brace else ():
-            rigid.setdefault(node, set()).add(key)
-    kept = {
-        name: bar
-        for name, bar in model.bars.items()
-        if not bar.brace
-        or (bar.kind == "free" and not name.endswith(CHORD))  # it measures a hinge
-        or not rigid.get(bar.ends[0], set()).isdisjoint(rigid.get(bar.ends[1], ()))
-    }
-    return {**kept, **braces(model, groups, faulty)}
 
 
 def rigid_pairs(model: ModelData) -> set[Pair]:
@@ -262,7 +249,7 @@ def rigid_pairs(model: ModelData) -> set[Pair]:
     return {frozenset(bar.ends) for name, bar in model.bars.items() if bar.kind == "rigid" and name not in driven}
 
 
-def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, Bar]:
+def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] = ()) -> dict[str, dict[str, Bar]]:
     """Bars to be added, by name: for each of these bodies the fewest that, with existing rigid bars, make its nodes rigid.
 
     Rigid bars, distances in previous bodies and distances between fixed nodes are kept. Then come the edges of the carriers,
@@ -277,11 +264,13 @@ def braces_of_each(model: ModelData, groups: Mapping[str, Body], more: Mapping[s
     found: dict[str, dict[str, Bar]] = {}
     for name, body in more.items():
         missing = _missing(model, body, pairs, clusters)
-        found[name] = {_name(model, {}, f"{name}.{one}-{two}"): Bar(ends=(one, two), mass=0.0) for one, two in missing}
+        found[name] = {_name(model, (), f"{name}.{one}-{two}"): Brace(ends=(one, two), mass=0.0) for one, two in missing}
     return found
 
 
-def _grown(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]) -> tuple[dict[str, Bar], set[Pair], _Clusters]:
+def _grown(
+    model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]
+) -> tuple[dict[str, dict[str, Bar]], set[Pair], _Clusters]:
     """`braces` of bodies, then all pairs of nodes with a rigid bar, and the sets of nodes of rigid parts."""
     skip = set(faulty)
     axes = "xyz"[: model.dim]
@@ -289,14 +278,17 @@ def _grown(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]) 
     ground = {name for name, fixed in model.fixed.items() if set(fixed) >= set(axes)}
     pairs = rigid_pairs(model)
     clusters = _Clusters(model, ground)
-    found: dict[str, Bar] = {}
+    found: dict[str, dict[str, Bar]] = {}
+    taken = set[str]()
     for name, body in groups.items():
         if body.kind != "rigid" or name in skip or odd & set(body.nodes):
             continue
         if body.brace:
+            own = found[name] = {}
             for one, two in _missing(model, body, pairs, clusters):
-                found[_name(model, found, f"{name}.{one}-{two}")] = Bar(ends=(one, two), brace=True)
+                own[_name(model, taken, f"{name}.{one}-{two}")] = Brace.model_construct(ends=(one, two))
                 pairs.add(frozenset((one, two)))
+            taken.update(own)
         clusters.add(set(body.nodes))
     return found, pairs, clusters
 
@@ -335,9 +327,9 @@ class _Clusters:
         self.sets.append(own)
 
 
-def _name(model: ModelData, found: dict[str, Bar], name: str) -> str:
+def _name(model: ModelData, taken: Container[str], name: str) -> str:
     """The name, or a similar free one if another member has it."""
-    while name in model.bars or name in model.active or name in found:
+    while name in model.bars or name in model.active or name in taken:
         name += "'"
     return name
 
@@ -346,16 +338,20 @@ def _missing(model: ModelData, body: Body, pairs: set[Pair], clusters: _Clusters
     """Pairs of nodes that need a bar."""
     import numpy as np
 
+    from kinetruss.model.bodies import quality
+
     nodes = body.nodes
     x = np.array([model.nodes[name].at for name in nodes], float)
-    space = _Space(x)
     every = list(combinations(range(len(nodes)), 2))
     kept = [(i, j) for i, j in every if frozenset((nodes[i], nodes[j])) in pairs or clusters.together(nodes[i], nodes[j])]
     if len(kept) == len(every):
         return []
+    carriers = [nodes.index(name) for name in body.carried_by(model.dim)]
+    if not kept and len(carriers) == len(nodes) and quality(x) > SOUND:  # all edges are independent
+        return [(nodes[i], nodes[j]) for i, j in every]
+    space = _Space(x)
     for i, j in kept:
         space.take(i, j)
-    carriers = [nodes.index(name) for name in body.carried_by(model.dim)]
     edges = [sorted(pair) for pair in combinations(carriers, 2)]
     wanted: list[tuple[int, int]] = [(i, j) for i, j in sorted(edges) if space.take(i, j)]
     done = sorted(carriers)

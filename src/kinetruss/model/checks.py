@@ -26,15 +26,22 @@ from kinetruss.model.trajectories import length_faults, moved_by
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
     from kinetruss.model.members import Node
+    from kinetruss.model.the_model import Model
+    from kinetruss.model.whole import WholeModel
 
 
-def faults(model: ModelData) -> list[Fault]:
+def faults(model: Model) -> list[Fault]:
     """All faults of combinations of fields of `model`.
 
     >>> import kinetruss as kt
     >>> kt.model.faults(kt.library.vgt.triangular())  # a model that exists has none
     []
     """
+    return faults_of(model.whole)
+
+
+def faults_of(model: WholeModel) -> list[Fault]:
+    """`faults` of the model with this whole."""
     dim = _dim(model)
     return [
         *unknown_names(model, model, ()),
@@ -247,7 +254,7 @@ def _rotary(model: ModelData, part: Any, path: tuple[str, ...]) -> Iterator[Faul
         yield Fault(path, "needs a section with I2 = I3 in space.", "Use a tube or rod, or switch it off.")
 
 
-def _loads(model: ModelData, dim: int) -> Iterator[Fault]:
+def _loads(model: WholeModel, dim: int) -> Iterator[Fault]:
     yield from load_faults(model, dim)
     for name, case in model.load_cases.items():
         yield from components(case.gravity, dim, ("load_cases", name, "gravity"))
@@ -322,7 +329,7 @@ def _trajectories(model: ModelData) -> Iterator[Fault]:
         yield from _trajectory(model, trajectory, path)
 
 
-def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
+def trajectory_faults(model: Model, trajectory: Any, path: tuple[Any, ...] = ("trajectory",)) -> Iterator[Fault]:
     """Faults of a trajectory against the drives and poses of a model.
 
     >>> import kinetruss as kt
@@ -332,8 +339,8 @@ def trajectory_faults(model: ModelData, trajectory: Any, path: tuple[Any, ...] =
     ["no drive or pose coordinate called 'motor'."]
     """
     moved_by(trajectory)  # refuses what is none
-    yield from unknown_names(model, trajectory, path)
-    yield from _trajectory(model, trajectory, path)
+    yield from unknown_names(model.whole, trajectory, path)
+    yield from _trajectory(model.whole, trajectory, path)
 
 
 def _trajectory(model: ModelData, trajectory: Any, path: tuple[Any, ...]) -> Iterator[Fault]:

@@ -17,7 +17,7 @@ from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
 from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
 from kinetruss.model.loads import History, Load, LoadCase
-from kinetruss.model.members import Active, Bar, Node
+from kinetruss.model.members import Active, Bar, Brace, Node
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model.references import NodeName
 from kinetruss.model.runs import BaseRotation, Condition, Run
@@ -210,8 +210,7 @@ class ModelData(Record):
 
     def section_of(self, part: Any) -> Any:
         """The section record of a bar or part, or None."""
-        brace = isinstance(part, Bar) and part.brace
-        chosen = part.section if part.section is not None or brace else self.section
+        chosen = part.section if part.section is not None or isinstance(part, Brace) else self.section
         return self.sections[chosen] if isinstance(chosen, str) else chosen
 
     def material_of(self, part: Any) -> Material | None:

@@ -7,23 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import counted
 from kinetruss.errors import few
-from kinetruss.model.inner import inner_parts
 
 if TYPE_CHECKING:
-    from kinetruss.model.data import ModelData
+    from kinetruss.model.the_model import Model
 
 
 COUNTED = (
-    ("active", "active member", ""), ("beams", "beam", ""), ("bodies", "body", "bodies"), ("hubs", "hub", ""),
-    ("membranes", "membrane", ""), ("solids", "solid", ""), ("springs", "spring", ""), ("loads", "load", ""),
-    ("load_cases", "load case", ""),
+    ("bars", "bar", ""), ("active", "active member", ""), ("beams", "beam", ""), ("bodies", "body", "bodies"),
+    ("hubs", "hub", ""), ("membranes", "membrane", ""), ("solids", "solid", ""), ("springs", "spring", ""),
+    ("loads", "load", ""), ("load_cases", "load case", ""),
 )  # fmt: skip
 """Tables of a model that are counted -> the words for one and for several."""
 NAMED = 6
 """Largest number of drives that are named."""
 
 
-def described(model: ModelData) -> str:
+def described(model: Model) -> str:
     """Dimension, number of nodes, bars and other parts, names of the drives.
 
     >>> import kinetruss as kt
@@ -36,20 +35,17 @@ def described(model: ModelData) -> str:
     return f"<Model{title}: {'planar' if model.dim == 2 else 'spatial'}, {contents(model)}{driven}>"
 
 
-def contents(model: ModelData) -> str:
-    """Number of nodes, bars and other parts, without inner ones (`inner_parts`).
+def contents(model: Model) -> str:
+    """Number of nodes, bars and other parts.
 
     >>> import kinetruss as kt
     >>> contents(kt.library.mechanisms.four_bar())
     '4 nodes (2 fixed), 3 bars'
     """
-    inner = inner_parts(model)
-    nodes = [name for name in model.nodes if name not in inner.nodes]
-    bars = sum(name not in inner.bars for name in model.bars)
-    parts = [f"{counted(len(nodes), 'node')} ({sum(name in model.fixed for name in nodes)} fixed)"]
-    parts += [counted(bars, "bar")] if bars else []
+    fixed = model.whole.fixed  # beams are clamped at nodes
+    parts = [f"{counted(len(model.nodes), 'node')} ({sum(name in fixed for name in model.nodes)} fixed)"]
     for field, word, several in COUNTED:
-        count = len(getattr(model, field)) - (len(inner.bodies) if field == "bodies" else 0)
+        count = len(getattr(model, field))
         parts += [counted(count, word, several)] if count else []
     return ", ".join(parts)
 

@@ -210,12 +210,10 @@ class Coupling(Record):
 
     terms : pairs of coordinate and factor.
     value : of the sum, m or rad; by default that in the model.
-    beam : the rigid beam whose rotation it couples to its ends (added automatically, see `Beam`).
     """
 
     terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)]
     value: Number | None = None
-    beam: Name | None = None
 
 
 def turns(drive: Any) -> bool:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from kinetruss.errors import Fault
-from kinetruss.model.bracing import CHORD
 from kinetruss.model.drives import CoordinateName
+from kinetruss.model.members import Brace
 from kinetruss.model.record import (
     Angle,
     Coordinate,
@@ -155,7 +155,7 @@ def _place(model: ModelData, name: str, gauge: Any) -> Iterator[Fault]:
         yield Fault(path, f"sits on the active member {gauge.member!r}, which has two rods.", "Say part: base, or part: tube.")
         return
     at = part_path(model, gauge)
-    if getattr(part, "brace", False) or (gauge.member in model.bars and gauge.member.removesuffix(CHORD) in model.beams):
+    if isinstance(part, Brace):
         message = f"sits on {gauge.member!r}, which only holds or shows a beam or a body: it has no strain."
         yield Fault(path, message, "Put it on a bar. Stresses along beams: strength.beams.")
         return

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model.data import ModelData
-    from kinetruss.model.members import Active, Bar
+    from kinetruss.model.whole import WholeModel
 
 
 FLAT = 1e-6
@@ -38,34 +38,17 @@ class Arm:
     at: tuple[float, ...]
 
 
-def ideal_ends(model: ModelData, name: str, member: Bar | Active) -> tuple[str, str]:
-    """The nodes at the ends of a member as if no hub had arms."""
-    first, second = (hub_of(model, node, name) or node for node in member.ends)
-    return first, second
-
-
-def hub_of(model: ModelData, node: str, member: str) -> str:
-    """The hub at whose arm of this member the node is the tip; empty if there is none."""
-    hub = node.removesuffix(f".{member}")
-    return hub if hub != node and hub in model.hubs else ""
-
-
 def is_grounded(model: ModelData, hub: str) -> bool:
     """Whether the hub is bolted to the ground."""
     return hub in model.nodes and not model.hubs[hub].turns and len(model.fixed.get(hub, "")) == len(model.nodes[hub].at)
 
 
 def members_at(model: ModelData, hub: str) -> dict[str, int]:
-    """Members at a hub besides its own arms and braces, with their end there; none with missing nodes, which are a fault."""
+    """Members at a hub, with their end there; none with missing nodes, which are a fault."""
     found = {}
     for name, member in model.members.items():
-        if hub not in member.ends and f"{hub}.{name}" not in member.ends:
-            continue
-        if getattr(member, "brace", False) or member.ends == (hub, name):  # bars of hinges are braces
-            continue
-        ends = ideal_ends(model, name, member)
-        if hub in ends and all(end in model.nodes for end in (*ends, *member.ends)):
-            found[name] = ends.index(hub)
+        if hub in member.ends and all(end in model.nodes for end in member.ends):
+            found[name] = member.ends.index(hub)
     return found
 
 
@@ -76,7 +59,8 @@ def arms_of(model: ModelData, hub: str) -> list[Arm]:
         offset: Any = record.arms.get(name, None if name in record.clamped else record.reach)
         if offset is None:
             continue
-        centre, far = (np.array(model.nodes[node].at, float) for node in _centre_first(model, name, end))
+        ends = model.members[name].ends
+        centre, far = (np.array(model.nodes[node].at, float) for node in (ends[end], ends[1 - end]))
         along = far - centre
         length = float(np.linalg.norm(along))
         step = np.array(offset) if isinstance(offset, tuple) else offset / length * along if length else along
@@ -86,17 +70,12 @@ def arms_of(model: ModelData, hub: str) -> list[Arm]:
     return found
 
 
-def arm_through(model: ModelData, body: str, member: str) -> Arm | None:
+def arm_through(whole: WholeModel, body: str, member: str) -> Arm | None:
     """The arm of a member at the hub in space that has this body (``NODE.hub``, also of a hub on the ground); None without."""
     hub = body.removesuffix(".hub")
-    if hub == body or hub not in model.hubs or len(model.nodes[hub].at) != 3:
+    if hub == body or whole.dim != 3:
         return None
-    return next((arm for arm in arms_of(model, hub) if arm.member == member), None)
-
-
-def _centre_first(model: ModelData, name: str, end: int) -> tuple[str, str]:
-    ends = ideal_ends(model, name, model.members[name])
-    return ends[end], ends[1 - end]
+    return next((arm for arm in whole.inner.arms.get(hub, ()) if arm.member == member), None)
 
 
 def clamped_at(model: ModelData, hub: str) -> dict[str, str]:
@@ -107,7 +86,7 @@ def clamped_at(model: ModelData, hub: str) -> dict[str, str]:
 
 def free_length(model: ModelData, name: str) -> tuple[float, float]:
     """Length of a member between its nodes and between its joints as drawn, m; the second negative where hubs overlap."""
-    ends = ideal_ends(model, name, model.members[name])
+    ends = model.members[name].ends
     centres = [np.array(model.nodes[node].at, float) for node in ends]
     places = list(centres)
     for end, hub in enumerate(ends):
@@ -139,7 +118,7 @@ def loops(model: ModelData) -> set[str]:
     closed = set()
     for one, two in combinations(model.hubs, 2):
         for name in set(model.hubs[one].clamped) & set(model.hubs[two].clamped):
-            if set(ideal_ends(model, name, model.members[name])) == {one, two}:
+            if set(model.members[name].ends) == {one, two}:
                 if top(one) == top(two):
                     closed.add(top(one))
                 root[top(one)] = top(two)

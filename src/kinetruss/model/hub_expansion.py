@@ -11,15 +11,17 @@ import numpy as np
 from kinetruss.errors import Fault
 from kinetruss.model.bodies import Body
 from kinetruss.model.drives import Coupling, LengthDrive
-from kinetruss.model.hub_arms import Arm, apexes, arms_of, clamped_at, free_length, ideal_ends, is_grounded, spread
+from kinetruss.model.hub_arms import Arm, apexes, arms_of, clamped_at, free_length, is_grounded, spread
+from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
-from kinetruss.model.members import Active, Bar, Node
+from kinetruss.model.members import Active, Bar, Brace, Node
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model.data import ModelData
     from kinetruss.model.joints import Bearing
+    from kinetruss.model.whole import WholeModel
 
 
 def seat_of(model: ModelData, bearing: Bearing) -> tuple[str, int, str, int]:
@@ -39,7 +41,7 @@ def _node(model: ModelData, bearing: Bearing) -> str:
 def _others(model: ModelData, name: str, node: str) -> list[str]:
     """Other members that end at a node, without braces."""
     found = model.members.items()
-    return [other for other, one in found if other != name and node in one.ends and not getattr(one, "brace", False)]
+    return [other for other, one in found if other != name and node in one.ends and not isinstance(one, Brace)]
 
 
 def bearing_faults(model: ModelData) -> Iterator[Fault]:
@@ -123,7 +125,7 @@ def pivots_of(model: ModelData) -> list[Pivot]:
             if name not in arms or len(arms[name].at) != 3:
                 continue
             arm, steady = arms[name], is_steady(model, name)
-            other = ideal_ends(model, name, model.members[name])[1 - arm.end]
+            other = model.members[name].ends[1 - arm.end]
             far = {one.member: one.name for one in arms_of(model, other)}.get(name, other) if other in model.hubs else other
             tip, unit = np.array(arm.at), np.array(axis) / np.linalg.norm(axis)
             # neither much farther than the arm nor much nearer than the far end: both bodies stay well conditioned
@@ -146,63 +148,39 @@ def pivots_of(model: ModelData) -> list[Pivot]:
     return found
 
 
-def add_axes(model: ModelData, found: dict[str, dict[str, Any]]) -> None:
-    """Add the nodes on the axes of hinges, or move them, and remove those of hinges that are no more."""
-    pivots = pivots_of(model)
-    made = {node for one in pivots for node in one.nodes}
-    for hub in model.hubs:
-        for arm in arms_of(model, hub):
-            for node in (f"{arm.name}.axis{k}" for k in (1, 2)):
-                if node in found["nodes"] and node not in made:
-                    found["nodes"].pop(node)
-                    found["fixed"].pop(node, None)
-                    found["support_motion"].pop(node, None)
-            if not any(one.tip == arm.name and not one.steady for one in pivots):
-                found["couplings"].pop(f"{arm.name}.hinge", None)
-                for bar in (f"{arm.name}.hinge1", f"{arm.name}.hinge2"):
-                    found["bars"].pop(bar, None)
-    for one in pivots:
+def _add_axes(whole: WholeModel) -> None:
+    """Add the nodes on the axes of hinges."""
+    for one in whole.inner.pivots:
         for node, at in zip(one.nodes, one.at, strict=True):
-            found["nodes"][node] = Node(at=at, coincident=True)
-            if is_grounded(model, one.hub):
-                found["fixed"][node] = model.fixed[one.hub]
-                if one.hub in model.support_motion:
-                    found["support_motion"][node] = model.support_motion[one.hub]
+            _add_node(whole, one.hub, node, at, still=is_grounded(whole, one.hub))
 
 
-def add_hinged(model: ModelData, found: dict[str, dict[str, Any]]) -> None:
+def _add_node(whole: WholeModel, hub: str, node: str, at: tuple[float, ...], *, still: bool = False) -> None:
+    """Add a node of a hub. still : it moves and stands with the centre, which the ground holds."""
+    whole.nodes[node], whole.inner.nodes[node] = Node.model_construct(at=at, coincident=True), Owner("hubs", hub, hub)
+    if still:
+        whole.fixed[node] = whole.fixed[hub]
+        if hub in whole.support_motion:
+            whole.support_motion[node] = whole.support_motion[hub]
+
+
+def _add_hinged(model: ModelData, whole: WholeModel) -> None:
     """Keep hinged members at their distance from the axes: a rigid body, or two bars of equal lengths that change."""
-    pivots = pivots_of(model)
+    pivots, inner = whole.inner.pivots, whole.inner
     for name in model.members:
         own = [one for one in pivots if one.member == name]
-        _drop(f"{name}.hinges", found)
         if own and own[0].steady and not own[0].clamped:
-            _rigid(own, found)
+            nodes = list(dict.fromkeys(node for one in own for node in (one.tip, *one.nodes)))
+            nodes += [] if own[0].far in nodes else [own[0].far]
+            _add_body(whole, own[0].body, nodes, own[-1].hub)
     for one in pivots:
+        owner = Owner("hubs", one.hub)
         if not one.steady:
             for bar, node in zip(one.bars, one.nodes, strict=True):
-                found["bars"][bar] = Bar(ends=(node, one.far), kind="free", mass=0.0, brace=True)
+                whole.bars[bar], inner.bars[bar] = Brace(ends=(node, one.far), kind="free", mass=0.0), owner
             terms = tuple((LengthDrive(bar=bar), sign) for bar, sign in zip(one.bars, (1.0, -1.0), strict=True))
-            found["couplings"][one.coupling] = Coupling(terms=terms, value=0.0)
-
-
-def _rigid(own: list[Pivot], found: dict[str, dict[str, Any]]) -> None:
-    """The body of a member and its axes, with apexes where these are flat."""
-    nodes = list(dict.fromkeys(node for one in own for node in (one.tip, *one.nodes)))
-    nodes += [] if own[0].far in nodes else [own[0].far]
-    body, points = own[0].body, np.array([found["nodes"][node].at for node in nodes])
-    for k, place in enumerate(apexes(points), start=1):
-        nodes.append(f"{body}.apex{k}")
-        found["nodes"][nodes[-1]] = Node(at=tuple(place.tolist()), coincident=True)
-    found["bodies"][body] = Body(nodes=tuple(nodes), carriers=spread({node: found["nodes"][node].at for node in nodes}))
-
-
-def _drop(body: str, found: dict[str, dict[str, Any]]) -> None:
-    """Remove the body of a hinged member and its apexes."""
-    if (old := found["bodies"].pop(body, None)) is not None:
-        for node in old.nodes:
-            if node.startswith(f"{body}.apex"):
-                found["nodes"].pop(node, None)
+            whole.couplings[one.coupling] = Coupling(terms=terms, value=0.0)
+            inner.couplings[one.coupling] = owner._replace(at=one.hub)
 
 
 def perpendicular(axis: NDArray[np.float64], along: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -212,99 +190,50 @@ def perpendicular(axis: NDArray[np.float64], along: NDArray[np.float64]) -> NDAr
 
 # Gives the hubs of a model their arms: nodes at the tips, rigid bars to them, and a rigid body of all.
 
-TABLES = ("nodes", "bars", "active", "bodies", "fixed", "support_motion", "couplings")
-"""Tables of a model that hubs change."""
+
+def add_hubs(model: ModelData, whole: WholeModel) -> None:
+    """Add the arms, axes and bodies of the hubs of a model to its whole, and let members end at their arms."""
+    inner = whole.inner
+    inner.pivots.extend(pivots_of(model))
+    for hub, arms in inner.arms.items():
+        _add_arms(whole, hub, arms)
+    _add_axes(whole)
+    for hub in model.hubs:
+        if not is_grounded(model, hub) and len(nodes := _nodes(model, whole, hub)) > 1:
+            _add_body(whole, f"{hub}.hub", nodes, hub)
+    _add_hinged(model, whole)
 
 
-def with_arms(model: ModelData) -> dict[str, dict[str, Any]]:
-    """The tables of a model that change when its hubs get their arms, by field; the joints of hubs that have them are moved to
-    where their arms end.
-    """
-    every = {hub: arms_of(model, hub) for hub in model.hubs}
-    new = {hub: arms for hub, arms in every.items() if not _expanded(model, hub, arms)}
-    found: dict[str, dict[str, Any]] = {field: dict(getattr(model, field)) for field in TABLES}
-    for hub, arms in every.items():
-        if hub in new:
-            _add_arms(model, hub, arms, found)
-        else:
-            for arm in arms:
-                found["nodes"][arm.name] = found["nodes"][arm.name].with_(at=arm.at)
-    add_axes(model, found)
-    for hub, arms in every.items():
-        if hub not in new:
-            _move(model, hub, arms, found)
-        elif not is_grounded(model, hub):
-            _add_body(model, hub, arms, found)
-    add_hinged(model, found)
-    return {field: table for field, table in found.items() if table != getattr(model, field)}
-
-
-def _expanded(model: ModelData, hub: str, arms: list[Arm]) -> bool:
-    """Whether a hub has its arms: its members end at them, or its body is there."""
-    if arms:
-        return all(model.members[arm.member].ends[arm.end] == arm.name for arm in arms)
-    return f"{hub}.hub" in model.bodies
-
-
-def _move(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
-    """Give a hub whose joints are where its record and its node say the body that it then has."""
-    if (body := found["bodies"].get(f"{hub}.hub")) is None:
-        return
-    beside = [node for node in body.nodes if node.startswith(f"{hub}.hub.apex")]
-    nodes = _nodes(model, hub, arms, found)
-    places = apexes(np.array([found["nodes"][node].at for node in nodes]))
-    if [*nodes, *beside] == list(body.nodes) and len(places) == len(beside):
-        moved = {node: found["nodes"][node].with_(at=tuple(at.tolist())) for node, at in zip(beside, places, strict=True)}
-        found["nodes"].update(moved)
-        return
-    for node in beside:
-        found["nodes"].pop(node)
-    _add_body(model, hub, arms, found)
-
-
-def _nodes(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> list[str]:
+def _nodes(model: ModelData, whole: WholeModel, hub: str) -> list[str]:
     """The nodes of a hub's body without apexes: its centre, the tips, axes of hinges, and the far ends of clamped members."""
-    nodes = [hub, *(arm.name for arm in arms)]
-    nodes += [node for one in pivots_of(model) if hub in (one.hub, one.clamped) for node in one.nodes]
+    nodes = [hub, *(arm.name for arm in whole.inner.arms[hub])]
+    nodes += [node for one in whole.inner.pivots if hub in (one.hub, one.clamped) for node in one.nodes]
     for name in clamped_at(model, hub):
-        nodes += [node for node in found["bars"][name].ends if node != hub]
+        nodes += [node for node in whole.bars[name].ends if node != hub]
     return nodes
 
 
-def _add_arms(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
+def _add_arms(whole: WholeModel, hub: str, arms: list[Arm]) -> None:
     """Add the nodes at the tips of a hub and the bars to them, and let its members end there."""
-    record, grounded = model.hubs[hub], is_grounded(model, hub)
-    matter = {"section": record.section, "material": record.material}
+    record, grounded = whole.hubs[hub], is_grounded(whole, hub)
     # between fixed nodes a rigid bar would be in a state of self-stress
     kind: Literal["free", "rigid"] = "free" if grounded else "rigid"
     for arm in arms:
-        found["nodes"][arm.name] = Node(at=arm.at, coincident=True)
-        found["bars"][arm.name] = Bar(ends=(hub, arm.name), kind=kind, buckling="clamped-free", **matter)
-        table = found["bars" if arm.member in model.bars else "active"]
+        _add_node(whole, hub, arm.name, arm.at, still=grounded)
+        table: dict[str, Any] = whole.bars if arm.member in whole.bars else whole.active
         ends = list(table[arm.member].ends)
         ends[arm.end] = arm.name
         table[arm.member] = table[arm.member].with_(ends=tuple(ends))
-        if grounded:
-            found["fixed"][arm.name] = model.fixed[hub]
-            if hub in model.support_motion:
-                found["support_motion"][arm.name] = model.support_motion[hub]
-        for other in model.hubs:  # a body that is there and clamps the member
-            body = found["bodies"].get(f"{other}.hub")
-            if other != hub and body and arm.member in model.hubs[other].clamped:
-                nodes = tuple(arm.name if node == hub else node for node in body.nodes)
-                found["bodies"][f"{other}.hub"] = body.with_(
-                    nodes=nodes, carriers=spread({node: found["nodes"][node].at for node in nodes})
-                )
-
-
-def _add_body(model: ModelData, hub: str, arms: list[Arm], found: dict[str, dict[str, Any]]) -> None:
-    """Add the rigid body of the centre, the tips and the far ends of clamped members, with apexes where these are flat."""
-    nodes = _nodes(model, hub, arms, found)
-    points = np.array([found["nodes"][node].at for node in nodes])
-    for k, place in enumerate(apexes(points), start=1):
-        nodes.append(f"{hub}.hub.apex{k}")
-        found["nodes"][nodes[-1]] = Node(at=tuple(place.tolist()), coincident=True)
-    if len(nodes) > 1:
-        found["bodies"][f"{hub}.hub"] = Body(
-            nodes=tuple(nodes), carriers=spread({node: found["nodes"][node].at for node in nodes})
+        whole.bars[arm.name] = Bar(
+            ends=(hub, arm.name), kind=kind, buckling="clamped-free", section=record.section, material=record.material
         )
+        whole.inner.bars[arm.name] = Owner("hubs", hub)
+
+
+def _add_body(whole: WholeModel, body: str, nodes: list[str], hub: str) -> None:
+    """Add a rigid body of these nodes, with apexes where they are flat."""
+    for k, place in enumerate(apexes(np.array([whole.nodes[node].at for node in nodes])), start=1):
+        nodes.append(f"{body}.apex{k}")
+        _add_node(whole, hub, nodes[-1], tuple(place.tolist()))
+    whole.bodies[body] = Body(nodes=tuple(nodes), carriers=spread({node: whole.nodes[node].at for node in nodes}))
+    whole.inner.bodies[body] = Owner("hubs", hub, hub)

@@ -10,7 +10,7 @@ from pydantic import Field, PlainValidator, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault, shown
 from kinetruss.model.common_faults import a_bar
-from kinetruss.model.hub_arms import FLAT, Arm, arms_of, clamped_at, free_length, ideal_ends, is_grounded, members_at
+from kinetruss.model.hub_arms import FLAT, Arm, arms_of, clamped_at, free_length, is_grounded, members_at
 from kinetruss.model.hub_expansion import is_steady, perpendicular, pivots_of
 from kinetruss.model.members import Active
 from kinetruss.model.record import Flag, PositiveLength, Record, Series
@@ -70,9 +70,9 @@ HingeAxis = Annotated[Any, PlainValidator(_axis), WithJsonSchema(_AXIS_SCHEMA)]
 class Hub(Record):
     """A node of finite size: a rigid hub with an arm to the joint of each member (plane: pin; space: ball joint or hinge).
 
-    In `Model.hubs` by the name of its node, which is the centre. Arms are rigid bars ``NODE.MEMBER`` to nodes of the same name,
-    where the members end. A member becomes shorter by its arms; its `length`, `natural_length` and `limits` are those between
-    its joints.
+    In `Model.hubs` by the name of its node, which is the centre. Members end at it in the model. In its whole (`Model.whole`)
+    they end at the tips of arms, rigid bars ``NODE.MEMBER`` to nodes of the same name. A member becomes shorter by its arms;
+    its `length`, `natural_length` and `limits` are those between its joints.
 
     reach : length of the arms of all members at the node that are neither in `arms` nor in `clamped`, m.
     arms : by member, the length of its arm towards its other end, m, or the vector of its joint from the node, m, in the
@@ -87,7 +87,7 @@ class Hub(Record):
     >>> ideal = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (0.5, 0.5)}, fixed=["A", "B"],
     ...                  bars={"a": ("A", "C"), "b": ("B", "C")})
     >>> real = ideal.with_(hubs={"A": kt.Hub(reach=0.05), "B": kt.Hub(reach="50 mm")})
-    >>> real.bars["a"].ends, [round(c, 6) for c in real.nodes["A.a"].at]
+    >>> real.whole.bars["a"].ends, [round(c, 6) for c in real.whole.nodes["A.a"].at]
     (('A.a', 'C'), [0.035355, 0.035355])
     """
 
@@ -121,7 +121,7 @@ SAME = 1e-9
 
 
 def hub_faults(model: ModelData) -> list[Fault]:
-    """Faults of the hubs of a model, whether it has their arms yet or not."""
+    """Faults of the hubs of a model."""
     if not model.hubs:
         return []
     found = unknown_names(model, model.hubs, ("hubs",), (type(model), "hubs"))
@@ -132,7 +132,7 @@ def hub_faults(model: ModelData) -> list[Fault]:
         return found
     arms = [arm for hub in model.hubs for arm in arms_of(model, hub)]
     for hub in model.hubs:
-        found += [*_clamped(model, hub), *_hinges(model, hub), *_on_line(model, hub), *_left_over(model, hub)]
+        found += [*_clamped(model, hub), *_hinges(model, hub), *_on_line(model, hub)]
     for arm in arms:
         found += [*_place(model, arm)]
     for name in dict.fromkeys(arm.member for arm in arms):
@@ -144,7 +144,12 @@ def missing_nodes(model: ModelData) -> set[str]:
     """Nodes that members, and bodies, of a model with hubs name, and that it does not have."""
     named = {end for member in model.members.values() for end in member.ends}
     named |= {node for body in model.bodies.values() for node in body.nodes}
-    return {name for name in named if name not in model.nodes}
+    return {name for name in named if name not in model.nodes and not _is_tip(model, name)}
+
+
+def _is_tip(model: ModelData, name: str) -> bool:
+    """Whether a node may be the tip of an arm."""
+    return any(name.startswith(f"{hub}.") and name[len(hub) + 1 :] in model.members for hub in model.hubs)
 
 
 def _places(model: ModelData, hub: str) -> Iterator[Fault]:
@@ -156,7 +161,7 @@ def _places(model: ModelData, hub: str) -> Iterator[Fault]:
     for field, names in (("arms", record.arms), ("clamped", record.clamped), ("hinges", record.hinges)):
         for name in names:
             if name in model.members and name not in here:
-                ends = " and ".join(ideal_ends(model, name, model.members[name]))
+                ends = " and ".join(model.members[name].ends)
                 mend = f"Name one of those that do: {', '.join(here) or 'none'}."
                 yield Fault((*path, field, name), f"does not end at {hub!r} but at {ends}.", mend)
     for name, offset in record.arms.items():
@@ -177,7 +182,7 @@ def _clamped(model: ModelData, hub: str) -> Iterator[Fault]:
             mend = "Clamp a rigid bar at this node, and give this member an arm."
             yield Fault((*path, name), f"is {a_bar(kind)}, whose length changes.", mend, about=(("bars", name),))
         elif is_grounded(model, hub):
-            far = next(node for node in ideal_ends(model, name, member) if node != hub)
+            far = next(node for node in member.ends if node != hub)
             mend = f"Fix {far!r} too; or say turns: true, if the hub turns about its node."
             yield Fault((*path, name), "is clamped to a hub on the ground, so that it cannot move.", mend)
 
@@ -197,7 +202,7 @@ def _hinges(model: ModelData, hub: str) -> Iterator[Fault]:
         if kind in ("cable", "free"):
             yield Fault(path, f"is {a_bar(kind)}, which bears no moment.", "Leave the hinge out.", about=(("bars", name),))
             continue
-        other = ideal_ends(model, name, member)[1 - arms[name].end]
+        other = member.ends[1 - arms[name].end]
         far = {one.member: one.at for one in arms_of(model, other)}.get(name) if other in model.hubs else None
         along = np.array(far or model.nodes[other].at) - np.array(arms[name].at)
         along /= np.linalg.norm(along) or 1.0
@@ -225,42 +230,18 @@ def _on_line(model: ModelData, hub: str) -> Iterator[Fault]:
 
 
 def _place(model: ModelData, arm: Arm) -> Iterator[Fault]:
-    """A tip whose name is taken, an arm that is not what the hub says."""
-    path = ("hubs", arm.hub)
-    ended = model.members[arm.member].ends[arm.end]
-    if ended != arm.name:
-        for table in ("nodes", "bars", "active"):
-            if arm.name in getattr(model, table):
-                message = f"needs the name {arm.name!r} for the arm of {arm.member!r}, which is in use."
-                yield Fault(path, message, f"Rename it in {table}.", about=((table, arm.name),))
-        return
-    own, record = model.bars.get(arm.name), model.hubs[arm.hub]
-    if own is not None and (own.kind == "free") != is_grounded(model, arm.hub):
-        now, made = ("is not on the ground", "stands still") if own.kind == "free" else ("is on the ground", "moves")
-        mend = f"Fix or release {arm.hub!r} in the model whose members end at its nodes, and give that the hub."
-        yield Fault(path, f"{now}, but its arm {arm.name!r} was made for a hub that {made}.", mend)
-    for field in ("section", "material"):
-        said = getattr(record, field)
-        if own is not None and said is not None and getattr(own, field) != said:
-            message = f"states a {field} of its arms that is not that of bar {arm.name!r}, which is there already."
-            yield Fault((*path, field), message, f"Change the {field} of the bar too, or leave it out of the hub.")
-
-
-def _left_over(model: ModelData, hub: str) -> Iterator[Fault]:
-    """Members that end at an arm which the hub no longer has."""
-    arms = {arm.member for arm in arms_of(model, hub)}
-    for name, end in members_at(model, hub).items():
-        tip = f"{hub}.{name}"
-        if name not in arms and model.members[name].ends[end] == tip:
-            mend = f"Let {name!r} end at {hub!r} again (ends), and remove node and bar {tip!r}; or give it its arm."
-            yield Fault(("hubs", hub), f"has no arm for {name!r}, which still ends at one, at node {tip!r}.", mend)
+    """A tip whose name is taken."""
+    for table in ("nodes", "bars", "active"):
+        if arm.name in getattr(model, table):
+            message = f"needs the name {arm.name!r} for the arm of {arm.member!r}, which is in use."
+            yield Fault(("hubs", arm.hub), message, f"Rename it in {table}.", about=((table, arm.name),))
 
 
 def _lengths(model: ModelData, name: str, hubs: list[str]) -> Iterator[Fault]:
     """Hubs that overlap, rods longer than what is left, lengths that are still those from node to node."""
     whole, rest = free_length(model, name)
     table = "active" if name in model.active else "bars"
-    about: Any = ((table, name), *(("nodes", node) for node in ideal_ends(model, name, model.members[name])))
+    about: Any = ((table, name), *(("nodes", node) for node in model.members[name].ends))
     path = ("hubs", hubs[0])
     if rest <= SAME * whole:
         others = "overlaps its other node" if len(hubs) == 1 else f"overlaps that of {hubs[1]!r}"

@@ -7,19 +7,20 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault, few
-from kinetruss.model.beam_frames import carriers_of, frames
+from kinetruss.model.beam_frames import carriers_of
 from kinetruss.model.hub_arms import arm_through
 from kinetruss.model.loads import FAULTS, BodyCouple, BodyForce, Pressure, vector_faults
 from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
+    from kinetruss.model.whole import WholeModel
 
 
 OFF = 1e-6
 
 
-def load_faults(model: ModelData, dim: int) -> Iterator[Fault]:
+def load_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
     """Faults of all loads of a model."""
     for name, load in model.loads.items():
         yield from CHECKS[type(load)](load, model, dim, ("loads", name))
@@ -76,7 +77,7 @@ def _within(model: ModelData, ends: tuple[str, str], a: tuple[float, ...], b: tu
     return min(shares) > -OFF and max(shares) < 1 + OFF and abs(shares[0] - shares[1]) > OFF
 
 
-def _on_body(load: BodyForce | BodyCouple, model: ModelData, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
+def _on_body(load: BodyForce | BodyCouple, model: WholeModel, dim: int, path: tuple[Any, ...]) -> Iterator[Fault]:
     through = getattr(load, "member", None)
     if through is not None and arm_through(model, load.body, through) is None:
         message = f"enters through {through!r}, but {load.body!r} is no body of a hub in space with an arm for it."
@@ -84,7 +85,7 @@ def _on_body(load: BodyForce | BodyCouple, model: ModelData, dim: int, path: tup
         yield Fault((*path, "member"), message, mend, about=(("hubs",), ("bodies", load.body)))
         return
     if through is None and carriers_of(model, load.body) is None and (dim == 3 or load.body not in model.bars):
-        known = [*model.bodies, *frames(model), *(model.bars if dim == 2 else ())]
+        known = [*model.bodies, *model.inner.frames, *(model.bars if dim == 2 else ())]
         about = (("bodies", load.body), ("bars", load.body))
         yield Fault((*path, "body"), f"no body called {load.body!r}.", nearest(load.body, known), about=about)
         return

@@ -58,15 +58,13 @@ class Node(Record):
 
     A plain list of two or three coordinates is enough: ``A: [0, 100 mm]``. `coincident` allows a node at the position of
     another one (two joints at one place); otherwise that is a fault. A `scalar` is not a point but a single coordinate, its x
-    (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom. A `director` belongs
-    to the frame of another node, whose rotation beams share (added automatically, see `Beam`).
+    (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom.
 
     at : place, m: two coordinates in the plane, three in space.
     mass : lumped mass, kg.
     gravity : acceleration of this mass, m/s^2; by default that of the model.
     coincident : it may stand where another node stands.
     scalar : it is a single coordinate, its x, and no point.
-    director : it belongs to the frame of another node (added automatically).
 
     >>> import kinetruss as kt
     >>> kt.Node(at=("100 mm", 0), mass="2 kg")
@@ -78,7 +76,6 @@ class Node(Record):
     gravity: GravityVector | None = None
     coincident: Flag = False
     scalar: Flag = False
-    director: Flag = False
 
     @model_validator(mode="before")
     @classmethod
@@ -118,8 +115,6 @@ class Bar(Record):
     strain : law of an elastic bar, ``engineering``: N = k (l - l0) + c l', or ``green``: N = k (l^2 - l0^2) l/(2 l0^2) + c l'.
         A cable longer than l0 has the tension max(0, k (l - l0) + c l'), a shorter one none.
     body : extended planar mass in place of the mass of the bar (rigid bars of planar models).
-    brace : holds the nodes of a body together (added automatically, see `Body`): no section, and no mass unless given here; it
-        is removed when its ends are no longer in one rigid body.
     rotary_inertia : count the rotary inertia of the finite diameter.
     friction : viscous friction of the bearings at its ends, N m s: the torque for each rad/s that the bar turns about its pin,
         in the plane. The pin of a fixed, guided or driven node does not turn; any other turns so that the torques of its bars
@@ -145,7 +140,6 @@ class Bar(Record):
     damping: Damping = 0.0
     strain: Literal["engineering", "green"] = "engineering"
     body: PlanarBody | None = None
-    brace: Flag = False
     rotary_inertia: Flag = False
     friction: RotaryFrictions = (0.0, 0.0)
     orientation: NodeName | None = None
@@ -155,6 +149,10 @@ class Bar(Record):
     @classmethod
     def _from_pair(cls, value: Any) -> Any:
         return short_form(value, "ends")
+
+
+class Brace(Bar):
+    """A bar that stands for no bar of the user (`inner`): it has no section, also where the model has one for all bars."""
 
 
 class PointMass(Record):

@@ -136,7 +136,7 @@ def _runs(model: Model, mission: Mission) -> Iterator[Fault]:
 
 def _groups(model: Model, mission: Mission) -> Iterator[Fault]:
     named = {name: group.members for name, group in (mission.groups or {}).items()}
-    yield from _matches(named, list(model.members), "groups", ("members",), "member", "a tube")
+    yield from _matches(named, list(model.whole.real_members), "groups", ("members",), "member", "a tube")
     for name, group in (mission.groups or {}).items():
         if group.tubes is None and mission.catalogues.tubes is None:
             yield Fault(("groups", name), "has no catalogue of tubes.", "Add catalogues: {tubes: ...}, or tubes to the group.")

@@ -108,8 +108,7 @@ def _sections(model: Model) -> Iterator[Fault]:
 def _parts(model: Model) -> Iterator[tuple[Path, Any, float, bool]]:
     """Place, record and length (m) of records that may have a section; whether it is a cable."""
     for name, bar in model.bars.items():
-        if not bar.brace:
-            yield ("bars", name), bar, bar.length or _length(model, bar), bar.kind == "cable"
+        yield ("bars", name), bar, bar.length or _length(model, bar), bar.kind == "cable"
     for name, active in model.active.items():
         for side in ("base", "tube"):
             part = getattr(active, side)

@@ -21,6 +21,8 @@ from kinetruss.model.words import nearest
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
     from kinetruss.model.runs import BaseRotation, Condition
+    from kinetruss.model.the_model import Model
+    from kinetruss.model.whole import WholeModel
 
 
 MOVING = (
@@ -34,7 +36,7 @@ MOVING = (
 """Analyses whose motion, or poses, a mission can take."""
 
 
-def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
+def task_faults(model: Model, tasks: Any, path: tuple[Any, ...] = ("tasks",)) -> Iterator[Fault]:
     """Faults of tasks against the drives of a model. Trajectories are checked separately.
 
     >>> import kinetruss as kt
@@ -42,8 +44,8 @@ def task_faults(model: ModelData, tasks: Any, path: tuple[Any, ...] = ("tasks",)
     >>> [fault.message for fault in kt.model.task_faults(model, {"motor": kt.Hold()})]
     ["no drive called 'motor'."]
     """
-    yield from unknown_names(model, tasks, path, (Run, "tasks"))
-    yield from task_rules(model, tasks, path)
+    yield from unknown_names(model.whole, tasks, path, (Run, "tasks"))
+    yield from task_rules(model.whole, tasks, path)
 
 
 def task_rules(model: ModelData, tasks: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -124,7 +126,7 @@ def _alone(task: Any, name: str, place: tuple[Any, ...]) -> Iterator[Fault]:
         yield Fault(place, f"moves {others}, not {name!r} alone.", mend)
 
 
-def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
+def event_faults(model: Model, events: Any, path: tuple[Any, ...] = ("events",)) -> Iterator[Fault]:
     """Faults of events against the members and nodes of a model.
 
     >>> import kinetruss as kt
@@ -132,8 +134,8 @@ def event_faults(model: ModelData, events: Any, path: tuple[Any, ...] = ("events
     >>> [fault.message for fault in kt.model.event_faults(model, {"low": kt.Event(coordinate="C.y", value=0.0)})]
     ["no coordinate called 'C.y'."]
     """
-    yield from unknown_names(model, events, path, (Run, "events"))
-    yield from event_rules(model, events, path)
+    yield from unknown_names(model.whole, events, path, (Run, "events"))
+    yield from event_rules(model.whole, events, path)
 
 
 def event_rules(model: ModelData, events: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
@@ -184,14 +186,14 @@ def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
             yield Fault(place, f"{motion!r} has a condition of its own.", mend)
 
 
-def all_condition_faults(model: ModelData) -> Iterator[Fault]:
+def all_condition_faults(model: WholeModel) -> Iterator[Fault]:
     """Faults of all conditions of a model, and of the rotation of its base."""
     yield from base_rotation_faults(model, model.base_rotation, ("base_rotation",))
     for name, condition in model.conditions.items():
         yield from condition_rules(model, condition, ("conditions", name))
 
 
-def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
+def condition_faults(model: Model, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
     """Unknown nodes, members and drives of a condition, and vectors with too few or too many components.
 
     >>> import kinetruss as kt
@@ -199,12 +201,17 @@ def condition_faults(model: ModelData, condition: Condition, path: tuple[Any, ..
     >>> [fault.message for fault in kt.model.condition_faults(model, kt.Condition(payloads={"C": 1.0}), ("laden",))]
     ["no node called 'C'."]
     """
-    yield from unknown_names(model, condition, path)
-    yield from condition_rules(model, condition, path)
+    yield from unknown_names(model.whole, condition, path)
+    yield from condition_rules(model.whole, condition, path)
 
 
-def condition_rules(model: ModelData, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
-    """Vectors with too few or too many components."""
+def condition_rules(model: WholeModel, condition: Condition, path: tuple[Any, ...]) -> Iterator[Fault]:
+    """Vectors with too few or too many components, and changes of inner parts."""
+    for field, inner in (("payloads", model.inner.nodes), ("failed", model.inner.bars)):
+        for name in getattr(condition, field):
+            if name in inner:
+                mend = "Name a node or member of the model itself."
+                yield Fault((*path, field), f"names {name!r}, which is made for {inner[name].text}.", mend)
     dim = len(next(iter(model.nodes.values())).at)
     for node, force in condition.forces.items():
         yield from components(force, dim, (*path, "forces", node))

@@ -31,6 +31,7 @@ from kinetruss.model.trajectories import ConstantRate, Cyclic, Quintic, Sine, Sp
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
+    from kinetruss.model.the_model import Model
 
 
 Law = Literal["quintic", "trapezoid", "constant", "spline"]
@@ -340,7 +341,7 @@ ANGLES = ("beta", "gamma", "roll", "pitch", "yaw", "angle")
 SPATIAL = ("gimbal", "pointing", "reflecting")
 
 
-def target_faults(model: ModelData, target: Any, path: Place = ("targets",)) -> Iterator[Fault]:
+def target_faults(model: Model, target: Any, path: Place = ("targets",)) -> Iterator[Fault]:
     """Faults of a task, or of tasks that are combined, against a model.
 
     >>> import kinetruss as kt
@@ -350,8 +351,8 @@ def target_faults(model: ModelData, target: Any, path: Place = ("targets",)) -> 
     ["no node called 'C'."]
     """
     if isinstance(target, TARGETS):  # trajectories move coordinates of nodes here
-        yield from unknown_names(model, target, path)
-    yield from target_rules(model, target, path)
+        yield from unknown_names(model.whole, target, path)
+    yield from target_rules(model.whole, target, path)
 
 
 def target_rules(model: ModelData, target: Any, path: Place) -> Iterator[Fault]:

@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
+from functools import cached_property
 from typing import Any, Self
 
 from pydantic import BaseModel, ValidationError, model_validator
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.model.beam_checks import spins
-from kinetruss.model.beam_frames import chords, expanded, rigid_groups
-from kinetruss.model.body_checks import body_faults
-from kinetruss.model.bracing import braced
-from kinetruss.model.checks import dimension, faults, misfits
+from kinetruss.model.checks import dimension, faults_of, misfits
 from kinetruss.model.collecting import Lost, collect, rests_on, with_library_records
 from kinetruss.model.data import AXES, ModelData
 from kinetruss.model.description import described
-from kinetruss.model.hub_expansion import with_arms
-from kinetruss.model.hubs import hub_faults, missing_nodes
+from kinetruss.model.hubs import hub_faults
 from kinetruss.model.members import Node
-from kinetruss.model.references import unknown_names
-from kinetruss.model.table import ReadOnly
+from kinetruss.model.whole import WholeModel, expanded
 
 
 class Model(ModelData):
@@ -30,12 +25,12 @@ class Model(ModelData):
     (``nodes={"A": (0, 0)}``, ``bars={"crank": ("A", "B")}``). Faults are collected and raised at once as `ModelError`.
 
     fixed : names of nodes held in all axes, or a mapping node -> axes, e.g. ``{"A": "xy"}``.
-    bodies : masses in the plane or in space carried by nodes; the bars that hold rigid ones together are added to `bars`.
+    bodies : masses in the plane or in space carried by nodes.
     beams : members that bend; those that meet at a node share its rotation. clamped : nodes of beams whose position and
         rotation the ground holds, or a mapping node -> body whose rotation it shares.
     joints : records of the joints that `library.joints` has built from nodes and bars.
     bearings : pins and balls whose friction follows from their force.
-    hubs : nodes of finite size, by node; their arms are added to `nodes`, `bars` and `bodies` (see `Hub`).
+    hubs : nodes of finite size, by node (see `Hub`).
     membranes, solids : meshes of elastic triangles and tetrahedra on nodes.
     section, material : used by every bar that names none. Here and in its records a name refers to a table of the model,
     or to the library: ``material="steel_s235"``.
@@ -77,21 +72,17 @@ class Model(ModelData):
         judged = self if not odd else BaseModel.model_copy(self, update={"nodes": fitting})
         if wrong := hub_faults(judged):
             raise ModelError([*odd, *wrong])
-        whole = not judged.hubs or not missing_nodes(judged)
-        for field, table in (with_arms(judged) if judged.hubs and whole else {}).items():
-            judged.__dict__[field] = ReadOnly(table)
-            judged.__pydantic_fields_set__.add(field)
-            _forget(judged)
-        if whole and (judged.beams or any(node.director for node in judged.nodes.values())):
-            _take(judged, expanded(judged))
-            _take(judged, {"couplings": judged.couplings | {one.coupling: one.held(judged) for one in spins(judged)}})
-        if whole and (judged.bodies or judged.beams or any(bar.brace for bar in judged.bars.values())):
-            _take(judged, {"bars": braced(judged, rigid_groups(judged), _faulty_bodies(judged)) | chords(judged)})
-            _forget(judged)  # what was derived during the checks
+        whole = expanded(judged)
         lost = Lost(("nodes", str(fault.path[1])) for fault in odd)
-        if found := [*odd, *(fault for fault in faults(judged) if not rests_on(fault, lost))]:
+        if found := [*odd, *(fault for fault in faults_of(whole) if not rests_on(fault, lost))]:
             raise ModelError(found)
+        self.__dict__["whole"] = whole
         return self
+
+    @cached_property
+    def whole(self) -> WholeModel:
+        """The model with the inner parts that represent its beams, bodies and hubs: what analyses compute with."""
+        return expanded(self)
 
     def __repr__(self) -> str:
         """The title, and the number of each kind of part; drives by name."""
@@ -109,27 +100,6 @@ class Model(ModelData):
         """
         fields = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**fields | changes)
-
-
-def _forget(model: Model) -> None:
-    """Drop what is derived from bars that have changed since."""
-    for name in ("members", "driven_members"):
-        model.__dict__.pop(name, None)
-
-
-def _take(model: Model, tables: dict[str, Any]) -> None:
-    """Set tables that are completed from others."""
-    for name, table in tables.items():
-        if table or name in model.__pydantic_fields_set__:
-            model.__dict__[name] = ReadOnly(table)
-            model.__pydantic_fields_set__.add(name)
-
-
-def _faulty_bodies(model: Model) -> set[str]:
-    """Bodies that cannot be braced as given."""
-    dim = dimension(len(node.at) for node in model.nodes.values())
-    unknown = unknown_names(model, model.bodies, ("bodies",), (ModelData, "bodies"))
-    return {str(fault.path[1]) for fault in (*unknown, *body_faults(model, dim))}
 
 
 def _dimension_of(nodes: Any) -> int:

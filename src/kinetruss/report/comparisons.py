@@ -13,6 +13,7 @@ from kinetruss.display.tables import Column, measured, mixed, seconds, words
 from kinetruss.errors import InputError
 from kinetruss.io.values import resolved
 from kinetruss.model import Of, Record, turns
+from kinetruss.model.members import Brace
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.quantities import Curve, curves, quantities
 from kinetruss.report.run_data import entry
@@ -325,7 +326,7 @@ def beside(ideal: tuple[Model, Forces], real: tuple[Model, Forces]) -> Page:
         found += _both(name, pair)
     moments = {name for name, drive in one.all_drives.items() if turns(drive)}
     found = [replace(row, unit="N m") if row.quantity == "drive_force" and row.of in moments else row for row in found]
-    braces = {name for model in (one, two) for name, bar in model.bars.items() if bar.brace}
+    braces = {name for model in (one, two) for name, bar in model.whole.bars.items() if isinstance(bar, Brace)}
     found = [row for row in found if row.of not in braces]
     found += _both("von_mises", [_stress(model, forces) for model, forces in (ideal, real)])
     places = [

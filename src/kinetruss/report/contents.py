@@ -15,7 +15,6 @@ from kinetruss.errors import one_line
 from kinetruss.kinematics import mobility
 from kinetruss.library.bodies import properties_of
 from kinetruss.library.joints import conditioning
-from kinetruss.model import inner_parts
 from kinetruss.model.beam_frames import frame_of
 from kinetruss.model.bodies import principal, quality
 from kinetruss.model.data import ELEMENT_FIELDS
@@ -33,10 +32,9 @@ def contents(model: Model, name: str = "") -> Page:
 
 def counts(model: Model) -> dict[str, Any]:
     """Numbers of nodes, bars, active members and beams that the user wrote."""
-    inner = inner_parts(model)
     return {
-        "nodes": sum(one not in inner.nodes for one in model.nodes),
-        "bars": sum(one not in inner.bars for one in model.bars),
+        "nodes": len(model.nodes),
+        "bars": len(model.bars),
         "beams": len(model.beams),
         "active_members": len(model.active),
     }
@@ -128,7 +126,7 @@ def _beams(model: Model) -> list[dict[str, Any]]:
                 "name": name,
                 "kind": beam.kind,
                 "ends": list(beam.ends),
-                "length": math.dist(*(model.nodes[end].at for end in beam.ends)),
+                "length": math.dist(*(model.whole.nodes[end].at for end in beam.ends)),
                 "section": None if section is None else section.kind,
                 "release": list(beam.release),
                 "hinges": dict(beam.hinges),
@@ -156,7 +154,7 @@ def _bodies(model: Model) -> list[dict[str, Any]]:
                 "mass": body.mass,
                 "center": [float(x) for x in own.center],
                 "principal_moments": [float(x) for x in moments],
-                "normalised_volume": quality([model.nodes[node].at for node in carriers]),
+                "normalised_volume": quality([model.whole.nodes[node].at for node in carriers]),
             }
         )
     return found

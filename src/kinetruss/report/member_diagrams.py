@@ -211,7 +211,7 @@ def requested(run: RunResult, parts: Sequence[str], at: float | str | None, case
     if case is not None and case not in run.forces:
         raise InputError(f"No load case called {case!r}. {nearest(case, run.forces)}")
     known = {
-        *run.model.members,
+        *run.model.whole.members,
         *run.model.beams,
         *(f"{name}.{role}" for name in run.model.active for role in ("base", "tube")),
     }
@@ -264,7 +264,7 @@ def _governing_rows(run: RunResult, record: Mapping[str, Any]) -> list[Mapping[s
 def _of_row(run: RunResult, row: Mapping[str, Any]) -> list[Subject]:
     """The part of an entry at its instant; of a drive, the member that it moves."""
     drive = run.model.all_drives.get(row["part"])
-    name = row["part"] if drive is None or row["part"] in run.model.members else getattr(drive, "bar", "")
+    name = row["part"] if drive is None or row["part"] in run.model.whole.members else getattr(drive, "bar", "")
     sample = _sample_of(run, row)
     if sample is None or row["load_case"] not in run.forces:
         return []

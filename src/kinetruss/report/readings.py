@@ -15,7 +15,6 @@ from kinetruss.display import Table, instant, number, quantity
 from kinetruss.elements.local_axes import local_axes
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.model import inner_parts
 from kinetruss.report.page import Page
 from kinetruss.report.run_data import pose_at
 from kinetruss.runs.mission_results import check_histories
@@ -243,10 +242,11 @@ def joints(
     if not run.forces:
         raise InputError("The run has no forces: its analysis is kinematics.follow. Do a run of dynamics.inverse.")
     case = next(iter(run.forces)) if case is None else case
+    whole = run.model.whole
     for what, name, known in (
         ("load case", case, run.forces),
-        ("member", member, run.model.members),
-        ("node", node, run.model.nodes),
+        ("member", member, whole.members),
+        ("node", node, whole.nodes),
         ("axis", axis, "xyz"[: run.model.dim]),
     ):
         if name is not None and name not in known:
@@ -256,15 +256,15 @@ def joints(
     axes = [str(a) for a in data["axis"].values]
     shown = [axes.index(axis)] if axis else list(range(len(axes)))
     force = data["joint_force"].isel(time=at).values
-    dim, inner = run.model.dim, inner_parts(run.model)
+    dim = run.model.dim
     frames = local_axes(compile(run.model), run.motion.data["position"].values[at : at + 1])[0, :, :dim, :dim]
     rows = [
         (name, end, bar.ends[e], force[i, e, shown], frames[i] @ force[i, e])
-        for i, (name, bar) in enumerate(run.model.members.items())
+        for i, (name, bar) in enumerate({**whole.members, **run.model.members}.items())
         for e, end in enumerate("AB")
-        if node in (None, bar.ends[e]) and (name == member or (member is None and name not in inner.bars))
+        if node in (None, bar.ends[e]) and (name == member or (member is None and name in run.model.members))
     ]
-    supports = [] if member is not None else _supports(data, at, inner.nodes, node, shown)
+    supports = [] if member is not None else _supports(data, at, whole.inner.nodes, node, shown)
     found = JointForces(
         time=float(data["time"].values[at]),
         pose=pose_at(run.forces[case], at),

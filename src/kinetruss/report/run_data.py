@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.model import LengthDrive
-from kinetruss.model.beam_frames import FRAME, shown_kinds, shown_names
+from kinetruss.model.bracing import CHORD
+from kinetruss.model.members import Brace
 from kinetruss.results.records import MOTORS_UNCHECKED
 from kinetruss.runs.doubts import energy_balance, not_unique, singularity
 from kinetruss.strength import elements
@@ -65,6 +66,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
     ``unique`` : False if the structure is redundant and the force of the member depends on stiffness or convention.
     """
     found: list[dict[str, Any]] = []
+    members = run.model.whole.members
     for case, forces in run.forces.items():
         values = forces.data["member_force"].values
         if not len(values):
@@ -72,7 +74,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
         static = None if forces.static is None else forces.static.data["member_force"].values
         unsure = set(forces.data.attrs.get("not_unique", []))
         for i, member in enumerate(map(str, forces.data["member"].values)):
-            if member in run.model.bars and run.model.bars[member].brace:
+            if isinstance(members[member], Brace):
                 continue
             at = int(np.argmax(np.abs(values[:, i])))
             share = math.nan if static is None else float(values[at, i] - static[at, i])
@@ -93,12 +95,12 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
 
 def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
     """Smallest and largest mean axial force (N), with times (s), by load case and member, largest magnitude first; of elastic
-    beams that in their middle. Bars of the frames of beams, and beams whose forces are not known, are left out.
+    beams that in their middle. Beams whose forces are not known are left out.
 
     ``at_rest`` is the force in the same pose at rest at the time of the larger of the two.
     """
     found: dict[str, list[dict[str, Any]]] = {}
-    kinds, names = shown_kinds(run.model), shown_names(run.model)
+    members, beams = run.model.whole.members, {f"{name}{CHORD}": name for name in run.model.beams}
     for case, forces in run.forces.items():
         data = forces.data
         if not data.sizes["time"]:
@@ -109,13 +111,13 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
         unsure = set(data.attrs.get("not_unique", []))
         entries = []
         for k, name in enumerate(map(str, data["member"].values)):
-            if kinds[name] == FRAME or np.isnan(values[:, k]).any():
+            if (isinstance(members[name], Brace) and name not in beams) or np.isnan(values[:, k]).any():
                 continue
             least, largest = values[low[k], k], values[high[k], k]
             at = int(low[k] if -least > largest else high[k])
             entries.append(
                 {
-                    "member": names[name],
+                    "member": beams.get(name, name),
                     "least": float(least),
                     "least_time": float(time[low[k]]),
                     "largest": float(largest),
@@ -159,12 +161,11 @@ def _support_forces(model: Model, forces: Forces) -> dict[str, tuple[Array, Arra
     """Forces (times, axes), N, of supports, and moments (times, 3) or (times, 1), N m, of clamps about their nodes."""
     reaction, place = forces.data["reaction"].values, forces.motion.data["position"].values
     index = {str(name): k for k, name in enumerate(forces.motion.data["node"].values)}
-    ends = {f"{name}.{end}": end for name, beam in model.beams.items() for end in beam.ends}
+    inner = model.whole.inner.nodes
     sums: dict[str, Array] = {}
     moments: dict[str, Array] = {}
     for k, name in enumerate(map(str, forces.data["support"].values)):
-        before = name.rpartition(".")[0]
-        at = (ends.get(before) or before) if model.nodes[name].director else name
+        at = inner[name].at if name in inner and inner[name].table != "hubs" else name
         sums[at] = sums.get(at, 0.0) + reaction[:, k]
         if at != name:
             arm = np.zeros((2, len(reaction), 3))
@@ -254,14 +255,16 @@ def closure(run: RunResult) -> dict[str, Any] | None:
     time, position = data["time"].values, data["position"].values
     place = {str(name): k for k, name in enumerate(data["node"].values)}
     worst: dict[str, Any] | None = None
+    whole = run.model.whole
     for name, wanted in _wanted(run):
-        a, b = (position[:, place[end]] for end in run.model.members[name].ends)
+        a, b = (position[:, place[end]] for end in whole.members[name].ends)
         length = np.linalg.norm(b - a, axis=1)
         error = np.abs(length - (length[0] if wanted is None else wanted))
         at = int(error.argmax())
         if worst is None or error[at] > worst["error"]:
             share = float(error[at] / length[at]) if length[at] else 0.0
-            worst = {"error": float(error[at]), "relative": share, "member": name, "time": float(time[at])}
+            part = whole.inner.part_of(name)
+            worst = {"error": float(error[at]), "relative": share, "member": part, "time": float(time[at])}
     return worst
 
 
@@ -271,7 +274,7 @@ def _wanted(run: RunResult) -> list[tuple[str, NDArray[np.float64] | float | Non
     driven = {drive.bar: name for name, drive in run.model.all_drives.items() if isinstance(drive, LengthDrive)}
     columns = {str(name): k for k, name in enumerate(data["drive"].values)} if "drive" in data.coords else {}
     found: list[tuple[str, NDArray[np.float64] | float | None]] = []
-    for name, member in run.model.members.items():
+    for name, member in run.model.whole.members.items():
         if name in driven:
             if driven[name] in columns:
                 found.append((name, data["drive_position"].values[:, columns[driven[name]]]))

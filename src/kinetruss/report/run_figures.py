@@ -100,13 +100,13 @@ SHAPE, LEAST_SHAPE = 210.0, 90.0
 def _shape(run: RunResult) -> Drawing:
     position = run.motion.data["position"].values
     poses = poses_of(run)
-    shown = [k for k, node in enumerate(run.model.nodes.values()) if not node.director]
+    shown = list(range(len(run.model.nodes)))
     chosen = _apart(position[:, shown])
     scene = snapshots(run, case=next(iter(run.forces), None), samples=chosen)
     stands = shown_at(scene, [moment(time, poses) for time in scene.arrays["time"]], "iso")
     places = Places(scene)
     words = ["shape", *["driven members green"] * any(kind in ("driven", "active") for kind in places.kinds)]
-    words += ["supports as triangles"] * bool(run.model.fixed)
+    words += ["supports as triangles"] * bool(run.model.whole.fixed)
     words += ["loads violet"] * any(one.arrows for one in stands)
     title = f"{run.model.title or run.name}: {', '.join(words)}"
     return drawing(scene, stands, width=max(LEAST_SHAPE, SHAPE * len(chosen) / 3), name="shape", title=title)

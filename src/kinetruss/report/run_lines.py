@@ -108,7 +108,7 @@ def _case(run: RunResult, found: Result) -> dict[str, Any]:
     fields: dict[str, Any] = {}
     shift = shift_of(run, found)
     if shift is not None and shift.size:
-        seen = [not run.model.nodes[str(name)].director for name in data["node"].values]  # without the frames of beams
+        seen = [str(name) in run.model.nodes for name in data["node"].values]
         size = np.where(seen, np.linalg.norm(shift, axis=2), 0.0)
         i, k = np.unravel_index(int(size.argmax()), size.shape)
         fields["displacement"] = {
@@ -157,7 +157,7 @@ def shift_of(run: RunResult, found: Result) -> Any:
         return found.data["displacement"].values
     if "position" not in found.data:
         return None
-    return found.data["position"].values - np.array([node.at for node in run.origin.nodes.values()])
+    return found.data["position"].values - np.array([node.at for node in run.origin.whole.nodes.values()])
 
 
 def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:

@@ -102,7 +102,7 @@ def _linear(plan: Plan) -> Block:
         except AnalysisError as error:
             raise InputError(f"{error} No digit of the result is certain, so there is none.") from None
     said = " ".join(dict.fromkeys(one.message for one in found.values() if one.message))
-    place = np.array([node.at for node in model.nodes.values()])
+    place = np.array([node.at for node in model.whole.nodes.values()])
     motion = _resting(model, place).with_(message=said)
     others = {one.source for case in found for one in actions_of(system, case).actions if one.kind != "load"}
     forces = {} if others else {case: _forces(model, one, motion, case) for case, one in found.items()}

@@ -297,7 +297,7 @@ class _Job:
         """The poses as a motion whose instants are the rows; they have nothing to do with each other."""
         rows = np.arange(len(lengths), dtype=float)
         if not model.all_drives:
-            still = np.zeros((len(rows), len(model.nodes), model.dim))
+            still = np.zeros((len(rows), len(model.whole.nodes), model.dim))
             return kinematics.from_arrays(model, rows, still + kinematics.assemble(model), still, still)
         derivatives = np.array([self.derivatives.get(name, (value, 0.0, 0.0)) for name, value in start_values(model).items()])
         value, rate, acceleration = (np.repeat(one[None], len(rows), axis=0) for one in derivatives.T)
@@ -326,7 +326,11 @@ class _Job:
 
 def _offers(model: Model, place: str, kind: str) -> bool:
     """Whether NAME.kind is a force or strain of the model."""
-    tables: dict[str, Mapping[str, Any]] = {"force": model.members, "drive_force": model.all_drives, "strain": model.gauges}
+    tables: dict[str, Mapping[str, Any]] = {
+        "force": model.whole.members,
+        "drive_force": model.all_drives,
+        "strain": model.gauges,
+    }
     return place in tables.get(kind, {})
 
 

@@ -185,7 +185,7 @@ class _Known:
         same = job.condition is None or not job.condition.moves_otherwise
         key = (pair.motion, None if same else pair.condition)
         if self._motion is None or self._motion[0] != key:
-            if len(job.times) * (9 * len(job.model.nodes) + 3 * len(job.model.members)) > HELD:
+            if len(job.times) * (9 * len(job.model.whole.nodes) + 3 * len(job.model.whole.members)) > HELD:
                 return blocks(job)
             whole = replace(job, run=job.run.with_(analysis="kinematics.follow"))
             parts = [block.motion for block in blocks(whole)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -12,6 +13,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from kinetruss.errors import StoreError
+from kinetruss.io.earlier import without_inner_parts
 from kinetruss.model import Event, Model, Run
 from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Status, Verdict
 from kinetruss.results.dynamic_records import happened
@@ -177,6 +179,8 @@ def model_of(store: Store) -> Model:
     StoreError : its file is damaged.
     """
     try:
+        if '"director":' in store.model_text:  # of an earlier version
+            return Model.model_validate(without_inner_parts(json.loads(store.model_text)))
         return Model.model_validate_json(store.model_text)
     except ValueError as error:
         raise StoreError(f"{store.path} is damaged: model.json holds no model. Run it again with --overwrite.") from error

@@ -170,8 +170,8 @@ def _stream(
 
 
 def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResult:
-    members = len(job.model.members)
-    a_sample = 9 * len(job.model.nodes) + members * (10 + len(job.cases) * (10 + 6 * job.run.stations) * job.full)
+    members = len(job.model.whole.members)
+    a_sample = 9 * len(job.model.whole.nodes) + members * (10 + len(job.cases) * (10 + 6 * job.run.stations) * job.full)
     mend = "Write it to a folder (out), or take fewer samples or stations."
     hold(len(job.times) * a_sample, f"A run of {len(job.times):,} samples kept in memory", mend)
     accumulated, kept = Accumulator(job.model), []

@@ -65,8 +65,8 @@ def _names(model: Model, pattern: str, known: Mapping[str, Any]) -> bool:
 
 def _supported(model: Model, member: str) -> bool:
     """Whether a member joins two fixed nodes, so that an error of its length moves nothing."""
-    axes = set("xyz"[: model.dim])
-    return all(axes <= set(model.fixed.get(node, "")) for node in model.members[member].ends)
+    axes, whole = set("xyz"[: model.dim]), model.whole
+    return all(axes <= set(whole.fixed.get(node, "")) for node in whole.members[member].ends)
 
 
 def driven_lengths(model: Model, chosen: list[Parameter]) -> tuple[Model, list[str | None]]:
@@ -126,9 +126,13 @@ def _play(model: Model, key: str, given: Any) -> list[Parameter]:
 
 def _temperature(model: Model, given: Any, expansion: float | None) -> Parameter:
     tolerance = _half_width(given, "number", "temperature (K)")
-    at = {name: np.array(node.at) for name, node in model.nodes.items()}
+    whole = model.whole
+    if rigid := [owner for name, owner in whole.inner.bars.items() if whole.bars[name].kind == "rigid"]:
+        raise InputError(f"The thermal strain of {rigid[0].text} is not known. Leave out the temperature.")
+    at = {name: np.array(node.at) for name, node in whole.nodes.items()}
     change = []
-    for name, member in model.members.items():
+    for name in model.members:
+        member = whole.members[name]
         parts = [member] if not hasattr(member, "tube") else [member.tube]
         own = [getattr(model.material_of(part), "thermal_expansion", None) for part in parts]
         share = own[0] if own[0] is not None else expansion

@@ -191,7 +191,7 @@ def _record(
         frame = frame.set_xindex("pose")
     message = " ".join(text for text in (forces.message, said, _unbalanced(stored, work)) if text)
     return Deflection(
-        data=frame, status=forces.status, message=message, provenance=provenance(system.model, load_case=forces.load_case)
+        data=frame, status=forces.status, message=message, provenance=provenance(system.given, load_case=forces.load_case)
     )
 
 

@@ -195,7 +195,7 @@ def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64
     data = xr.Dataset({"position": position}, coords={"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim]})
     data.attrs |= {"kind": "equilibrium", "unstable": 0, "neutral": 0, "ways_out": []}
     found = Equilibrium(
-        data=data, status=Status.NOT_CONVERGED, message=message, provenance=provenance(system.model, load_case=balance.name)
+        data=data, status=Status.NOT_CONVERGED, message=message, provenance=provenance(system.given, load_case=balance.name)
     )
     if raising:
         raise AnalysisError(f"{found.status.value} {message} Give lengths that fit, or start nearer.", found)
@@ -251,7 +251,7 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
             )
             if text
         ),
-        provenance=provenance(system.model, load_case=balance.name),
+        provenance=provenance(system.given, load_case=balance.name),
     )
 
 

@@ -211,7 +211,7 @@ def linear(
         displacement = max(displacement, _unbalanced(data))
     unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
-    said = _message(held, flexible, rigid), _slack(found.slack), spin_note(model)
+    said = _message(held, flexible, rigid), _slack(found.slack), spin_note(model.whole)
     result = Linear(
         data=data,
         status=Status.UNSURE if lost else Status.COMPLETED,
@@ -327,7 +327,7 @@ def _message(held: System, flexible: NDArray[np.float64], rigid: Collection[str]
         held.members[i] for i, f, kind in zip(held.row_member, flexible, held.row_kind, strict=True) if not f and not kind
     ]
     # bars that hold bodies and frames of beams together are rigid by their purpose
-    lacking = [name for name in lacking if name not in rigid and not getattr(held.model.bars.get(name), "brace", False)]
+    lacking = [name for name in lacking if name not in rigid and name not in held.inner.bars]
     if not lacking:
         return ""
     return f"Kept inextensible, since they have no section or no material: {few(lacking, 8)}."

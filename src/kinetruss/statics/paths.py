@@ -284,7 +284,7 @@ def scaled_force(system: System, load: str | Mapping[str, float]) -> NDArray[np.
                 raise InputError(
                     f"No load called {name!r} to scale. {nearest(name, [*model.loads, *model.load_cases])}".rstrip()
                 )
-        scaled = model.with_(load_cases={"scaled": LoadCase(loads=factors)}, runs={})
+        scaled = system.given.with_(load_cases={"scaled": LoadCase(loads=factors)}, runs={})
         loads = case_loads(compile(scaled), np.zeros(1), "scaled")
     if any(not one.constant for _, one, _ in loads.unit_loads):
         raise InputError("The load that is scaled turns with the structure. Give one that keeps its direction.")
@@ -301,11 +301,12 @@ def without(system: System, load: str | Mapping[str, float], load_case: str | No
     """The system without the scaled loads, if no load case gives the unscaled ones."""
     if load_case is not None:
         return system
-    model = system.model
+    model = system.given
     case = model.load_cases.get(load) if isinstance(load, str) else None
     gone = (case.loads or model.loads) if case is not None else [load] if isinstance(load, str) else load
     kept = {name: record for name, record in model.loads.items() if name not in gone}
-    return replace(system, model=model.with_(loads=kept, load_cases={}, runs={}))
+    left = model.with_(loads=kept, load_cases={}, runs={})
+    return replace(system, given=left, model=left.whole)
 
 
 def _end(system: System, last: Point, span: float) -> str:
@@ -349,7 +350,7 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         data=xr.Dataset(data, coords=coords, attrs={"kind": "path", "load_case": balance.name}),
         status=Status.COMPLETED if good else Status.NO_EQUILIBRIUM,
         message=message,
-        provenance=provenance(system.model),
+        provenance=provenance(system.given),
     )
 
 

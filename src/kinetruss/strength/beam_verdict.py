@@ -63,10 +63,10 @@ def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
     """
     data = result.arrays if isinstance(result, Forces) else result.data
     found, names = np.array(data["member_force"].values, float), beam_parts(model)
-    chords = [k for k, name in enumerate(model.members) if name in {chord_of(beam) for beam in model.beams}]
-    found[..., chords] = np.nan
+    members = list(model.whole.members)
+    found[..., [members.index(chord_of(beam)) for beam in model.beams]] = np.nan
     if names:
-        columns = [list(model.members).index(chord_of(name)) for name in names]
+        columns = [members.index(chord_of(name)) for name in names]
         if not isinstance(result, Forces) or known_positions(result):
             found[..., columns] = beams(model, result, stations=[0.5])["section_T"].values[..., 0]
     return found

@@ -32,7 +32,7 @@ class Gathering:
     def __init__(self, model: Model) -> None:
         parts = parts_of(model)
         self._parts = {name: k for k, name in enumerate(parts.names)}
-        self._members = {name: k for k, name in enumerate(model.members)}
+        self._members = {name: k for k, name in enumerate(model.whole.real_members)}
         self.rods = np.full((4, len(self._parts), COLUMNS), np.nan)
         self.members = np.full((2, len(self._members), COLUMNS), np.nan)
         self._beams = {name: k for k, name in enumerate(beam_parts(model))}
@@ -53,7 +53,7 @@ class Gathering:
         if not len(times):
             return
         twist, before = twisting(model, forces), self.top.copy()
-        ends = np.ascontiguousarray(forces.arrays["end_force"].values)
+        ends = np.ascontiguousarray(forces.arrays["end_force"].values[:, : len(model.whole.real_members)])
         tension, compression, bending, stress = self.rods
         buckling, combined = self.members
         found = Kept(tension, compression, bending, stress, buckling, combined, self.top)
@@ -107,15 +107,15 @@ class Gathering:
     def _rules(self, model: Model) -> Rules:
         parts = parts_of(model)
         own_part = np.array([self._parts[name] for name in parts.names], np.int64)
-        own_member = np.array([self._members[name] for name in model.members], np.int64)
+        own_member = np.array([self._members[name] for name in model.whole.real_members], np.int64)
         return _rules(compile(model)).with_(own_part=own_part, own_member=own_member)
 
 
 @cached()
 def _rules(system: System) -> Rules:
     """What sections and materials of a model allow; the places where it is kept are those of the model itself."""
-    model, parts = system.model, parts_of(system.model)
-    C = np.array([end_condition(member.buckling) for member in model.members.values()])[parts.member]
+    model, parts = system.model, parts_of(system.given)
+    C = np.array([end_condition(member.buckling) for member in model.real_members.values()])[parts.member]
     stiff = math.pi**2 * C * parts.E
     return Rules.of(
         {

@@ -22,8 +22,8 @@ from kinetruss.mechanics import CABLE, System, cached, compile, ends_of
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Active, Bar, BodyCouple, Model
+from kinetruss.model.data import ModelData
 from kinetruss.model.hub_arms import arm_through
-from kinetruss.model.hub_expansion import pivots_of
 from kinetruss.results import Forces
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ _SHAPES = {"tube": ROUND, "rod": ROUND, "rectangle": RECTANGLE, "general": GENER
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Parts:
-    """Parts in the order of the members; the base of an active member before its tube.
+    """Parts of the real members, in their order; the base of an active member before its tube.
 
     names, members (parts,): names of parts and of their members. member (parts,): index of the member. first (members,):
     index of each member's first part. two (members,): active members. cable (members,). body (parts,): planar bodies.
@@ -83,7 +83,7 @@ class Parts:
         return np.stack([1 / self.area, self.c3 / self.I2, self.c2 / self.I3, self.factor / self.area], axis=1)
 
     def lengths(self, member_length: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Lengths of all parts (times, parts), m, from those of the members (times, members)."""
+        """Lengths of all parts (times, parts), m, from those of all members (times, members)."""
         found = member_length[:, self.member]
         known = ~np.isnan(self.length)
         found[:, known] = self.length[known]
@@ -93,7 +93,7 @@ class Parts:
         """Distance (times, parts), m, of each part's end towards A from the member's end A."""
         tube = self.first[self.two] + 1
         found = np.zeros((len(member_length), len(self.names)))
-        found[:, tube] = member_length[:, self.two] - self.length[tube]
+        found[:, tube] = member_length[:, : len(self.two)][:, self.two] - self.length[tube]
         return found
 
 
@@ -107,7 +107,7 @@ def _parts(system: System) -> Parts:
     model = system.model
     rows: list[tuple[str, str, int, float, tuple[float, ...]]] = []
     first = []
-    for k, (name, member) in enumerate(model.members.items()):
+    for k, (name, member) in enumerate(model.real_members.items()):
         first.append(len(rows))
         if isinstance(member, Active):
             for role, part in (("base", member.base), ("tube", member.tube)):
@@ -121,9 +121,9 @@ def _parts(system: System) -> Parts:
         members=tuple(row[1] for row in rows),
         member=np.array([row[2] for row in rows], np.int64),
         first=np.array(first, np.int64),
-        cable=system.law == CABLE,
+        cable=(system.law == CABLE)[: len(first)],
         body=system.is_body[[row[2] for row in rows]],
-        two=np.array([isinstance(member, Active) for member in model.members.values()], np.bool_),
+        two=np.array([isinstance(member, Active) for member in model.real_members.values()], np.bool_),
         length=np.array([row[3] for row in rows], float),
         shape=shape.astype(np.int64),
         area=area,
@@ -139,7 +139,7 @@ def _parts(system: System) -> Parts:
     )
 
 
-def _numbers(model: Model, part: Any) -> tuple[float, ...]:
+def _numbers(model: ModelData, part: Any) -> tuple[float, ...]:
     section, material = model.section_of(part), model.material_of(part)
     if isinstance(part, Bar) and part.body is not None:
         section = material = None
@@ -162,10 +162,9 @@ ROUND_OFF = 1e-10
 
 def twisted_parts(model: Model) -> NDArray[np.bool_]:
     """Parts (parts,) that may be under torsion: arms and members of hinges and of `BodyCouple.member`."""
-    through = {(load.body, load.member) for load in _couples(model).values()}
+    through, pivots = {(load.body, load.member) for load in _couples(model).values()}, model.whole.inner.pivots
     names = {str(name) for _, name in through}
-    names |= {arm.name for body, member in through if member and (arm := arm_through(model, body, member))}
-    pivots = pivots_of(model) if model.hubs else []
+    names |= {arm.name for body, member in through if member and (arm := arm_through(model.whole, body, member))}
     names |= {one.tip for one in pivots}
     names |= {one.member for one in pivots if one.clamped or [other.member for other in pivots].count(one.member) == 2}
     return np.array([name in names for name in parts_of(model).members], np.bool_)
@@ -195,7 +194,7 @@ def torsion_of(model: Model, forces: Forces) -> NDArray[np.float64] | None:
                 continue
             i = index[name]
             torque = sign * np.einsum("tc,tc->t", couple, ends_of(system, x, i)[2])
-            rods = 2 if isinstance(model.members[name], Active) else 1
+            rods = 2 if name in model.active else 1
             found[:, parts.first[i] : parts.first[i] + rods] += np.where(np.abs(torque) > size, torque, 0.0)[:, None]
     return found
 
@@ -208,13 +207,13 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
         given = case_loads(compile(model), arrays["time"].values, case, rotating=True).amounts
         by_end: dict[tuple[str, int], str] = {}
         for name, load in couples.items():
-            arm = arm_through(model, load.body, str(load.member))
+            arm = arm_through(model.whole, load.body, str(load.member))
             if name in given and arm is not None:
                 # what leaves at one end entered at the other: of a member with couples at both ends the first counts
                 own = by_end.setdefault((arm.member, 0), f"{arm.end}") == f"{arm.end}"
                 yield arm.name, arm.member if own else "", arm.end, given[name]
-    if model.hubs and pivots_of(model):
-        coupling = arrays["coupling_force"].values if model.couplings else np.zeros((len(x), 0))
+    if model.whole.inner.pivots:
+        coupling = arrays["coupling_force"].values if model.whole.couplings else np.zeros((len(x), 0))
         hinges = couples_at_hinges(compile(model), x, arrays["member_force"].values, coupling)
         rubbed = {}
         if "bearing_couple" in arrays:
@@ -223,7 +222,7 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
             alone = not pivot.clamped and [one.member for one, _ in hinges].count(pivot.member) == 1
             own = not alone and pivot.member not in twisted
             twisted.add(pivot.member)
-            more = rubbed.get(list(model.members).index(pivot.tip), 0.0)
+            more = rubbed.get(list(model.whole.members).index(pivot.tip), 0.0)
             yield pivot.tip, pivot.member if own else "", pivot.end, couple + more
 
 
@@ -289,10 +288,11 @@ def histories(model: Model, forces: Forces) -> Given:
     else:
         velocity, acceleration = (np.ascontiguousarray(motion[name].values) for name in ("velocity", "acceleration"))
     velocity, acceleration = rates_in_space(forces.attrs, found["time"].values, position, velocity, acceleration)
-    joint_force = np.ascontiguousarray(found["joint_force"].values)
+    real = len(system.model.real_members)
+    joint_force = np.ascontiguousarray(found["joint_force"].values[:, :real])
     if system.is_body.any():
         joint_force = joint_force.copy()
-        joint_force[:, system.is_body] = np.nan  # the distribution of its mass is unknown, so it has no sections
+        joint_force[:, system.is_body[:real]] = np.nan  # the distribution of its mass is unknown, so it has no sections
     on, worth, place = _actions(system, forces)
     actions = actions_of(system, forces.load_case).actions if on else ()
     places = tuple(one.place if isinstance(one.place, Spread) else None for one in actions)
@@ -304,28 +304,29 @@ def histories(model: Model, forces: Forces) -> Given:
 
 @cached()
 def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], places: tuple[Spread | None, ...]) -> Members:
-    """The members of a model, under actions on these members; not to be written to."""
+    """The real members of a model, under actions on these members; not to be written to."""
     index = {name: k for k, name in enumerate(system.members)}
-    acting = np.searchsorted([index[name] for name in on], np.arange(len(index) + 1))
+    real = len(system.model.real_members)
+    acting = np.searchsorted([index[name] for name in on], np.arange(real + 1))
     orient, reference = orientation(system)
-    clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * len(index) + 1))
+    clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * real + 1))
     spread = np.array([POINT if one is None else FORCE if one.couple is None else COUPLE for one in places], np.int64)
     along = np.array([(0.0,) * 4 if one is None else (one.begin, one.end, *(one.couple or (0.0, 0.0))) for one in places])
     along = along.reshape(-1, 4)
     return Members.of(
         {
             "segments": most_segments(acting, spread, along, clamped_ptr),
-            "p": system.p,
-            "q": system.q,
-            "orient": orient,
-            "two_rods": system.two_rods,
+            "p": system.p[:real],
+            "q": system.q[:real],
+            "orient": orient[:real],
+            "two_rods": system.two_rods[:real],
             "acting": acting,
             "spread": spread,
             "along": along,
             "clamped_ptr": clamped_ptr,
             "clamped": system.clamped[:, 1:],
-            "rods": system.own_rods,
-            "reference": reference,
+            "rods": system.own_rods[:real],
+            "reference": reference[:real],
             "gravity": [*gravity, *[0.0] * (3 - system.dim)],
         }
     )

@@ -17,7 +17,6 @@ from kinetruss.kernels.sections.peaks import section_von_mises
 from kinetruss.kernels.sections.sections import section_forces
 from kinetruss.limits import MOST_STATIONS, whole
 from kinetruss.model import BodyCouple, Model
-from kinetruss.model.hub_arms import hub_of
 from kinetruss.results import Arrays, Axes, Forces, Sections, provenance, variable
 from kinetruss.strength.parts import Parts, histories, parts_of, shear_of_torsion, torsion_of, with_torsion
 
@@ -47,10 +46,11 @@ def screws_not_held(model: Model, cases: Iterable[str]) -> list[str]:
         return []
     every = {name: load.member for name, load in model.loads.items() if isinstance(load, BodyCouple) and load.member}
     given = [{every[name] for name in _loads_of(model, case) if name in every} for case in cases]
+    armed = {arm.member for arms in model.whole.inner.arms.values() for arm in arms}
     names = [
         name
         for name, one in model.active.items()
-        if one.screw is not None and any(hub_of(model, end, name) for end in one.ends) and not all(name in own for own in given)
+        if one.screw is not None and name in armed and not all(name in own for own in given)
     ]
     screws = "screw" if len(names) == 1 else "screws"
     sentence = (

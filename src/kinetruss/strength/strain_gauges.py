@@ -137,16 +137,15 @@ def _places(model: Model) -> _Places:
 
 
 def _owner(model: Model, gauge: Any) -> Any:
-    member = model.members[gauge.member]
+    member = model.whole.members[gauge.member]
     return member if gauge.part is None else getattr(member, gauge.part)
 
 
 def _lengths(model: Model) -> NDArray[np.float64]:
     """Lengths of the members in the model's own pose, m."""
-    at = {name: np.array(node.at) for name, node in model.nodes.items()}
-    return np.array(
-        [member.length or float(np.linalg.norm(at[member.ends[1]] - at[member.ends[0]])) for member in model.members.values()]
-    )
+    at = {name: np.array(node.at) for name, node in model.whole.nodes.items()}
+    members = model.whole.members.values()
+    return np.array([one.length or float(np.linalg.norm(at[one.ends[1]] - at[one.ends[0]])) for one in members])
 
 
 def _fraction(gauge: Any, length: float) -> float:

@@ -96,7 +96,7 @@ def utilised(model: Model, forces: Forces, options: Options | None = None) -> Ar
     """`utilisation` as plain arrays."""
     chosen = options or Options()
     given, parts, twist = histories(model, forces), parts_of(model), twisting(model, forces)
-    length = forces.motion.arrays["length"].values
+    length = forces.motion.arrays["length"].values[:, : len(parts.first)]
     found = _Found(len(length), parts, model.safety.yielding)
     for start in range(0, len(length), BATCH):
         cut = slice(start, start + BATCH)
@@ -268,8 +268,8 @@ def _beam_rows(model: Model, bent: dict[str, tuple[NDArray[np.float64], ...]]) -
 @cached()
 def axes_of_verdict(system: System) -> Axes:
     """What is judged, and the rules."""
-    names, members, _, _ = subjects(parts_of(system.model))
-    beams = list(beam_parts(system.model))
+    names, members, _, _ = subjects(parts_of(system.given))
+    beams = list(beam_parts(system.given))
     names, members = names + beams, members + beams
     return Axes(
         {
@@ -283,8 +283,8 @@ def axes_of_verdict(system: System) -> Axes:
 
 @cached()
 def _end_conditions(system: System) -> NDArray[np.float64]:
-    """Of each member, the constant of its end conditions."""
-    return np.array([end_condition(member.buckling) for member in system.model.members.values()])
+    """Of each real member, the constant of its end conditions."""
+    return np.array([end_condition(member.buckling) for member in system.model.real_members.values()])
 
 
 def subjects(parts: Parts) -> tuple[list[str], list[str], NDArray[np.int64], NDArray[np.int64]]:

@@ -55,8 +55,7 @@ def unchecked(model: Model) -> dict[str, str]:
     parts = parts_of(model)
     found: dict[str, list[str]] = {}
     for r, (part, member) in enumerate(zip(parts.names, parts.members, strict=True)):
-        bar = model.bars.get(member)
-        if (bar is None or not bar.brace) and (what := missing(parts, r)):
+        if what := missing(parts, r):
             found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
     for name in beam_parts(model):
         material = model.material_of(model.beams[name])
@@ -76,11 +75,11 @@ def _by_member(
     model: Model, data: Any, value: NDArray[np.float64], used: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
     """Over (times, members), of values and utilisations over (times, parts, rules)."""
-    rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.members)}
+    rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.whole.members)}
     index |= {name: index[chord_of(name)] for name in beam_parts(model)}
     of = np.array([index[str(name)] for name in data["member"].values], np.int64)
     stress, buckling = rules.index("yield"), rules.index("buckling")
-    count = len(model.members)
+    count = len(model.whole.members)
     largest = _largest(np.fmax.reduce(np.where(np.isinf(used), np.nan, used), axis=2), of, count)
     some = np.zeros(count, np.bool_)
     some[[index[name] for name in unchecked(model)]] = True
@@ -158,7 +157,7 @@ def check(
     rows, worst first; parts without a section, a material or a yield strength are at its end with a note. Where compression
     times its safety factor reaches Euler's load, the ``beam-column`` has no finite value: its utilisation is infinite, `note`
     says why, and ``buckling``, finite and at least 1, comes before it. Braces of a
-    body (`Bar.brace`) represent the body, so they have no rows.
+    body represent the body, so they have no rows.
     Elastic beams follow the bars, see `strength.beams`. ``message``, and ``data.attrs["not_held"]`` as a list,
     name actions that may bend bars but are not in their section forces; ``note`` repeats this for their entries.
 
@@ -236,7 +235,6 @@ def told(
         said[k, -1] = beyond_euler(float(worst["factored"][k, -1]), float(worst["euler"][k, -1]), safety)
     left = not_held(model, under)
     add_to_notes(left, members, worst["utilisation"], said)
-    said[[member in model.bars and model.bars[member].brace for member in members]] = ""  # braces represent a body, not bars
     with np.errstate(divide="ignore"):
         margin = 1 / worst["utilisation"] - 1
     known = {

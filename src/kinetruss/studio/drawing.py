@@ -224,6 +224,4 @@ class Drawing:
     def _plain(self) -> bool:
         """True if places of nodes alone differ between the model and a model with moved nodes: nothing is derived from them."""
         model = self.found.model
-        if model is None or model.beams or model.bodies or model.hubs:
-            return False
-        return all(node.director is None for node in model.nodes.values()) and not any(b.brace for b in model.bars.values())
+        return model is not None and not (model.beams or model.bodies or model.hubs)

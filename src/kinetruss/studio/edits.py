@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError
-from kinetruss.io.emitting import plain_model, plain_record
+from kinetruss.io.emitting import plain_model
 from kinetruss.io.writing import value_of
 from kinetruss.library import cells
 from kinetruss.model import Model, nearest, of_file
@@ -268,11 +268,9 @@ def with_load(data: Data, name: str, node: str, force: Sequence[float]) -> Data:
 
 
 def with_mass(data: Data, model: Model, node: str, mass: float) -> Data:
-    """The lumped mass (kg) of a node of the model; also of one that a part has added to it."""
+    """The lumped mass (kg) of a node of the model."""
     if node not in model.nodes:
         raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
-    if node not in (data.get("nodes") or {}):
-        data = _put(data, "nodes", node, plain_record(model.nodes[node]))
     return with_value(data, ("nodes", node, "mass"), mass or None)
 
 

@@ -128,7 +128,7 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
         return Judged(model=model, position=position, apart=apart, drives=drives, why=why, warnings=[("open", why)])
     moved = {
         name: [float(value) for value in place]
-        for name, place, drawn in zip(model.nodes, position, system.x0[:, : system.dim], strict=True)
+        for name, place, drawn in zip(model.nodes, position, system.x0[:, : system.dim], strict=False)
         if not np.array_equal(place, drawn)
     }
     if len(model.members) > LARGEST and not fine:

@@ -48,7 +48,7 @@ def switched(state: State, original: State, position: NDArray[np.float64], name:
     if first is None or name not in first.members:
         raise InputError(f"No member called {name!r}. {nearest(name, () if first is None else first.members)}")
     nodes = () if state.model is None else state.model.nodes
-    places = dict(zip(nodes, position, strict=True))
+    places = dict(zip(nodes, position, strict=False))
     if to != "cut" and (gone := [end for end in first.members[name].ends if end not in places]):
         raise InputError(f"{name!r} ends at {gone[0]!r}, which is not in the model any more. Undo, or cut the member.")
     data = {table: rows for table, rows in state.data.items() if table not in ("bars", "active")}

@@ -121,7 +121,8 @@ def posed(model: Model, position: NDArray[np.float64], values: Mapping[str, floa
         for k, (name, node) in enumerate(model.nodes.items())
     }
     # a rigid bar without a given length has that of its node positions; keep it to the last bit
-    lengths = {name: math.dist(*(model.nodes[end].at for end in bar.ends)) for name, bar in model.bars.items()}
+    whole = model.whole
+    lengths = {name: math.dist(*(whole.nodes[end].at for end in whole.bars[name].ends)) for name in model.bars}
     bars = {
         name: bar.model_copy(update={"length": lengths[name]})
         if bar.kind == "rigid" and bar.length is None

@@ -148,7 +148,7 @@ class Desk:
 
     def _stood(self, model: Model, before: Model) -> Reached:
         """A model closed at the drive values shown, or in equilibrium; checked for forces. before : the model of the pose."""
-        if list(model.nodes) != list(before.nodes):
+        if list(model.whole.nodes) != list(before.whole.nodes):
             pose = start_of(model)
         else:
             values = {}
@@ -396,7 +396,7 @@ class Desk:
             first, data = record["original"], record["model"]
             original, model = (model_of(one, folder) for one in (first, data))
             position = np.array(record["position"], dtype=float)
-            if position.shape != (len(model.nodes), model.dim):
+            if position.shape != (len(model.whole.nodes), model.dim):
                 raise ValueError
             pose = stand(model, position, {str(name): float(value) for name, value in record["values"].items()})
             case = None if record["case"] is None else str(record["case"])

@@ -106,8 +106,8 @@ def numbers(session: Shown) -> Record:
         "position": pose.position.tolist(),
         "stopped": pose.stopped,
         "gauge": number(pose.gauge),
-        "members": list(session.model.members),
-        "nodes": list(session.model.nodes),
+        "members": list(session.model.whole.members),
+        "nodes": list(session.model.whole.nodes),
         **{name: data[name].values[0].tolist() for name in names},
     }
 
@@ -207,7 +207,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "alarms": found.alarms,
         "mobility": _mobility(found, light),
         "drives": _drives(found),
-        **_forces(found.forces, list(known), _origins(found, list(places))),
+        **_forces(found.forces, list(known), _origins(found)),
     }
     if light:
         return record
@@ -248,8 +248,7 @@ def _places(drawing: Drawing) -> dict[str, list[float]]:
     """Node -> place, m: the closed pose, or what is drawn if there is none."""
     found = drawing.found
     if found.model is not None and found.position is not None:
-        drawn = drawing.state.data.get("nodes") or {}  # without nodes that beams and bodies have added
-        return {name: place for name, place in zip(found.model.nodes, found.position.tolist(), strict=True) if name in drawn}
+        return dict(zip(found.model.nodes, found.position.tolist(), strict=False))
     places = {}
     for name in drawing.state.data.get("nodes") or {}:
         with suppress(UnitError):
@@ -293,7 +292,7 @@ def _drives(found: Judged) -> list[dict[str, Any]]:
 def _forces(forces: Forces | None, members: list[str], origins: dict[str, str]) -> dict[str, Any]:
     """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) and moments of clamps (N m) by node.
 
-    origins : node or frame of a beam's end -> node at which its reaction is shown.
+    origins : as of `_origins`.
     """
     if forces is None:
         return {"force": None, "reaction": {}, "reaction_moment": {}, "unsure": []}
@@ -304,8 +303,8 @@ def _forces(forces: Forces | None, members: list[str], origins: dict[str, str]) 
     moments: dict[str, NDArray[np.float64]] = {}
     if "reaction" in arrays:
         for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
-            # a clamp holds nodes that a beam has added to its end, e.g. A.d1 and b1.A.axis: their forces are its reaction too
-            at = origins.get(name) or origins.get(name.rpartition(".")[0])
+            # a clamp holds nodes that a beam has added to its end: their forces are its reaction too
+            at = origins.get(name)
             if at is not None:
                 sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
             if at is not None and at != name:
@@ -318,12 +317,13 @@ def _forces(forces: Forces | None, members: list[str], origins: dict[str, str]) 
     }
 
 
-def _origins(found: Judged, drawn: list[str]) -> dict[str, str]:
-    """Nodes drawn, without those that beams have added (in a JSON file they are drawn), and the beams' own frames there."""
+def _origins(found: Judged) -> dict[str, str]:
+    """Nodes, and those that clamped beams have added to them -> node at which their reaction is shown."""
     if found.model is None:
         return {}
-    own = {name: name for name in drawn if name in found.model.nodes and not found.model.nodes[name].director}
-    return {f"{name}.{end}": end for name, beam in found.model.beams.items() for end in beam.ends} | own
+    return {name: owner.at for name, owner in found.model.whole.inner.nodes.items() if owner.table != "hubs"} | {
+        name: name for name in found.model.nodes
+    }
 
 
 def _moment(forces: Forces, name: str, at: str, force: list[float]) -> NDArray[np.float64]:

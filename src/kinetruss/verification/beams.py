@@ -50,7 +50,7 @@ def cantilever(dim: int) -> Numbers:
     if dim == 3:
         twisted = kt.Model(**base, loads={"T": kt.BodyCouple(body="N1", moment=(TORQUE, 0.0, 0.0))})
         moved = kt.statics.linear(twisted).displacement.sel(axis="z")
-        turn = (moved.sel(node="N1.d2") - moved.sel(node="N1")) / twisted.nodes["N1.d2"].at[1]
+        turn = (moved.sel(node="N1.d2") - moved.sel(node="N1")) / twisted.whole.nodes["N1.d2"].at[1]
         found["twist"] = turn * STEEL.E / 2.6 * SQUARE.torsion_constant / TORQUE
     return found
 
@@ -141,7 +141,7 @@ def damped(dim: int) -> Numbers:
     beam = kt.Model(**row(line(2, dim), section=SQUARE) | {"beams": beams})
     modes = kt.dynamics.linearise(beam)
     ratio = modes.modal_damping[:3] / (math.pi * modes.frequency[:3] * delay)
-    start = {name: (0.0, 1.0, 0.5)[:dim] for name in beam.nodes if name.startswith("N2")}
+    start = {name: (0.0, 1.0, 0.5)[:dim] for name in beam.whole.nodes if name.startswith("N2")}
     run = kt.dynamics.simulate(beam.with_(velocities=start), 2e-3, samples=401)
     taken = kt.dynamics.inverse(beam, run.motion).dissipation.values
     # Simpson's rule

@@ -77,7 +77,8 @@ def linkage() -> Numbers:
     four, start = model("heavy_linkage"), math.atan2(0.15, 0.05)
     motion = follow(four, kt.Quintic(moves={"motor": (start, start + 1.0)}, duration=0.4), samples=9)
     forces = kt.dynamics.inverse(four, motion)
-    cuts = [{"member": name} for name, bar in four.bars.items() if not bar.brace] + [{"node": name} for name in four.nodes]
+    cuts = [{"member": name} for name in four.whole.real_members]
+    cuts += [{"node": name} for name in four.whole.nodes]
     left = [kt.dynamics.free_body(four, motion, forces, time=t, **cut).residual for t in (0.1, 0.2, 0.25) for cut in cuts]
     data = forces.data
     return {"free_bodies": max(left) / abs(data.joint_force).max(), "energy": share(data.energy_balance, data.power)}

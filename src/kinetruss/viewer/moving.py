@@ -112,7 +112,7 @@ def moving(
         rates = rates_in_space(forces[0].attrs, time, found["position"], found["velocity"], found["acceleration"])
         found["velocity"], found["acceleration"] = rates
     found["position"] = scalars_placed(model, found["position"])
-    moved, each = 3 * found["position"].size, len(time) * len(model.members) * (4 + 2 * model.dim)
+    moved, each = 3 * found["position"].size, len(time) * len(model.whole.members) * (4 + 2 * model.dim)
     rounded = moved + min(1, len(forces)) * each > EXACT
     fitting = 1 if rounded else (EXACT - moved) // max(each, 1)
     described: list[dict[str, Any]] = []
@@ -122,7 +122,7 @@ def moving(
         described.append(fields)
         found |= {f"{k}:{name}" if k else name: values for name, values in arrays.items()}
     found |= stress_of_faces(model, motion.data["position"].values)
-    channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.members))]
+    channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.whole.members))]
     more = {
         "rounded": rounded,
         "samples": {"all": count, "shown": len(time)},
@@ -172,7 +172,7 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
         return {}
     from kinetruss.strength.element_stresses import skin_stress
 
-    found = skin_stress(model, skin_of(model), position)
+    found = skin_stress(model, skin_of(model.whole), position)
     return {} if found is None else {"skin_stress": found}
 
 
@@ -240,7 +240,7 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     x[:, :, : model.dim] = data["position"].values
     case = rest.provenance.get("load_case")
     loads = case_loads(system, load_times(rest, np.zeros(1)), case if case in model.load_cases else None).at(x)
-    coupling = np.full((1, len(model.couplings)), np.nan)
+    coupling = np.full((1, len(system.model.couplings)), np.nan)
     drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
     still = np.zeros((1, system.x0.size))
     found, acting = acting_along(system, loads, States(x.reshape(1, -1), still, still), drive, coupling)
@@ -250,7 +250,7 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
 def _described_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     if "action" not in data.coords:
         return [], {}
-    members = {name: k for k, name in enumerate(model.members)}
+    members = {name: k for k, name in enumerate(model.whole.members)}
     place = data["action_place"].values
     spread = np.isnan(place).any(axis=0)
     described = []
@@ -335,7 +335,7 @@ def mechanisms(model: Model) -> list[Mode]:
     """Mechanisms with all drives fixed; none for larger models."""
     from kinetruss.kinematics import mobility
 
-    if len(model.nodes) > DENSE:
+    if len(model.whole.nodes) > DENSE:
         return []
     return [Mode(name=f"mechanism {k + 1}", shape=shape) for k, shape in enumerate(mobility(model).mechanisms[:MOST])]
 

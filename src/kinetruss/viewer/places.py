@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.model.beam_frames import FRAME
+from kinetruss.viewer.topology import FRAME
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

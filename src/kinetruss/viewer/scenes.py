@@ -15,7 +15,6 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import compile
 from kinetruss.model import Model, nearest
-from kinetruss.model.beam_frames import FRAME, shown_kinds
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.results.records import check_samples
 from kinetruss.results.wide_tables import NOT_CHECKED
@@ -41,7 +40,7 @@ from kinetruss.viewer.moving import (
     stress_of_faces,
     vibrations,
 )
-from kinetruss.viewer.topology import topology
+from kinetruss.viewer.topology import FRAME, shown_kinds, topology
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -216,14 +215,14 @@ def _coloured(subject: _Subject, found: dict[str, Any], colour: str) -> tuple[di
         values = {"member_force": middle_forces(model, subject.forces[0])}
     else:
         # of the stress of faces all that there is
-        faces = {"skin_stress": skin_stress(model, skin_of(model), found["position"])} if colour == "stress" else {}
+        faces = {"skin_stress": skin_stress(model, skin_of(model.whole), found["position"])} if colour == "stress" else {}
         values = {name: one for name, one in faces.items() if one is not None}
         members = strength_histories(model, subject.forces[0]).get(colour)
         if members is None and not values:
             raise InputError(f"There is no {colour}: it needs a section and a material. Add them to the model.")
-        unknown = np.full((len(found["time"]), len(model.members)), np.nan)
+        unknown = np.full((len(found["time"]), len(model.whole.members)), np.nan)
         values[channel["array"]] = unknown if members is None else members
-    drawn = [kind != FRAME for kind in shown_kinds(model).values()]
+    drawn = [kind != FRAME for kind in shown_kinds(model.whole)]
     own = values[channel["array"]][:, drawn]
     all_values = np.concatenate([own.ravel(), values.get("skin_stress", np.zeros(0)).ravel()])
     more = {
@@ -299,7 +298,7 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     try:
         position = assemble(model) if known is None else known.data["position"].values
     except (AnalysisError, InputError) as error:
-        position = np.array([node.at for node in model.nodes.values()], float)
+        position = np.array([node.at for node in model.whole.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}
     when, case = np.zeros(1), None
     if subject.rest is not None:
@@ -315,5 +314,5 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
         found |= stress_of_faces(model, found["position"])
         more["actions"], acting = actions_at_rest(model, subject.rest)
         found |= acting
-        more["channels"] = [one for one in channels_of(found, bool(model.members)) if one["id"] != "speed"]
+        more["channels"] = [one for one in channels_of(found, bool(model.whole.members)) if one["id"] != "speed"]
     return more | {"loads": loads}, found

@@ -9,16 +9,47 @@ import numpy as np
 
 from kinetruss.elements.continua_arrays import body_faces, skin_of
 from kinetruss.elements.local_axes import orientation
+from kinetruss.kernels.sections.peaks import UNKNOWN
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.beam_forces import beam_curves
-from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, turns
-from kinetruss.model.beam_frames import chords, shown_kinds, shown_names
+from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pressure, Rectangle, WholeModel, turns
 from kinetruss.model.bodies import placed
+from kinetruss.model.bracing import CHORD
 from kinetruss.model.joints import GROUND
 from kinetruss.strength.parts import parts_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.model import Beam
+
+
+FRAME = "frame"
+"""Kind of the bars of frames of beams, which pictures leave out."""
+
+
+def shown_kinds(whole: WholeModel) -> list[str]:
+    """The kind that pictures show of each member: ``active``, or the kind of the bar; of the chord of a beam ``beam``, or
+    ``rigid``; ``frame`` of bars that hold the frames of beams.
+    """
+    inner, frames, chords = whole.inner, frame_nodes(whole), beams_by_chord(whole)
+    found = []
+    for name, one in whole.members.items():
+        kind: str = "active" if isinstance(one, Active) else one.kind
+        if name in chords:
+            kind = "beam" if chords[name].kind == "elastic" else "rigid"
+        found.append(FRAME if name in inner.bars and not frames.isdisjoint(one.ends) else kind)
+    return found
+
+
+def frame_nodes(whole: WholeModel) -> set[str]:
+    """Nodes of the frames of beams, which pictures leave out."""
+    return {name for name, owner in whole.inner.nodes.items() if owner.table != "hubs"}
+
+
+def beams_by_chord(whole: WholeModel) -> dict[str, Beam]:
+    """Chord -> its beam."""
+    return {f"{name}{CHORD}": beam for name, beam in whole.beams.items()}
 
 
 def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
@@ -32,30 +63,32 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     ``beam_nodes`` (k, v), and coefficients of these nodes that give the places of their axes, ``beam_along`` (k, g, v), and
     local axis 2 there, ``beam_across`` (k, g, v).
     """
-    system, parts, skin = compile(model), parts_of(model), skin_of(model)
-    members, (sections, rectangles) = model.members, _sections(model)
-    index = {name: i for i, name in enumerate(model.nodes)}
+    whole, system, parts, skin = model.whole, compile(model), parts_of(model), skin_of(model.whole)
+    members, (sections, rectangles) = whole.members, _sections(whole)
+    index = {name: i for i, name in enumerate(whole.nodes)}
+    chords, frames = beams_by_chord(whole), frame_nodes(whole)
+    inner = len(members) - len(parts.first)
     header: dict[str, Any] = {
-        "nodes": list(model.nodes),
-        "members": list(shown_names(model).values()),
-        "kinds": list(shown_kinds(model).values()),
-        "beams": [k for k, name in enumerate(members) if name in chords(model)],
-        "directors": [k for k, node in enumerate(model.nodes.values()) if node.director],
+        "nodes": list(whole.nodes),
+        "members": [name.removesuffix(CHORD) if name in chords else name for name in members],
+        "kinds": shown_kinds(whole),
+        "beams": [k for k, name in enumerate(members) if name in chords],
+        "directors": [k for k, name in enumerate(whole.nodes) if name in frames],
         "supports": [
             {"node": index[node], "axes": axes, "clamped": model.clamped.get(node) == GROUND}
-            for node, axes in model.fixed.items()
-            if not model.nodes[node].director
+            for node, axes in whole.fixed.items()
+            if node not in frames
         ],
         "drives": [
             _drive(name, drive, index, list(members), [one.ends for one in members.values()])
             for name, drive in model.all_drives.items()
         ],
-        "parts": list(parts.names),
+        "parts": [*parts.names, *list(members)[len(parts.first) :]],
         "bodies": [_body(k, one) for k, one in enumerate(members.values()) if isinstance(one, Bar) and one.body is not None]
-        + list(_flat_bodies(model)),
-        "solids": body_faces(model, system.x0[:, : model.dim]),
+        + list(_flat_bodies(whole)),
+        "solids": body_faces(whole, system.x0[:, : model.dim]),
         "skins": [{"name": name, "kind": kind} for name, kind in zip(skin.names, skin.kinds, strict=True)],
-        "triangles": _triangles(model, index),
+        "triangles": _triangles(whole, index),
         "pressures": _pressures(model),
         "two_rods": [k for k, two in enumerate(system.two_rods) if two],
         "clamped": [{"rod": int(rod), "place": place, "mass": mass} for rod, place, mass in system.clamped.tolist()],
@@ -67,10 +100,11 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         "orient": orientation(system).node,
         "radius": np.array([max(_fibres(one)) for one in sections]),
         "box": np.array([_fibres(one) for one in rectangles]).reshape(-1, 2),
-        "part_member": parts.member.astype(np.int32),
-        "part_shape": parts.shape.astype(np.int32),
-        "part_scale": parts.scale,
-        "part_allowed": parts.yield_strength / model.safety.yielding,
+        # what inner bars are made of is not known
+        "part_member": np.append(parts.member, np.arange(len(parts.first), len(members))).astype(np.int32),
+        "part_shape": np.append(parts.shape, np.full(inner, UNKNOWN)).astype(np.int32),
+        "part_scale": np.concatenate([parts.scale, np.full((inner, 4), np.nan)]),
+        "part_allowed": np.append(parts.yield_strength / model.safety.yielding, np.full(inner, np.nan)),
         "lump": system.lump,
     }
     if len(skin.nodes):
@@ -107,7 +141,7 @@ def _body(member: int, bar: Bar) -> dict[str, Any]:
     return {"member": member, "center": [float(x) for x in bar.body.center], "mass": float(bar.body.mass)}
 
 
-def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
+def _flat_bodies(model: WholeModel) -> Iterator[dict[str, Any]]:
     """The same for planar bodies defined by two nodes."""
     if not model.bodies or model.dim == 3:
         return
@@ -124,21 +158,22 @@ def _flat_bodies(model: Model) -> Iterator[dict[str, Any]]:
         yield {"member": member, "center": [float(u @ (center - p)), across], "mass": float(body.mass)}
 
 
-def _triangles(model: Model, index: dict[str, int]) -> list[list[int]]:
+def _triangles(model: WholeModel, index: dict[str, int]) -> list[list[int]]:
     """Nodes of all triangles of rigid bars, which move as one face."""
     near: dict[int, set[int]] = {}
+    frames = frame_nodes(model)
     for bar in model.bars.values():
-        if bar.kind == "rigid" and not any(model.nodes[end].director for end in bar.ends):
+        if bar.kind == "rigid" and frames.isdisjoint(bar.ends):
             a, b = sorted(index[end] for end in bar.ends)
             near.setdefault(a, set()).add(b)
     return [[a, b, c] for a in sorted(near) for b in sorted(near[a]) for c in sorted(near[a] & near.get(b, set()))]
 
 
-def _sections(model: Model) -> tuple[list[Any], list[Any]]:
+def _sections(model: WholeModel) -> tuple[list[Any], list[Any]]:
     """The section of each member or None: of an active member that of its tube, of a chord that of its beam; and the
     rectangles whose axes are known: an active member has round rods, a rigid beam in space no axis 2 among the nodes.
     """
-    beams = dict(zip(chords(model), model.beams.values(), strict=False))
+    beams = beams_by_chord(model)
     found, flat = [], []
     for name, one in model.members.items():
         section = model.section_of(one.tube if isinstance(one, Active) else beams.get(name, one))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from models import Case
+from models import Case, is_brace, whole
 
 import kinetruss as kt
 
@@ -42,7 +42,7 @@ EVERY = (
 
 def covers(case: Case) -> tuple[str, ...]:
     """The kinds in a case."""
-    found = {*_whole(case), *_bars(case), *_nodes(case.model), *_bodies(case.model), *_continua(case.model)}
+    found = {*_whole(case), *_bars(case), *_nodes(whole(case.model)), *_bodies(whole(case.model)), *_continua(case.model)}
     found |= {*_beams(case.model), *_hubs(case.model), *_springs(case.model)}
     return tuple(sorted(found | {*_loads(case.model), *_drives(case), *_couplings(case.model)}))
 
@@ -50,9 +50,9 @@ def covers(case: Case) -> tuple[str, ...]:
 def _whole(case: Case) -> Iterator[str]:
     model = case.model
     yield "plane" if model.dim == 2 else "space"
-    if len(model.members) > 60:
+    if len(whole(model).members) > 60:
         yield "large"
-    at = np.array([node.at for node in model.nodes.values()])
+    at = np.array([node.at for node in whole(model).nodes.values()])
     yield "in its own configuration" if np.array_equal(at, case.x) else "off its conditions"
     if model.gravity is None:
         yield "no gravity"
@@ -68,12 +68,12 @@ def _whole(case: Case) -> Iterator[str]:
 
 
 def _bars(case: Case) -> Iterator[str]:
-    model = case.model
+    model = whole(case.model)
     place = {name: case.x[i] for i, name in enumerate(model.nodes)}
     for bar in model.bars.values():
         yield f"bar {bar.kind}"
         yield from _law(model, bar, float(np.linalg.norm(place[bar.ends[1]] - place[bar.ends[0]])))
-        if bar.brace:
+        if is_brace(bar):
             yield "brace"
         if bar.rotary_inertia:
             yield "rotary inertia"
@@ -202,7 +202,7 @@ def _loads(model: kt.Model) -> Iterator[str]:
             yield f"{word} follows" if load.follows else f"{word} constant"
             if tabled:
                 yield f"{word} in time"
-            if load.body in model.bars:
+            if load.body in whole(model).bars:
                 yield "force on a bar"
     if model.support_motion:
         yield "support motion"
@@ -213,7 +213,7 @@ def _drives(case: Case) -> Iterator[str]:
     for name, drive in model.all_drives.items():
         where = {"angle": " of plane", "hinge": " of plane"} if model.dim == 2 else {"angle": " of space", "hinge": " of space"}
         yield f"drive {drive.kind}{where.get(drive.kind, '')}"
-        if drive.kind == "length" and name in model.drives and getattr(model.members[drive.bar], "kind", "") == "rigid":
+        if drive.kind == "length" and name in model.drives and getattr(whole(model).members[drive.bar], "kind", "") == "rigid":
             yield "drive of a rigid bar"
         if getattr(drive, "reference", None) is not None:
             yield "drive with reference"
@@ -231,7 +231,7 @@ def _drives(case: Case) -> Iterator[str]:
 
 
 def _couplings(model: kt.Model) -> Iterator[str]:
-    for coupling in model.couplings.values():
+    for coupling in whole(model).couplings.values():
         kinds = [term.kind for term, _ in coupling.terms]
         yield from (f"term {kind}" for kind in kinds)
         if coupling.value is not None:

@@ -59,8 +59,11 @@ class Case:
     @property
     def fingerprint(self) -> str:
         """The same where the question is the same."""
-        whole = self.model.model_dump(mode="json", exclude_defaults=True)
-        parts = [json.dumps(whole, sort_keys=True, default=str).encode(), *(y.tobytes() for y in (self.x, self.v, self.a))]
+        tables = whole(self.model).model_dump(mode="json", exclude_defaults=True)
+        for table, mark in (("nodes", "director"), ("bars", "brace"), ("couplings", "beam")):  # in older revisions
+            for record in tables.get(table, {}).values():
+                record.pop(mark, None)
+        parts = [json.dumps(tables, sort_keys=True, default=str).encode(), *(y.tobytes() for y in (self.x, self.v, self.a))]
         return hashlib.sha256(
             b" ".join([*parts, repr((self.t, _told(self.tasks), _told(self.trajectory))).encode()])
         ).hexdigest()[:16]
@@ -195,14 +198,25 @@ def case(seed: int, number: int, kinds: dict[str, Callable[[Dice], kt.Model]] = 
     raise RuntimeError(f"No model of kind {name} is accepted: seed {seed}, case {number}.")
 
 
+def whole(model: kt.Model) -> Any:
+    """The model with its inner parts; older revisions wrote them into the model itself."""
+    return getattr(model, "whole", model)
+
+
+def is_brace(bar: Any) -> bool:
+    """Whether a bar stands for no bar of the user."""
+    return bool(getattr(bar, "brace", type(bar).__name__ == "Brace"))
+
+
 def _asked(number: int, name: str, model: kt.Model, dice: Dice) -> Case:
     """A state of the model near its own configuration (one in five in it), and what its drives do."""
-    x0 = np.array([node.at for node in model.nodes.values()], float)
+    tables = whole(model)
+    x0 = np.array([node.at for node in tables.nodes.values()], float)
     loose = np.ones(x0.shape, bool)
-    for i, (node, record) in enumerate(model.nodes.items()):
-        loose[i, ["xyz".index(axis) for axis in model.fixed.get(node, "")]] = False
+    for i, (node, record) in enumerate(tables.nodes.items()):
+        loose[i, ["xyz".index(axis) for axis in tables.fixed.get(node, "")]] = False
         loose[i, 1:] &= not record.scalar
-    lengths = [np.linalg.norm(np.subtract(*(model.nodes[end].at for end in one.ends))) for one in model.members.values()]
+    lengths = [np.linalg.norm(np.subtract(*(tables.nodes[end].at for end in one.ends))) for one in tables.members.values()]
     size = float(np.median(lengths)) if lengths else 1.0
     spread = 0.0 if dice.random() < 0.2 else 0.03 * size
     shifts = dice.normal(size=(3, *x0.shape)) * loose
@@ -254,12 +268,13 @@ def trajectory(model: kt.Model, dice: Dice) -> Any:
 
 def start(model: kt.Model, drive: Any) -> float | None:
     """Where a drive stands in the model; None where it is not told by two nodes alone."""
+    tables = whole(model)
     if drive.kind == "coordinate":
-        return float(model.nodes[drive.node].at["xyz".index(drive.axis)])
+        return float(tables.nodes[drive.node].at["xyz".index(drive.axis)])
     if drive.kind == "hinge" or (drive.kind == "angle" and model.dim == 3):
         return None
-    member = model.members[drive.bar]
-    d = np.subtract(*(model.nodes[end].at for end in reversed(member.ends)))
+    member = tables.members[drive.bar]
+    d = np.subtract(*(tables.nodes[end].at for end in reversed(member.ends)))
     if drive.kind == "angle":
         return float(np.arctan2(d[1], d[0]))
     return float(np.linalg.norm(d) if member.length is None else member.length)

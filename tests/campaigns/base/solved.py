@@ -12,7 +12,7 @@ import models
 import numpy as np
 from answers import Answer, Part, Refused
 from covers import covers
-from models import Case
+from models import Case, is_brace, whole
 
 import kinetruss as kt
 
@@ -135,10 +135,10 @@ def inverse(model: kt.Model, case: Case) -> Found:
 
 def _stands(model: kt.Model) -> None:
     """Refuse what has no unique answer: the factors of singular matrices are at the mercy of round-off, and may be worse."""
-    bars = {name: kt.Bar(ends=bar.ends) for name, bar in model.bars.items() if bar.kind != "free" and not bar.brace}
+    bars = {name: kt.Bar(ends=bar.ends) for name, bar in model.bars.items() if bar.kind != "free" and not is_brace(bar)}
     if not (model.membranes or model.solids) and kt.kinematics.mobility(model.with_(bars=model.bars | bars)).undriven:
         raise kt.InputError("a mechanism")
-    rigid = [one for one in model.bars.values() if one.kind in ("rigid", "driven")]
+    rigid = [one for one in whole(model).bars.values() if one.kind in ("rigid", "driven")]
     parts = [*rigid, *(part for one in model.active.values() for part in (one.base, one.tube))]
     hard = any(model.section_of(part) is None or model.material_of(part) is None for part in parts)
     if hard and kt.kinematics.mobility(model).self_stress:
@@ -192,7 +192,9 @@ def simulate(model: kt.Model, case: Case) -> Found:
 def strength(model: kt.Model, case: Case) -> Found:
     """Utilisations of members and drives along a motion, by every rule."""
     forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, case.trajectory, samples=5), case.load_case)
-    yield from _data(kt.strength.check(model, forces, stations=5).data, "value", "limit", "utilisation")
+    found, bars = kt.strength.check(model, forces, stations=5).data, whole(model).bars
+    real = [not is_brace(bars.get(str(member))) for member in found["member"].values]  # older revisions list braces too
+    yield from _data(found.isel(part=real), "value", "limit", "utilisation")
 
 
 def beams(model: kt.Model, case: Case) -> Found:

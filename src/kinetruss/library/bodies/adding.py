@@ -75,7 +75,7 @@ def rigid(
     >>> import kinetruss as kt
     >>> ground = kt.Model(nodes={"O": (0, 0, 0)}, fixed=["O"], gravity=(0, 0, -9.81))
     >>> top = kt.library.bodies.rigid(ground, "top", mass=1.0, center=(0, 0, 0.1), inertia=(2e-3, 2e-3, 1e-3), nodes=["O"])
-    >>> len(top.nodes), len(top.bars), kt.kinematics.mobility(top).degrees_of_freedom
+    >>> len(top.nodes), len(top.whole.bars), kt.kinematics.mobility(top).degrees_of_freedom
     (5, 9, 3)
     """
     if name in model.bodies:
@@ -86,7 +86,7 @@ def rigid(
             f"Body {name!r} has {len(given.center)} axes, the model {model.dim}. Give properties of that dimension."
         )
     refuse_impossible(f"Body {name!r}", given.mass, given.inertia)
-    known = {key: np.array(node.at, float) for key, node in model.nodes.items()}
+    known = {key: np.array(node.at, float) for key, node in model.whole.nodes.items()}
     at = _attached(known, nodes)
     carriers = _given_points(known, name, points, model.dim) if points is not None else _carriers(name, given, at)
     every = {**carriers, **at}
@@ -114,7 +114,7 @@ def uniform(
     >>> kt.library.bodies.uniform(start, "stone", corners, density=6.0).bodies["stone"].mass
     1.0
     """
-    known = {key: np.array(node.at, float) for key, node in model.nodes.items()}
+    known = {key: np.array(node.at, float) for key, node in model.whole.nodes.items()}
     at = _attached(known, nodes)
     if (mass is None) == (density is None):
         raise InputError("Give either the mass (kg) or the density (kg per m^3, m^2 or m).")

@@ -214,10 +214,10 @@ def properties_of(model: Model, body: str | Body) -> MassProperties:
     (2.0, [0.25, 0.25, 0.25])
     """
     if isinstance(body, str):
-        if body not in model.bodies:
+        if body not in model.whole.bodies:
             raise InputError(f"No body called {body!r}. {nearest(body, model.bodies)}")
-        body = model.bodies[body]
-    points = np.array([model.nodes[name].at for name in body.carried_by(model.dim)], float)
+        body = model.whole.bodies[body]
+    points = np.array([model.whole.nodes[name].at for name in body.carried_by(model.dim)], float)
     if body.center is None:
         return _of_pairs(points, body_mass(model, body)[0])
     origin, axes = placed(body.frame, model.dim)

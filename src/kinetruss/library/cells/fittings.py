@@ -127,7 +127,7 @@ def dressed(cell: Cell, fittings: Fittings, groups: dict[str, tuple[str, ...]] |
 def _own(bar: Bar, fields: dict[str, Any]) -> Bar:
     """A bar with what it does not have yet."""
     rest = {key: value for key, value in fields.items() if value is not None and key not in bar.model_fields_set}
-    return bar if bar.body is not None or bar.brace else changed(bar, **rest)
+    return bar if bar.body is not None else changed(bar, **rest)
 
 
 def _driven(

@@ -44,7 +44,7 @@ def drive(
     if joint not in model.joints:
         raise InputError(f"no joint called {joint!r}. {nearest(joint, model.joints)}")
     found = model.joints[joint]
-    if name in model.all_drives or name in model.members:
+    if name in model.all_drives or name in model.whole.members:
         raise ModelError([Fault(("drives", name), "is a drive or a member already.", "Give the drive another name.")])
     train = {word: one for word, one in (("gear", gear), ("motor", motor), ("amplifier", amplifier)) if one is not None}
     if hinge is None and found.slide is not None:

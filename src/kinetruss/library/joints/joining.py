@@ -305,14 +305,15 @@ def conditioning(model: Model, name: str) -> float:
     if name not in model.joints:
         raise InputError(f"no joint called {name!r}. {nearest(name, model.joints)}")
     joint = model.joints[name]
+    whole = model.whole
     parts = [set(joint.nodes)] + [set(model.bodies[body].nodes) for body in joint.bodies if body != GROUND]
     nodes = set().union(*parts)
-    rigid = [bar.ends for bar in model.bars.values() if bar.kind == "rigid" and any(set(bar.ends) <= part for part in parts)]
-    moving = [node for node in model.nodes if node in nodes and node not in model.fixed]
+    rigid = [bar.ends for bar in whole.bars.values() if bar.kind == "rigid" and any(set(bar.ends) <= part for part in parts)]
+    moving = [node for node in whole.nodes if node in nodes and node not in whole.fixed]
     column = {node: model.dim * k for k, node in enumerate(moving)}
     J = np.zeros((len(rigid), model.dim * len(moving)))
     for row, ends in enumerate(rigid):
-        u = np.subtract(model.nodes[ends[1]].at, model.nodes[ends[0]].at)
+        u = np.subtract(whole.nodes[ends[1]].at, whole.nodes[ends[0]].at)
         for end, sign in zip(ends, (-1, 1), strict=True):
             if end in column:
                 J[row, column[end] : column[end] + model.dim] = sign * u / np.linalg.norm(u)

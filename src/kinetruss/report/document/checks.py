@@ -28,7 +28,7 @@ def mobility_record(model: Model) -> dict[str, Any] | None:
     ``elastic``: True if elastic bars, beams, membranes or solids hold it besides; ``elastic_as_rigid``: the same with elastic
     bars as rigid ones.
     """
-    if len(model.nodes) > LARGEST:
+    if len(model.whole.nodes) > LARGEST:
         return None
     elastic = [name for name, bar in model.bars.items() if bar.kind == "elastic"]
     stiff = None

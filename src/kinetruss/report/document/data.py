@@ -45,7 +45,6 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
         "mobility": mobility_record(run.model),
         "drives": drive_spans(run),
         "envelopes": envelopes(run),
-        "inner": [name for name, bar in run.model.bars.items() if bar.brace],
         "reactions": reactions(run),
         "strength": strength(run),
         "skins": skins(run),

@@ -89,7 +89,7 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
 def _member(places: Places, run: RunResult, part: str) -> int | None:
     """The place among the members shown of the member that an entry is about."""
     model = run.model
-    name = part if part in {*model.members, *model.beams, *model.drives} else part.rpartition(".")[0]
+    name = part if part in {*model.whole.members, *model.beams, *model.drives} else part.rpartition(".")[0]
     name = getattr(model.all_drives.get(name), "bar", name)
     names = [places.scene.header["members"][k] for k in places.members]
     return names.index(name) if name in names else None
@@ -174,7 +174,7 @@ def deflected_figure(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
     size = np.linalg.norm(shift[0][visible], axis=1) if shift is not None and shift.size and visible else np.zeros(1)
     if not size.max() > 0 or not Places(scene).lines:
         return []
-    start = np.array([node.at for node in run.origin.nodes.values()], float)
+    start = np.array([node.at for node in run.origin.whole.nodes.values()], float)
     extent = float(np.linalg.norm(np.ptp(start[visible], axis=0))) or 1.0
     factor = max(1.0, round_length(SHARE * extent / float(size.max())))
     rest, moved = Places(scene, x=start), Places(scene, x=start + factor * shift[0])

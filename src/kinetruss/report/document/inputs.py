@@ -13,9 +13,7 @@ from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
-from kinetruss.model import Active, Model, Of, Record, Run, inner_parts
-from kinetruss.model.beam_frames import FRAME, shown_kinds
-from kinetruss.model.bracing import CHORD
+from kinetruss.model import Active, Model, Of, Record, Run
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
@@ -32,7 +30,7 @@ def section_constants(model: Model) -> list[Table]:
     """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
     users: dict[str, list[str]] = {}
     sections: dict[str, Any] = {}
-    for name, member in {**model.members, **model.beams}.items():
+    for name, member in {**model.whole.real_members, **model.beams}.items():
         rods = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, rod in rods.items():
             section = model.section_of(rod)
@@ -69,12 +67,10 @@ def lists(model: Model) -> list[Table]:
 
 
 def nodes_of(model: Model) -> list[Row]:
-    """Every node that the user wrote: name, place (m), supported axes and lumped mass (kg)."""
-    inner = inner_parts(model).nodes
+    """Every node: name, place (m), supported axes and lumped mass (kg)."""
     return [
         {"node": name, "at": list(node.at), "support": _support(model, name), "mass": node.mass or 0.0}
         for name, node in model.nodes.items()
-        if name not in inner
     ]
 
 
@@ -85,20 +81,20 @@ def _support(model: Model, name: str) -> str:
 
 
 def members_of(model: Model) -> list[Row]:
-    """Every bar, active member and beam of the user, and inner bars that have a mass: name, kind, ends, length (m), section and
-    mass (kg), without masses on its nodes. A bar that stands for a planar body has the mass of the body.
+    """Every bar, active member and beam, and arms of hubs with a mass: name, kind, ends, length (m), section and mass (kg),
+    without masses on its nodes. A bar that stands for a planar body has the mass of the body.
     """
-    system, inner = compile(model), inner_parts(model).bars
+    system = compile(model)
     mass = system.rods[:, 0] + system.rods[:, 3] + system.body[:, 0]
     found = []
-    for k, (name, member) in enumerate(model.members.items()):
-        if name in inner and not mass[k]:
+    for k, (name, member) in enumerate({**system.model.real_members, **model.members}.items()):
+        if name not in model.members and not mass[k]:
             continue
         rods = (member.base, member.tube) if isinstance(member, Active) else (member,)
         kind = "active" if isinstance(member, Active) else str(member.kind)
         found.append(_entry(name, kind, member.ends, float(system.length0[k]), _sections(model, rods), float(mass[k])))
     for name, beam in model.beams.items():
-        length = math.dist(*(model.nodes[end].at for end in beam.ends))
+        length = math.dist(*(system.model.nodes[end].at for end in beam.ends))
         section, material = model.section_of(beam), model.material_of(beam)
         own = beam.mass
         if own is None:
@@ -121,7 +117,7 @@ def total_mass(model: Model) -> float:
     """Mass of everything in a model, kg: twice its kinetic energy in a translation at 1 m/s, from its mass matrix."""
     system = compile(model)
     moved = np.zeros_like(system.x0)
-    moved[[not node.scalar for node in model.nodes.values()], 0] = 1.0
+    moved[[not node.scalar for node in system.model.nodes.values()], 0] = 1.0
     way = moved.reshape(-1)
     return float(way @ (mass_matrix(system, system.x0) @ way))
 
@@ -250,11 +246,9 @@ def _method(run: RunResult, definition: Run) -> str:
 
 
 def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
-    chords = {f"{name}{CHORD}" for name in model.beams}
-    kinds = [kind for name, kind in shown_kinds(model).items() if name in model.bars and kind != FRAME and name not in chords]
+    kinds = [bar.kind for bar in model.bars.values()]
     counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
-    nodes = [name for name, node in model.nodes.items() if not node.director]
-    yield "nodes", f"{len(nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
+    yield "nodes", f"{len(model.nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
     if kinds or not model.beams:
         yield "bars", f"{len(kinds)}" + (f" ({counts})" if kinds else "")
     if model.beams:
@@ -267,7 +261,7 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
     if model.bodies:
         yield "bodies", f"{len(model.bodies)}: {listed(model.bodies)}"
     yield "drives", listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
-    held = [f"{name} ({axes})" for name, axes in model.fixed.items() if name in nodes and name not in model.clamped]
+    held = [f"{name} ({axes})" for name, axes in model.fixed.items() if name not in model.clamped]
     yield "supports", listed([*held, *(f"{name} (clamped{_to(one)})" for name, one in model.clamped.items())]) or "none"
     masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
     if masses:
@@ -296,9 +290,7 @@ def _to(clamp: str) -> str:
 def _parts(model: Model) -> Iterator[tuple[str, str]]:
     """Materials and sections with the parts that use them."""
     users: dict[str, list[str]] = {}
-    kinds = shown_kinds(model)
-    given = {name: one for name, one in model.members.items() if kinds[name] != FRAME and not name.endswith(CHORD)}
-    for name, member in (given | dict(model.beams)).items():
+    for name, member in {**model.whole.real_members, **model.beams}.items():
         parts = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, part in parts.items():
             for record in (model.material_of(part), model.section_of(part)):

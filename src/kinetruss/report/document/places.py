@@ -60,7 +60,7 @@ def cuts(model: Model, forces: Forces, part: str, position: float) -> list[Cut]:
     order = np.argsort(xi, kind="stable")
     data = strength.sections(model, forces, stations=xi[order]).data.isel(time=0, part=k)
     member = str(found["member"].values[k])
-    length = float(forces.motion.data["length"].values[0, list(model.members).index(member)])
+    length = float(forces.motion.data["length"].values[0, list(model.whole.members).index(member)])
     at = {int(place): n for n, place in enumerate(order)}
     return [_cut(data.isel(station=at[n]), part, length) for n in range(3)]
 
@@ -101,8 +101,8 @@ def largest_shear(model: Model, forces: Forces, part: str) -> float:
 
 def record_of(model: Model, part: str) -> Any:
     """The bar, beam, base or tube of a part by its name in a verdict."""
-    if part in model.bars or part in model.beams:
-        return model.bars.get(part) or model.beams[part]
+    if part in model.whole.bars or part in model.beams:
+        return model.whole.bars.get(part) or model.beams[part]
     member, _, role = part.rpartition(".")
     return getattr(model.active[member], role)
 

@@ -8,8 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, counted, element, instant, number, quantity
-from kinetruss.model.beam_frames import FRAME, shown_kinds
-from kinetruss.model.bracing import CHORD
 from kinetruss.report.drive_data import exceeded
 from kinetruss.report.tables import cased, is_over, is_single, not_checked, share_of, used_of
 from kinetruss.runs import MissionRun
@@ -108,8 +106,7 @@ def assumptions(run: RunResult, record: dict[str, Any], finding: Finding, *, con
 
 def _assumed(run: RunResult, record: dict[str, Any], finding: Finding, *, condition: bool) -> Iterator[str]:
     model = run.model
-    chords = {f"{name}{CHORD}" for name in model.beams}
-    if run.forces and any(kind != FRAME and name not in chords for name, kind in shown_kinds(model).items()):
+    if run.forces and model.members:
         yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
     if any(beam.kind == "elastic" for beam in model.beams.values()):
         yield "Beams are elastic, without shear deformation. They share the rotation of a node, but for released ends."

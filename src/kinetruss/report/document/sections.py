@@ -78,19 +78,13 @@ def standing(run: RunResult) -> list[Table]:
 def forces(record: Record) -> list[Entry]:
     """The envelope of every member, the supports, drives that have no motor, and springs."""
     single, poses = is_single(record), record["poses"]
-    inner = set(record["inner"])
-    cases = {case: [one for one in found if one["member"] not in inner] for case, found in record["envelopes"].items()}
-    cases = {case: found for case, found in cases.items() if found}
+    cases = {case: found for case, found in record["envelopes"].items() if found}
     every = [one for entries in cases.values() for one in entries]
     names = list(cases)
     parts: list[Entry] = [tables.envelope(case, entries, every, poses) for case, entries in cases.items()]
     if single:
         beside = (names[k : k + BESIDE] for k in range(0, len(names), BESIDE))
         parts = [tables.still_forces({name: cases[name] for name in some}) for some in beside]
-    inside = {one["member"] for found in record["envelopes"].values() for one in found} & inner
-    if inside:
-        said = f"Forces in the {len(inside)} bars that hold bodies together are in the data of this page."
-        parts.append(element("p", said, class_="note"))
     return [
         *parts,
         tables.reactions(record["reactions"], single=single, poses=poses),

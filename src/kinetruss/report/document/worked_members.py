@@ -283,7 +283,7 @@ def _known(model: Model, part: str) -> bool:
 def _critical(sheet: Sheet, model: Model, member: str, length: float, *, bends: bool = False) -> None:
     """The critical load of a member: of the weaker of its parts that have a section. bends : section moduli are needed."""
     known = [part for part in _parts(model, member) if _known(model, part)]
-    ends = model.members[member].buckling
+    ends = model.whole.members[member].buckling
     sheet.give("L", "length of the member at this instant", length, "m", "pose of the run")
     sheet.give("C", "end-condition constant", strength.end_condition(ends), "", f"ends: {ends}")
     sheet.give("n_b", "safety factor on buckling", model.safety.buckling, "", "safety of the model")

@@ -1,0 +1,120 @@
+"""The whole of a model: the tables of the user, and behind them the inner parts that represent beams, bodies and hubs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from kinetruss.model.beam_checks import add_spins
+from kinetruss.model.beam_frames import add_chords, add_frames, rigid_groups
+from kinetruss.model.body_checks import body_faults
+from kinetruss.model.bracing import braces
+from kinetruss.model.checks import dimension
+from kinetruss.model.data import ModelData
+from kinetruss.model.hub_arms import arms_of
+from kinetruss.model.hub_expansion import add_hubs
+from kinetruss.model.hubs import missing_nodes
+from kinetruss.model.inner import Inner, Owner
+from kinetruss.model.members import Brace
+from kinetruss.model.references import unknown_names
+from kinetruss.model.table import ReadOnly
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from kinetruss.model.members import Active, Bar
+
+
+GROWING = ("nodes", "fixed", "bars", "active", "bodies", "support_motion", "couplings")
+"""Tables to which inner parts are added; in them members of hubs end at the tips of arms."""
+
+
+class WholeModel(ModelData):
+    """A model with its inner parts (`inner`), which stand behind those of the user in every table.
+
+    Analyses compute with it; it is made by `expanded`.
+
+    >>> import kinetruss as kt
+    >>> model = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A"], material="steel_s235",
+    ...                  section=kt.Rod(diameter=0.01), beams={"arm": ("A", "B")})
+    >>> list(model.nodes), list(model.whole.nodes)
+    (['A', 'B'], ['A', 'B', 'A.d1', 'A.d2', 'B.d1', 'B.d2'])
+    >>> model.whole.inner.nodes["B.d1"].text, model.whole.inner.bars["arm.chord"].text
+    ('rotation of B', 'beam arm')
+    """
+
+    @cached_property
+    def inner(self) -> Inner:
+        """The inner parts, with their owners."""
+        return Inner()
+
+    @cached_property
+    def members(self) -> dict[str, Bar | Active]:
+        """All members by name: bars, then active members of the user, then inner bars. Results keep this order."""
+        inner = self.inner.bars
+        own = {name: bar for name, bar in self.bars.items() if name not in inner}
+        return ReadOnly({**own, **self.active, **{name: self.bars[name] for name in inner}})
+
+    @cached_property
+    def real_members(self) -> dict[str, Bar | Active]:
+        """The first of them: those of the user, and arms of hubs; the others stand for no part that bears its forces alone."""
+        return ReadOnly({name: one for name, one in self.members.items() if not isinstance(one, Brace)})
+
+    @classmethod
+    def growing(cls, model: ModelData) -> WholeModel:
+        """One that still grows, until it is `sealed`."""
+        found = cls.model_construct(None, **vars(model))
+        found.__dict__.update({name: dict(getattr(model, name)) for name in GROWING})
+        return found
+
+    def sealed(self) -> WholeModel:
+        """The same, with tables that do not change any more."""
+        self.__dict__.update({name: ReadOnly(self.__dict__[name]) for name in GROWING})
+        self.__dict__.pop("driven_members", None)  # what was derived meanwhile
+        return self
+
+    def with_bars(self, bars: Mapping[str, Bar], owners: Mapping[str, Owner]) -> WholeModel:
+        """Another one with more inner bars."""
+        found = self.growing(self)
+        found.bars.update(bars)
+        found.__dict__["inner"] = replace(self.inner, bars={**self.inner.bars, **owners})
+        return found.sealed()
+
+
+def expanded(model: ModelData) -> WholeModel:
+    """The whole of a model. Beams, bodies and hubs that are at fault get no inner parts, or too few.
+
+    First hubs get their arms and bodies, then beams their frames; last the bars that all rigid ones still need.
+    """
+    whole = WholeModel.growing(model)
+    whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})
+    if model.hubs and missing_nodes(model):
+        return whole.sealed()
+    if model.hubs:
+        add_hubs(model, whole)
+    if model.beams:
+        add_frames(whole)
+        add_spins(whole)
+    if whole.bodies or model.beams:
+        _add_braces(whole)
+        add_chords(whole)
+    return whole.sealed()
+
+
+def _add_braces(whole: WholeModel) -> None:
+    """The missing bars of rigid bodies and beams, and of frames."""
+    inner = whole.inner
+    for group, bars in braces(whole, rigid_groups(whole), _faulty_bodies(whole)).items():
+        owner = inner.bodies.get(group) or (Owner("bodies", group) if group in whole.bodies else None)
+        for name, bar in bars.items():
+            of_ends = (inner.nodes[end] for end in bar.ends if end in inner.nodes)
+            whole.bars[name] = bar
+            inner.bars[name] = (owner or next(of_ends, Owner("nodes", bar.ends[0])))._replace(at="")
+
+
+def _faulty_bodies(whole: WholeModel) -> set[str]:
+    """Bodies that cannot be braced as given."""
+    dim = dimension(len(node.at) for node in whole.nodes.values())
+    unknown = unknown_names(whole, whole.bodies, ("bodies",), (ModelData, "bodies"))
+    return {str(fault.path[1]) for fault in (*unknown, *body_faults(whole, dim))}
