@@ -128,6 +128,53 @@ print(json.dumps([list(column.dims), column.attrs, list(map(str, column["drag"].
     assert still == 0.0
 
 
+BEDDED = """
+import json
+import numpy as np
+import kinetruss as kt
+from kinetruss.model.drag import Drag
+steel = {"section": kt.Rod(diameter=0.02), "material": kt.Material(E=2e11, density=0.0)}
+two = kt.Model(
+    nodes={"A": (-1, 1), "B": (1, 1), "P": (0, 0)}, fixed=["A", "B"], bars={"a": ("A", "P"), "b": ("B", "P")}, **steel,
+    loads={"W": kt.NodalForce(node="P", force=(30.0, -2000.0))}, drags={"bed": Drag(node="P", area=0.5, bedding=3e7)},
+)
+spring = two.with_(drags={}, springs={
+    axis: kt.Spring(coordinate=kt.CoordinateDrive(node="P", axis=axis), stiffness=3e7, rest=0.0) for axis in "xy"})
+"""
+
+
+def test_statics_count_on_its_stiffness_as_on_that_of_springs(package):
+    code = """
+one, two_ = (kt.statics.linear(model) for model in (two, spring))
+three, four = (kt.statics.deflection(model, kt.runs.forces_at_rest(model)) for model in (two, spring))
+print(json.dumps([one.displacement.values.tolist(), two_.displacement.values.tolist(), one.reaction.values.tolist(),
+                  two_.reaction.values.tolist(), float(one.energy), float(two_.energy), float(one.work),
+                  three.displacement.values.tolist(), four.displacement.values.tolist(), three.energy.values.tolist()]))
+"""
+    u, v, left, right, stored, same, work, bent, like, held = json.loads(answers(package, BEDDED, code))
+    np.testing.assert_allclose(u, v, rtol=1e-9, atol=1e-16)
+    np.testing.assert_allclose(left, right, rtol=1e-9, atol=1e-9)
+    assert stored == pytest.approx(same, rel=1e-9)
+    assert stored == pytest.approx(work, rel=1e-9)
+    np.testing.assert_allclose(bent[0], like[0], rtol=1e-9, atol=1e-16)
+    np.testing.assert_allclose(bent[0], u, rtol=1e-9, atol=1e-16)
+    assert held[0] == pytest.approx(work, rel=1e-9)
+
+
+def test_free_bodies_have_its_force(package):
+    code = """
+model = ball.with_(drags={"air": Drag(node="ball", area=0.5, coefficient=0.8, bedding=7.0)})
+run = kt.dynamics.simulate(model, 1.0, samples=3)
+node = kt.dynamics.free_body(model, run.motion, run.forces, node="ball", time=1.0)
+equations = kt.dynamics.newton_euler(model, run.motion, run.forces, time=1.0)
+print(json.dumps([node.residual, equations.residual, [t.source for b in node.bodies for t in b.terms if t.symbol == "E"]]))
+"""
+    node, whole, sources = json.loads(answers(package, FALL, code))
+    assert node < 1e-9
+    assert whole < 1e-9
+    assert sources == ["drag"]
+
+
 def test_small_motions_are_damped_by_it(package):
     """-d/dv of -c |v| v along v: 2 c |v|."""
     code = """

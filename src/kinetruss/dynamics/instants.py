@@ -18,11 +18,12 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
+from kinetruss.mechanics.elements import element_forces, element_results, element_tangents
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
 from kinetruss.model import Model
-from kinetruss.results.wide_tables import element_axes
+from kinetruss.results.wide_tables import coordinate_axes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -117,7 +118,7 @@ class Instant:
         if not unit:
             drive = self.data["drive_force"].values[None]
             coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
-            kinds = element_axes(system)
+            kinds = coordinate_axes(system)
             element = np.concatenate([*(self.data[f"{kind}_force"].values for kind in kinds), np.zeros(0)])[None]
         carried = None if unit else self._carried()
         found, acting = acting_along(system, self.loads, states, drive, coupling, element, carried)
@@ -234,6 +235,22 @@ class Instant:
             return np.zeros_like(x)
         B, u = mode_gradients(beams, x), np.pad(self.data["displacement"].values, ((0, 0), (0, 3 - self.system.dim)))
         return np.asarray(-(B.T @ (beams.rigidity.reshape(-1) * (B @ u.reshape(-1))))).reshape(-1, 3)
+
+    @cached_property
+    def others(self) -> NDArray[np.float64]:
+        """Forces (n, dim), N, on the nodes of elements that are neither on coordinates nor beams, membranes or solids."""
+        system, pad = self.system, ((0, 0), (0, 3 - self.system.dim))
+        x, v = np.pad(self.x, pad), np.pad(self.rate, pad)
+        found = element_forces(system, x, v, float(np.ravel(self.loads.t)[0]), rows=False)
+        if "displacement" in self.data:  # small ones, which those of x lack
+            u = np.pad(self.data["displacement"].values, pad).reshape(-1)
+            found -= element_tangents(system, x, None, rows=False)[0] @ u
+        return found.reshape(-1, 3)[:, : system.dim]
+
+    @cached_property
+    def other_kinds(self) -> str:
+        """The kinds of these elements, in words."""
+        return " and ".join(one.kind for one in element_results(self.system, self.system.x0[None])) or "elements"
 
     def elements_at(self, node: int) -> NDArray[np.float64] | None:
         """(3, dim) N of `elements` at a node; None if it belongs to no element."""

@@ -223,6 +223,7 @@ def _joints(here: Instant) -> tuple[str, ...]:
         if ends[n] == 1
         and n not in busy
         and here.elements_at(n) is None
+        and not here.others[n].any()
         and set(model.fixed.get(name, "")) == whole
         and not system.node_mass[n]
         and name not in loaded
@@ -363,7 +364,7 @@ def _node(made: _Builder, node: str) -> None:
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:
         push, weight = push + elements[1], weight + elements[2] + elements[0]
-    right = system.lump[n] * (here.a[n] - here.lump_gravity[n]) + push - weight - load
+    right = system.lump[n] * (here.a[n] - here.lump_gravity[n]) + push - weight - load - here.others[n]
     made.write(f"node {node}", tuple(f"force {axis}" for axis in "xyz"[:dim]), terms, right)
 
 

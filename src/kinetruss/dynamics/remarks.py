@@ -14,7 +14,7 @@ from kinetruss.kernels.integrate.samples import NEAR
 from kinetruss.kernels.solve.kkt import balance, evaluate
 from kinetruss.kernels.structure.structure import CABLE, NONE
 from kinetruss.mechanics import System
-from kinetruss.mechanics.elements import named_laws
+from kinetruss.mechanics.elements import element_forces, has_elements, named_laws
 from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Taylor
 from kinetruss.results import Status
 
@@ -182,7 +182,8 @@ def resting(problem: Problem) -> bool:
     """True if nothing moves and no stored energy could cause motion: all energy is then round-off."""
     if problem.v0.any() or problem.eq.constant.any() or problem.motors is not None or len(problem.z0):
         return False
-    if problem.system.force_elements and np.any(named_laws(problem.system, problem.x0.reshape(-1, 3))[:, 0]):
+    x0 = problem.x0.reshape(-1, 3)
+    if np.any(named_laws(problem.system, x0)[:, 0]) or np.any(element_forces(problem.system, x0, rows=False)):
         return False
     start = np.empty((1, 8))
     balance(problem.eq, problem.ws, problem.x0.reshape(1, -1), problem.v0.reshape(1, -1), start)
@@ -373,7 +374,7 @@ def too_stiff(work: Integration) -> bool:
     if not isinstance(work.problem.method, DOP853 | Taylor) or not work.memory.t > 0:
         return False
     if vibrating(work) < 0 and (
-        steps < LOOKS[1] or not (np.any(work.problem.system.law != NONE) or work.problem.system.force_elements)
+        steps < LOOKS[1] or not (np.any(work.problem.system.law != NONE) or has_elements(work.problem.system))
     ):
         return False
     margin = 1.0 if vibrating(work) >= 0 else BY_FAR if steps < LOOKS[2] else LATER

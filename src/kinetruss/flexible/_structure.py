@@ -24,7 +24,7 @@ from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows
-from kinetruss.mechanics.elements import material_stiffness
+from kinetruss.mechanics.elements import has_elements, material_stiffness
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix
 from kinetruss.mechanics.rows import null_basis
 from kinetruss.mechanics.transfer import flat_positions
@@ -113,7 +113,7 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
     shape, free = (len(x), -1, 3), system.free
     still = bool(forces.data.attrs.get("at_rest", 0))
     soft = softness.flexibility(system, system.x0)
-    if not (np.any(soft) or np.any(system.spring > 0) or system.force_elements or system.continua is not None):
+    if not (np.any(soft) or np.any(system.spring > 0) or has_elements(system)):
         raise InputError("No member is elastic. Give sections and materials, a stiffness for members, or springs.")
     case = forces.load_case if forces.load_case in system.model.load_cases else None
     gravity = loads_of(system, forces).gravity

@@ -17,6 +17,7 @@ from kinetruss.mechanics import jacobian
 from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.balance import balance_of
 from kinetruss.mechanics.coordinates import coordinates
+from kinetruss.mechanics.elements import has_elements
 from kinetruss.model import Active, LengthDrive, nearest
 from kinetruss.results.records import MOTORS_UNCHECKED
 
@@ -46,10 +47,10 @@ def holding_rates(
     """Drive forces F (d,) as by `holding`, and their derivatives dF_i/dq_j (d, d) by the drives, at positions x (3 n,).
 
     dF/dq = (dx/dq)^T K dx/dq with the stiffness K of loads and row forces N, J^T N = f: from f = J^T N and J dx/dq_i = e_i in
-    all configurations. None for redundant structures, springs, membranes, solids and driven angles of bars.
+    all configurations. None for redundant structures, for elements besides bars, and for driven angles of bars.
     """
     angles = system.row_kind == ANGLE
-    if len(system.row_member) != len(system.free) or len(system.force_elements) or system.continua is not None or angles.any():
+    if len(system.row_member) != len(system.free) or has_elements(system) or angles.any():
         return None
     balance, drives = balance_of(system), coordinates(system, system.drives)
 

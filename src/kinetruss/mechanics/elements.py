@@ -73,17 +73,22 @@ def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64],
         )
 
 
+def has_elements(system: System) -> bool:
+    """True if a system has elements besides bars and the friction of their pins: springs, stops, beams, membranes, ..."""
+    return bool(system.force_elements) or any(not isinstance(record, scalars.Scalars) for _, record in present(system))
+
+
 def element_forces(
-    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, *, rows: bool = True
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None, t: float = 0.0, *, rows: bool = True
 ) -> NDArray[np.float64]:
-    """Forces of the elements of all kinds on the nodes (3 n,), N, at x, v (n, 3); without v at rest. rows : include those kinds
-    whose deformations are rows of small displacements.
+    """Forces of the elements of all kinds on the nodes (3 n,), N, at x, v (n, 3) and t, s; without v at rest. rows : include
+    those kinds whose deformations are rows of small displacements: all on coordinates, membranes, solids and beams.
     """
     found = np.zeros(system.x0.size)
     place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros_like(found) if v is None else v))
     for one, record in present(system):
         if rows or not one.rows:
-            one.kernels[FORCE][1](record, 0.0, place, rate, found)
+            one.kernels[FORCE][1](record, t, place, rate, found)
     return found
 
 
@@ -93,12 +98,15 @@ def element_energy(system: System, x: NDArray[np.float64]) -> float:
     return float(sum(one.kernels[ENERGY][1](record, place) for one, record in present(system)))
 
 
-def element_tangents(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None) -> tuple[Any, Any]:
+def element_tangents(
+    system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, *, rows: bool = True
+) -> tuple[Any, Any]:
     """K and C (3 n, 3 n), N/m and N s/m: minus the derivatives of `element_forces` by x and by v, both (n, 3)."""
     K = C = csr_array((x.size, x.size))
     for one, record in present(system):
-        own = one.tangents(system, record, x, v)
-        K, C = K + own[0], C + own[1]
+        if rows or not one.rows:
+            own = one.tangents(system, record, x, v)
+            K, C = K + own[0], C + own[1]
     return K, C
 
 
@@ -111,7 +119,8 @@ def element_results(
     place, rate = (
         np.ascontiguousarray(y, float).reshape(-1, system.x0.size) for y in (x, np.zeros_like(x) if v is None else v)
     )
-    times = np.zeros(len(place)) if t is None else t
+    rate = np.broadcast_to(rate, place.shape)  # at rest one row stands for all
+    times = np.broadcast_to(0.0 if t is None else t, len(place))
     return [one.results(system, record, times, place, rate) for one, record in present(system) if one.results is not None]
 
 

@@ -15,11 +15,12 @@ from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics import platform_jacobian
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, arrange, compile
+from kinetruss.mechanics.elements import has_elements
 from kinetruss.mechanics.loads import ROTATES, Loads
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.transfer import displacements, flat_positions
 from kinetruss.model import Model, nearest
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.results import Forces, Motion, Result, provenance, variable
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.small_displacements import flexibility, loads_at, solve, stiff_rows
@@ -80,7 +81,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     load = nodal_forces(system, forces, x)
     held = stiff_rows(system)
     flexible = np.array([flexibility(held, one) for one in x.reshape(len(x), -1, 3)]).reshape(len(x), -1)
-    if len(arrange(system).redundant) or np.any(system.spring > 0) or system.force_elements or system.continua is not None:
+    if len(arrange(system).redundant) or np.any(system.spring > 0) or has_elements(system):
         u, e, bent, said = _stiffly(held, x, flexible, load)
     else:
         u, e = _swept(system, held, x, flexible, forces.arrays["member_force"].values)
@@ -93,9 +94,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
     elongation[:, held.row_member[bars]] = e[:, bars]
     stored = 0.5 * stiffness * e**2
     energy[:, held.row_member[bars]] = stored[:, bars]
-    whole = stored.sum(axis=1)
-    if system.continua is not None:
-        whole = whole + bent
+    whole = stored.sum(axis=1) + bent
     work = 0.5 * np.einsum("tc,tc->t", load[:, system.free], u[:, system.free])
     return _record(system, forces, u, elongation, length, (energy, whole, work), said)
 
@@ -147,8 +146,8 @@ def _swept(
 def _stiffly(
     held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], str]:
-    """The same for redundant structures, by the stiffness method; then the strain energy (times,) of beams, membranes and
-    solids, J, and the message on the least accurate sample.
+    """The same for redundant structures, by the stiffness method; then the strain energy (times,) of elements, J,
+    and the message on the least accurate sample.
     """
     u, e, bent = np.empty_like(x), np.empty_like(flexible), np.zeros(len(x))
     worst, at = (0.0, 0.0), 0
@@ -253,11 +252,12 @@ def platform_stiffness(
     >>> found.compliance.sel(twist="v_y", wrench="F_y").round(9).item()  # m/N: two springs side by side
     0.0005
     """
-    for name, (kind, _) in model.force_elements.items():
-        raise InputError(
-            f"platform_stiffness counts drives alone, not the {kind} {name!r}. Take statics.linear under unit loads, or leave "
-            f"it out: model.with_({FORCE_ELEMENTS[kind]}={{}})."
-        )
+    for kind, field in ELEMENT_FIELDS.items():
+        for name in getattr(model, field):
+            raise InputError(
+                f"platform_stiffness counts drives alone, not the {kind} {name!r}. Take statics.linear under unit loads, or "
+                f"leave it out: model.with_({field}={{}})."
+            )
     found = platform_jacobian(model, platform, state)
     drives = [str(name) for name in found["drive"].values]
     given = dict.fromkeys(drives, float(stiffness)) if isinstance(stiffness, (int, float)) else dict(stiffness)

@@ -151,7 +151,8 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     InputError : a mechanism, named; inextensible bars whose forces are not unique.
     """
     rows, (G, soft) = len(flexible), _with_beams(held, x)
-    C = _continuum(held, x)
+    only = _elements_only(held, x)
+    C = csr_array(only)[held.free][:, held.free]
     slack = np.isinf(flexible)
     f = np.concatenate([np.where(slack, 0.0, flexible), soft])
     size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(C.data).max(initial=0.0)) or 1.0)
@@ -159,15 +160,15 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     push = float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
     b = np.concatenate([np.zeros(len(f)), load[held.free] / push])
     parts = [slice(0, len(f)), slice(len(f), len(b))]
-    # membranes, solids and beams may carry the load alone: the forces of bars are then 0 but for round-off
-    found = best_of(matrix, b, parts, _order(held), 0.0 if held.continua is None else 1.0)
+    # elements may carry the load alone: the forces of bars are then 0 but for round-off
+    found = best_of(matrix, b, parts, _order(held), 1.0 if held.continua is not None or only.nnz else 0.0)
     if not found.worst <= SURE:
         _explain(held, x, flexible)
     force, displacement, inner = found.y[: len(f)] * push, np.zeros(held.x0.size), np.zeros(held.x0.size)
     displacement[held.free] = -found.y[len(f) :] * push * size
     elongation = np.where(slack, G[:rows] @ displacement[held.free], f[:rows] * force[:rows])
-    if held.continua is not None:
-        inner = _elements_only(held, x) @ displacement + _beam_rows(held, x).T @ force[rows:]
+    if held.continua is not None or only.nnz:
+        inner = only @ displacement + _beam_rows(held, x).T @ force[rows:]
     return Solved(
         displacement=displacement,
         elongation=elongation,

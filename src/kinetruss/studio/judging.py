@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss import statics
 from kinetruss.errors import Fault, KinetrussError, ModelError
 from kinetruss.mechanics import arrange, compile
+from kinetruss.mechanics.elements import has_elements
 from kinetruss.mechanics.mobility import beam_deformations, mobility_at
 from kinetruss.mechanics.positions import drive_values, row_values
 from kinetruss.model import LengthDrive, Model, of_file
@@ -182,7 +183,7 @@ def _forces(
     model: Model, system: System, position: NDArray[np.float64], mobility: Mobility, fine: bool
 ) -> tuple[Forces | None, str]:
     """Forces at rest, or why there are none."""
-    soft = bool(model.force_elements or model.beams) or any(bar.kind in SOFT for bar in model.bars.values())
+    soft = bool(model.beams) or has_elements(system) or any(bar.kind in SOFT for bar in model.bars.values())
     try:
         if not mobility.undriven and arrange(system).plan is not None:
             return at_rest(model, position), ""

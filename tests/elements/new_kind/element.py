@@ -1,4 +1,4 @@
-"""Drag on nodes: F = -c |v| v, c = density coefficient area/2."""
+"""Drag on nodes with an elastic bedding: F = -c |v| v - k (x - x0), c = density coefficient area/2."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 
 from kinetruss.kernels.compiled.jit import kernel
-from kinetruss.kernels.compiled.record import F1, I1, I2, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Record, record
 from kinetruss.kernels.structure import element_table
 
 if TYPE_CHECKING:
@@ -20,10 +20,12 @@ if TYPE_CHECKING:
 
 @record
 class Drags(Record):
-    """at (k,) flat nodes, c (k,) N s^2/m^2."""
+    """at (k,) flat nodes, c (k,) N s^2/m^2, stiff (k,) N/m, start (k, 3) m."""
 
     at: I1
     c: F1
+    stiff: F1
+    start: F2
 
 
 @kernel
@@ -33,13 +35,17 @@ def force(s: Drags, t: float, x: F1, v: F1, f: F1) -> None:
         A = s.at[k]
         speed = math.sqrt(v[A] * v[A] + v[A + 1] * v[A + 1] + v[A + 2] * v[A + 2])
         for i in range(3):
-            f[A + i] -= s.c[k] * speed * v[A + i]
+            f[A + i] -= s.c[k] * speed * v[A + i] + s.stiff[k] * (x[A + i] - s.start[k, i])
 
 
 @kernel
 def energy(s: Drags, x: F1) -> float:
-    """As kernels.structure.element_table.energy: none is stored."""
-    return 0.0
+    """As kernels.structure.element_table.energy: k |x - x0|^2/2."""
+    total = 0.0
+    for k in range(s.at.size):
+        for i in range(3):
+            total += 0.5 * s.stiff[k] * (x[s.at[k] + i] - s.start[k, i]) ** 2
+    return total
 
 
 @kernel
@@ -49,24 +55,32 @@ def balance(s: Drags, t: float, x: F1, v: F1, out: F1) -> None:
         A = s.at[k]
         square = v[A] * v[A] + v[A + 1] * v[A + 1] + v[A + 2] * v[A + 2]
         out[2] += s.c[k] * square * math.sqrt(square)
+        for i in range(3):
+            d = x[A + i] - s.start[k, i]
+            out[0] += 0.5 * s.stiff[k] * d * d
+            out[1] += s.stiff[k] * d * v[A + i]
 
 
 @kernel
 def tangent(s: Drags, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:
-    """As kernels.structure.element_table.tangent: c (|v| 1 + v v^T/|v|)."""
+    """As kernels.structure.element_table.tangent: c (|v| 1 + v v^T/|v|) and k 1."""
     for k in range(s.at.size):
         A = s.at[k]
         speed = math.sqrt(v[A] * v[A] + v[A + 1] * v[A + 1] + v[A + 2] * v[A + 2])
-        if speed == 0.0:
-            continue
         for i in range(3):
+            value[at[k, 4 * i]] += beta * s.stiff[k] + gamma * s.c[k] * speed
             for j in range(i + 1):
-                value[at[k, 3 * i + j]] += gamma * s.c[k] * (v[A + i] * v[A + j] / speed + (speed if i == j else 0.0))
+                if speed > 0.0:
+                    value[at[k, 3 * i + j]] += gamma * s.c[k] * v[A + i] * v[A + j] / speed
 
 
 @kernel
 def swap(s: Drags, t: float, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:
-    """As kernels.structure.element_table.swap: nothing is stored."""
+    """As kernels.structure.element_table.swap: the force of the bedding half way from x0 to x1."""
+    for k in range(s.at.size):
+        for i in range(3):
+            j = s.at[k] + i
+            f[j] += s.stiff[k] * (xe[j] - 0.5 * (x0[j] + x1[j]))
 
 
 KERNELS = dict(enumerate(zip(element_table.INTERFACES, (force, energy, balance, tangent, swap), strict=True)))
@@ -83,9 +97,16 @@ def fields(system: System) -> dict[str, Any] | None:
     own: dict[str, Any] = system.model.drags
     if not own:
         return None
-    area, coefficient, density = system.numbers("drag", "area", "coefficient", "density").T
-    at = 3 * np.array([system.node_index(one.node) for one in own.values()], np.int64)
-    return {"at": at, "c": (density * coefficient * area / 2).T}
+    area, coefficient, density, bedding = np.moveaxis(
+        system.numbers("drag", "area", "coefficient", "density", "bedding"), -1, 0
+    )
+    at = np.array([system.node_index(one.node) for one in own.values()], np.int64)
+    return {
+        "at": 3 * at,
+        "c": density * coefficient * area / 2,
+        "stiff": np.where(np.isnan(bedding), 0.0, bedding),
+        "start": system.x0[..., at, :],
+    }
 
 
 def coordinates(s: Drags) -> NDArray[np.int64]:
@@ -95,21 +116,23 @@ def coordinates(s: Drags) -> NDArray[np.int64]:
 
 def tangents(system: System, record: Drags, x: NDArray[np.float64], v: NDArray[np.float64] | None) -> tuple[Any, Any]:
     """As elements.kinds.Element.tangents."""
-    empty = csr_array((x.size, x.size))
+    flat, shape = coordinates(record).ravel(), (x.size, x.size)
+    K = csr_array(coo_array((np.repeat(record.stiff, 3), (flat, flat)), shape=shape))
     if v is None:
-        return empty, empty
+        return K, csr_array(shape)
     own = np.reshape(v, (-1, 3))[record.at // 3]
     speed = np.linalg.norm(own, axis=1)[:, None, None]
     direction = own / np.where(speed[:, 0] > 0.0, speed[:, 0], 1.0)
     blocks = record.c[:, None, None] * speed * (np.eye(3) + direction[:, :, None] * direction[:, None, :])
     rows, columns = np.broadcast_arrays(coordinates(record)[:, :, None], coordinates(record)[:, None, :])
-    return empty, csr_array(coo_array((blocks.ravel(), (rows.ravel(), columns.ravel())), shape=empty.shape))
+    return K, csr_array(coo_array((blocks.ravel(), (rows.ravel(), columns.ravel())), shape=shape))
 
 
 def results(system: System, record: Drags, t: Any, x: Any, v: NDArray[np.float64]) -> Any:
     """As elements.kinds.Element.results."""
     from kinetruss.elements.kinds import Results
 
-    own = v.reshape(len(v), -1, 3)[:, record.at // 3]
+    place, own = (y.reshape(len(y), -1, 3)[:, record.at // 3] for y in (x, v))
     force = -record.c[:, None] * np.linalg.norm(own, axis=2, keepdims=True) * own
+    force -= record.stiff[:, None] * (place - record.start)
     return Results("drag", tuple(system.model.drags), {"force": (force, "N", "resistance on the node")})

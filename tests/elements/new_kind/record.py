@@ -1,17 +1,18 @@
-"""Drag: resistance of a fluid at rest to a node."""
+"""Drag: resistance of a fluid at rest to a node, and of what holds the node elastically in it."""
 
 from __future__ import annotations
 
 from typing import ClassVar
 
-from kinetruss.model.record import Area, Density, PositiveNumber, Record
+from kinetruss.model.record import Area, Density, PositiveNumber, Record, Stiffness
 from kinetruss.model.references import NodeName
 
 
 class Drag(Record):
-    """Resistance of a fluid at rest to a node: density coefficient area/2 times the square of its speed.
+    """Resistance of a fluid at rest to a node: density coefficient area/2 times the square of its speed; and elastic bedding.
 
-    node : on which it acts. area : of the front. coefficient : of drag. density : of the fluid, by default of air.
+    node : on which it acts. area : of the front. coefficient : of drag. density : of the fluid, by default of air. bedding :
+    stiffness against displacements from the place in the model.
     """
 
     element: ClassVar[str] = "drag"
@@ -19,3 +20,4 @@ class Drag(Record):
     area: Area
     coefficient: PositiveNumber = 1.0
     density: Density = 1.225
+    bedding: Stiffness | None = None

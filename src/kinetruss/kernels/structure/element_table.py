@@ -41,7 +41,10 @@ def tangent(s: Record, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F
 
 @Interface
 def swap(s: Record, t: float, x0: F1, x1: F1, xe: F1, ve: F1, h: float, f: F1) -> None:
-    """Replace the forces at (xe, ve), the middle of a step of h (s) from x0 to x1, in f by such as keep the energy."""
+    """Replace the forces at (xe, ve), the middle of a step of h (s) from x0 to x1, in f by such as keep the energy.
+
+    f already has those at (xe, ve): add what the others exceed them by.
+    """
 
 
 INTERFACES = (force, energy, balance, tangent, swap)
