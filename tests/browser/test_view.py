@@ -318,7 +318,7 @@ def test_a_mechanism_swings(show, pages):
 def test_bodies_are_seen_as_faces(show, tmp_path):
     corners = {"O": (0, 0, 0), "X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
     solid = kt.Model(nodes=corners, fixed=("O",), bodies={"b": kt.Body(nodes=tuple(corners), mass=2.0)})
-    bare = kt.Model(nodes=corners, fixed=("O",), bars={name: bar.ends for name, bar in solid.bars.items()})
+    bare = kt.Model(nodes=corners, fixed=("O",), bars={name: bar.ends for name, bar in solid.whole.bars.items()})
     seen = []
     for name, model in (("solid", solid), ("bare", bare)):
         shown = show(viewer.write(model, tmp_path / f"{name}.html"))

@@ -119,7 +119,7 @@ def test_derivatives_of_holding_forces_are_differences_of_them():
     q = q * (1.0 + 0.03 * rng.standard_normal(len(q)))
 
     def place(values):
-        return kt.kinematics.assemble(system.model, dict(zip(system.drives, values.tolist(), strict=True))).reshape(1, -1)
+        return kt.kinematics.assemble(system.given, dict(zip(system.drives, values.tolist(), strict=True))).reshape(1, -1)
 
     def forces(values):
         return at(place(values))[0]
