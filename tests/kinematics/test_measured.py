@@ -117,7 +117,7 @@ def test_outliers_are_replaced_only_if_asked(replace):
 
 @pytest.mark.slow
 @settings(max_examples=12, deadline=None)
-@given(st.integers(20, 200), st.floats(0.5, 3.0), st.floats(0, 6.28))
+@given(st.integers(40, 200), st.floats(0.5, 3.0), st.floats(0, 6.28))
 def test_a_record_without_noise_is_its_own_curve_and_has_no_outliers(rows, rate, phase):
     t = np.linspace(0, 3, rows)
     y = 1 + 0.1 * np.sin(rate * t + phase)
