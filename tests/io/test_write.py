@@ -198,3 +198,30 @@ def test_motion_files_move_with_the_working_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path / "deep")
     assert kt.read("m.yaml").runs["r"].motion == "../seen.csv"
     assert kt.read("m.yaml").runs["s"].motion == str(tmp_path / "seen.csv")
+
+
+def test_rates_and_forces_are_written_with_their_own_units(tmp_path):
+    """Values of lengths or of angles, in every field that has such, whatever its record checks."""
+    bars = {"ab": kt.Bar(ends=("A", "B"), mass=1.0), "bc": kt.Bar(ends=("B", "C"), mass=1.0)}
+    turn = kt.AngleDrive("ab")
+    six = ("1 deg",) * 6
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0), "C": (2, 0)}, fixed=["A"], bars=bars, drives={"turn": turn},
+        bearings={"pin": kt.Bearing(member="ab", node="B", against="bc", friction=0.1, radius=0.01, slip="0.02 rad/s")},
+        springs={
+            "s": kt.Spring(coordinate=turn, stiffness="3 N m/rad", damping="1 N m s/rad", friction="2 N m", slip="3 deg/s")
+        },
+        trajectories={
+            "steady": kt.ConstantRate(rates={"turn": "10 deg/s"}, duration=1),
+            "seen": kt.Measured(
+                times=range(6), values={"turn": six}, rates={"turn": ("2 deg/s",) * 6},
+                accelerations={"turn": ("3 deg/s^2",) * 6},
+            ),
+        },
+    )  # fmt: skip
+    file = tmp_path / "model.yaml"
+    kt.io.write(model, file)
+    read = kt.read(file)
+    assert "slip: 0.02 rad/s" in file.read_text("utf-8")
+    for table in ("bearings", "springs", "trajectories"):
+        assert getattr(read, table) == getattr(model, table)

@@ -6,12 +6,14 @@ import json
 import re
 from collections.abc import Callable, Iterator, Mapping
 from decimal import Decimal
-from typing import Any
+from functools import cache
+from typing import Any, get_args
 
-from kinetruss.model import Bar, ConstantRate, Membrane, Model, Node, Record, Solid
-from kinetruss.units import Tagged
+from kinetruss.model import Bar, Membrane, Model, Node, Of, Record, Solid
+from kinetruss.units import EITHER, Tagged
 
-_UNITS = {"length": "m", "angle": "rad"}
+_UNITS = {quantity: dict(zip(("length", "angle"), units.split(", or "), strict=True)) for quantity, units in EITHER.items()}
+"""By quantity the units of the values of a length and of an angle."""
 _SHORT = {Node: "at", Bar: "ends"}
 """Records that are written as the list of one field if they have no other field."""
 
@@ -26,12 +28,12 @@ def plain_model(model: Model) -> dict[str, Any]:
 
 def plain_record(record: Record) -> Any:
     """A record as `plain_model` has it."""
-    rate = "/s" if isinstance(record, ConstantRate) else ""
+    quantities = _quantities(type(record))
     given: dict[str, Any] = {"kind": record.kind} if _has_kind(record) else {}  # type: ignore[attr-defined]
     for name, field in type(record).model_fields.items():
         value = getattr(record, name)
         if field.is_required() or value != field.get_default():
-            given[name] = _value(value, rate)
+            given[name] = _value(value, quantities.get(name, ""))
     if isinstance(record, Membrane | Solid) and len(record.elements) > LISTED:
         given["elements"] = "; ".join(" ".join(map(str, row)) for row in record.elements)
     if list(given) == [_SHORT.get(type(record))]:
@@ -44,16 +46,30 @@ def _has_kind(record: Record) -> bool:
     return "kind" in type(record).model_fields and not isinstance(record, Bar)
 
 
-def _value(value: Any, rate: str) -> Any:
+@cache
+def _quantities(record: type[Record]) -> dict[str, str]:
+    """The fields of a record whose numbers are of a length or of an angle, with what they are."""
+    found = {name: [*_either(field.annotation), *_either(*field.metadata)] for name, field in record.model_fields.items()}
+    return {name: own[0] for name, own in found.items() if own}
+
+
+def _either(*annotations: Any) -> Iterator[str]:
+    for one in annotations:
+        if isinstance(one, Of) and one.quantity in EITHER:
+            yield one.quantity
+        yield from _either(*get_args(one))
+
+
+def _value(value: Any, quantity: str) -> Any:
     if isinstance(value, Record):
         return plain_record(value)
     if isinstance(value, Mapping):
-        return {key: _value(item, rate) for key, item in value.items()}
+        return {key: _value(item, quantity) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_value(item, rate) for item in value]
+        return [_value(item, quantity) for item in value]
     if isinstance(value, Tagged):
         number = float(value)
-        return f"{number!r} {_UNITS[value.quantity]}{rate}" if value.quantity else number
+        return f"{number!r} {_UNITS[quantity or 'coordinate'][value.quantity]}" if value.quantity else number
     return value
 
 
