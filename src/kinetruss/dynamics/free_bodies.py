@@ -390,7 +390,7 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
         forces.append(("E", words, elements[0]))
         push, weight = push + elements[1], weight + elements[2]
     if here.others[n].any():
-        forces.append(("E", here.other_kinds, here.others[n]))
+        forces.append(("E", here.other_kinds(n), here.others[n]))
     if mass or weight.any():
         forces.append(("m g", "weight", mass * here.lump_gravity[n] + weight))
     none = np.zeros(0)

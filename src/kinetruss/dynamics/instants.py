@@ -12,13 +12,14 @@ from kinetruss.dynamics.actions import Action, CarriedBy
 from kinetruss.dynamics.bar_actions import acting_along
 from kinetruss.elements.beams import mode_gradients
 from kinetruss.elements.continua_matrices import continua_forces
+from kinetruss.elements.kinds import present
 from kinetruss.elements.loads.load import Spread
 from kinetruss.elements.local_axes import local_axes
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
-from kinetruss.mechanics.elements import element_forces, element_results, element_tangents
+from kinetruss.mechanics.elements import element_forces, element_tangents
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
@@ -247,10 +248,15 @@ class Instant:
             found -= element_tangents(system, x, None, rows=False)[0] @ u
         return found.reshape(-1, 3)[:, : system.dim]
 
-    @cached_property
-    def other_kinds(self) -> str:
-        """The kinds of these elements, in words."""
-        return " and ".join(one.kind for one in element_results(self.system, self.system.x0[None])) or "elements"
+    def other_kinds(self, node: int) -> str:
+        """The kinds of these elements at a node, in words."""
+        rest = np.zeros((1, self.system.x0.size))
+        found = [
+            one.results(self.system, record, np.zeros(1), rest, rest).kind
+            for one, record in present(self.system)
+            if one.results is not None and (one.coordinates(record) // 3 == node).any()
+        ]
+        return " and ".join(found) or "elements"
 
     def elements_at(self, node: int) -> NDArray[np.float64] | None:
         """(3, dim) N of `elements` at a node; None if it belongs to no element."""
