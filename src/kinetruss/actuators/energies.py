@@ -165,5 +165,5 @@ def power_flow(model: Model, motion: Motion, demand: Demand) -> xr.Dataset:
 def _acceleration(motion: Motion, name: str, member: bool) -> NDArray[np.float64]:
     """Second rate (time,) of the length of a member, or of the angle of a drive."""
     what, along = ("length_acceleration", "member") if member else ("drive_acceleration", "drive")
-    found: NDArray[np.float64] = motion.data[what].values[:, list(motion.data[along].values).index(name)]
+    found: NDArray[np.float64] = motion.whole[what].values[:, list(motion.whole[along].values).index(name)]
     return found

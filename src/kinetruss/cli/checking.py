@@ -124,7 +124,7 @@ def explain(
         forces = forces.static
     from kinetruss import dynamics, report
 
-    pose = str(forces.data["pose"].values[0]) if "pose" in forces.data.coords else ""
+    pose = str(forces.whole["pose"].values[0]) if "pose" in forces.whole.coords else ""
     if system:
         page = report.explain(dynamics.newton_euler(loaded, forces.motion, forces, rods=rods), pose)
     else:

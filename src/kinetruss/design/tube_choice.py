@@ -45,7 +45,7 @@ class Loading:
             name=self.name,
             run=self.run,
             case=self.case,
-            motion=self.motion.with_(data=self.motion.data.isel(time=chosen)),
+            motion=self.motion.with_(data=self.motion.whole.isel(time=chosen)),
         )
 
 

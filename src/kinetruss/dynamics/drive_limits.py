@@ -436,7 +436,7 @@ def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> fl
 
 def _scaled(motion: Motion, k: float) -> Motion:
     """The motion with its time times k."""
-    data = motion.data.copy()
+    data = motion.whole.copy()
     for name in data.data_vars:
         text = str(name)
         power = 1 if text.endswith(("velocity", "_rate")) else 2 if text.endswith("acceleration") else 0

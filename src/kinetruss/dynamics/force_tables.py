@@ -35,6 +35,7 @@ from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.rotating_base import ROTATION
 from kinetruss.mechanics.tables import nodal_loads, structure_arrays, structure_of
 from kinetruss.results import Arrays, Axes, Column, Motion, variable
+from kinetruss.results.user_parts import part_axes, reactions, support_axes
 from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
 
 if TYPE_CHECKING:
@@ -179,7 +180,7 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         "member_force": variable(per, every.member_force, "N", "mean axial force, tension positive"),
         "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable((*per, "end", "axis"), every.joint_force[..., :dim], "N", "force on the member from its joint"),
-        "reaction": variable(("time", "support", "axis"), every.reaction[..., :dim], "N", "support force on the structure"),
+        **reactions(system, ("time",), solved["x"].reshape(len(read.length), -1, 3), every.reaction),
         "drive_force": variable(("time", "drive"), every.drive_force, force_units(system)[0]["drive"], "drive force or torque"),
     }
     if system.model.couplings:
@@ -278,13 +279,11 @@ def _axes(system: System, case: str, shaped: bool) -> Axes:
         couplings
         | force_units(system)[1]
         | action_coordinates(system, actions_of(system, case))
+        | part_axes(system)
+        | support_axes(system)
         | {
-            "node": np.array(system.nodes, dtype=object).astype(str),
-            "axis": ["x", "y", "z"][: system.dim],
-            "member": members,
             "drive": np.array(system.drives, dtype=object).astype(str),
             "end": ["A", "B"],
-            "support": np.array(system.supports, dtype=object).astype(str),
             "active": members[system.two_rods],
             "component": ["axial", "shear_2", "shear_3"][: system.dim],
             "moment": ["moment_3"] if system.dim == 2 else ["moment_2", "moment_3"],

@@ -13,6 +13,7 @@ from kinetruss.dynamics.instants import Instant, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, ends_of, measure_gradients
 from kinetruss.model import CoordinateDrive, Model, nearest
+from kinetruss.results.user_parts import held_forces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -370,10 +371,9 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
         for e, end in enumerate((system.p[i], system.q[i])):
             if end == n and i not in left_out:
                 forces.append((f"-F_{'AB'[e]}", f"{member}, end {'AB'[e]}", -here.data["joint_force"].values[i, e]))
-    for one in (name, *(tips or ())) if tips != [] else ():  # the ground holds a hub at its centre
-        if one in system.supports:
-            words = "support" if one == name else f"support {one}"
-            forces.append(("R", words, here.data["reaction"].sel(support=one).values))
+    held = dict(zip(*held_forces(here.data), strict=True))
+    on = (name, *(tips or ())) if tips != [] else ()  # the ground holds a hub at its centre
+    forces.extend(("R", "support" if one == name else f"support {one}", held[one]) for one in on if one in held)
     for drive, record in system.model.all_drives.items():
         if isinstance(record, CoordinateDrive) and record.node == name:
             push = np.zeros(system.dim)

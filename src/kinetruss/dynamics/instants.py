@@ -24,6 +24,7 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
 from kinetruss.model import Model
+from kinetruss.results.user_parts import held_forces
 from kinetruss.results.wide_tables import coordinate_axes
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ class Instant:
             values = self.data["bearing_couple"].values
             couple = np.pad(values, ((0, 0), (3 - values.shape[1], 0)))[None]
         support = np.zeros((1, *self.system.x0.shape))
-        for name, force in zip(self.system.supports, self.data["reaction"].values, strict=True):
+        for name, force in zip(*held_forces(self.data), strict=True):
             support[0, self.system.node_index(name), : self.system.dim] = force
         return CarriedBy(self.data["member_force"].values[None], support, couple)
 
@@ -343,8 +344,8 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     if not np.array_equal(times, motion.arrays["time"].values):
         raise InputError("Motion and forces have different instants. Select the same ones of both.")
     k = _nearest(times, time)
-    here = motion.data.isel(time=k)
-    still = bool(forces.data.attrs.get("at_rest", 0))
+    here = motion.whole.isel(time=k)
+    still = bool(forces.whole.attrs.get("at_rest", 0))
     x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
     v, a = (0 * v, 0 * a) if still else (v, a)
     case = forces.load_case if forces.load_case in model.load_cases else None
@@ -364,7 +365,7 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
         lump_gravity=loads.lump_gravity[:, : model.dim],
         axes=local_axes(system, x[None])[0, :, : model.dim, : model.dim],
         loads=loads,
-        data=forces.data.isel(time=k),
+        data=forces.whole.isel(time=k),
     )
 
 

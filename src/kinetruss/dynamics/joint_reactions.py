@@ -78,8 +78,8 @@ def joint_reaction(
     if point is not None and point not in model.whole.nodes:
         raise InputError(f"No node called {point!r}. {nearest(point, model.nodes)}")
     push = _pushes(model, found, body, names)
-    place = _spatial(found.motion.data["position"].sel(node=list(names)).values)
-    about = place.mean(axis=1) if point is None else _spatial(found.motion.data["position"].sel(node=[point]).values)[:, 0]
+    place = _spatial(found.motion.whole["position"].sel(node=list(names)).values)
+    about = place.mean(axis=1) if point is None else _spatial(found.motion.whole["position"].sel(node=[point]).values)[:, 0]
     force, moment = push.sum(axis=1), np.cross(place - about[:, None], push).sum(axis=1)
     if frame is not None:
         R = carried(model, found.motion, frame, None).R
@@ -89,9 +89,9 @@ def joint_reaction(
         "force": variable(("time", "axis"), force[:, : model.dim], "N", f"force on {body}"),
         "moment": variable(("time", "rotation"), moment[:, turns], "N m", f"moment on {body}"),
     }
-    coords = {"time": found.motion.data["time"], "axis": ["x", "y", "z"][: model.dim], "rotation": ["x", "y", "z"][turns]}
+    coords = {"time": found.motion.whole["time"], "axis": ["x", "y", "z"][: model.dim], "rotation": ["x", "y", "z"][turns]}
     if held_by := list(model.joints[at].couplings) if isinstance(at, str) and at in model.joints else []:
-        data["coupling_force"] = found.data["coupling_force"].sel(coupling=held_by).variable
+        data["coupling_force"] = found.whole["coupling_force"].sel(coupling=held_by).variable
         coords["coupling"] = held_by
     attrs = {"kind": "joint_reaction", "body": body, "nodes": list(names), "unique": 1, "message": ""}
     start = _spatial(found.motion.arrays["position"].values[:1])[0]
@@ -136,7 +136,7 @@ def _pushes(model: Model, forces: Forces, body: str, names: Sequence[str]) -> ND
     """F_s (time, nodes, 3), N, on the body at each node."""
     a = _spatial(_accelerations(forces))
     g = np.zeros(3)
-    g[: model.dim] = forces.data.attrs.get("gravity", model.gravity or np.zeros(model.dim))
+    g[: model.dim] = forces.whole.attrs.get("gravity", model.gravity or np.zeros(model.dim))
     place, row = {name: i for i, name in enumerate(names)}, {name: i for i, name in enumerate(model.whole.nodes)}
     out = np.zeros((len(a), len(names), 3))
     for s, j, m, skew in _shares(model, body):
@@ -169,7 +169,7 @@ def _with_actions(model: Model, forces: Forces) -> xr.DataArray:
 
     Couples of motors that turn a bar in the plane and of friction are left out: they are not loads on the bearing.
     """
-    joint_force = forces.data["joint_force"].copy()
+    joint_force = forces.whole["joint_force"].copy()
     for k, action in enumerate(actions_of(compile(model), forces.load_case).actions):
         if not action.counted and action.kind not in ("friction", "bearing"):
             joint_force[:, action.member] += forces.arrays["action_force"].values[:, k]
@@ -209,7 +209,7 @@ def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tupl
     x = _spatial(forces.motion.arrays["position"].values)
     for m, name in enumerate(system.measures):
         kind = "coupling" if name in system.model.couplings else model.force_elements.get(name, ("drive",))[0]
-        torque = forces.data[f"{kind}_force"].sel({kind: name}).values
+        torque = forces.whole[f"{kind}_force"].sel({kind: name}).values
         for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
             if (form := system.term_kind[t]) not in (FIXED_AXIS, AROUND):
                 continue

@@ -15,6 +15,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import ELASTIC, FREE, System
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.model import CoordinateDrive, Model
+from kinetruss.results.user_parts import held_forces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -329,11 +330,10 @@ def _law(made: _Builder, i: int, A: NDArray[np.int64], B: NDArray[np.int64], act
 def _grounds(made: _Builder, joints: tuple[str, ...]) -> None:
     """Unknown reactions, and forces of drives."""
     here, model = made.here, made.here.system.model
-    for node in here.system.supports:
+    for node, force in zip(*held_forces(here.data), strict=True):
         if node not in joints:
             axes = tuple(axis for axis in "xyz" if axis in model.fixed[node])
-            values = here.data["reaction"].sel(support=node, axis=list(axes)).values
-            made.add(f"{node} reaction", axes, values)
+            made.add(f"{node} reaction", axes, force[["xyz".index(axis) for axis in axes]])
     for drive, record in model.all_drives.items():
         if isinstance(record, CoordinateDrive):
             made.add(drive, ("push",), here.data["drive_force"].sel(drive=[drive]).values)

@@ -100,9 +100,9 @@ def state_at(model: Model, state: Any, load_case: str | None, tasks: Mapping[str
     if isinstance(state, Motion):
         x, v, given = _sample(system, state, time)
     elif isinstance(state, Result):
-        if state.data.attrs.get("kind") != "equilibrium":
+        if state.whole.attrs.get("kind") != "equilibrium":
             raise InputError(f"{type(state).__name__} is not a state. Give an Equilibrium, positions, or a Motion and a time.")
-        x, v = positions_of(system, state.data["position"].values), np.zeros_like(system.x0)
+        x, v = positions_of(system, state.whole["position"].values), np.zeros_like(system.x0)
         tasks, load_case, load_time = _as_found(system, state, load_case, tasks, time)
     else:
         x, v = _pair(system, state)
@@ -221,9 +221,9 @@ def _is_pair(state: Any) -> bool:
 def _sample(system: System, motion: Motion, time: float | None) -> tuple[NDArray[np.float64], ...]:
     """x, v, a (n, 3) of a motion at the sample nearest to a time."""
     check_motion(system, motion)
-    if time is None and motion.data.sizes["time"] != 1:
+    if time is None and motion.whole.sizes["time"] != 1:
         raise InputError("The motion has more than one sample. Give time=..., s.")
-    here = motion.data.isel(time=0) if time is None else motion.data.sel(time=time, method="nearest")
+    here = motion.whole.isel(time=0) if time is None else motion.whole.sel(time=time, method="nearest")
     units = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
     return tuple(vectors_of(system, here[name].values, name, unit) for name, unit in units.items())
 
@@ -232,10 +232,10 @@ def _as_found(
     system: System, found: Result, load_case: str | None, tasks: Mapping[str, Any] | None, time: float | None
 ) -> tuple[Mapping[str, Any], str | None, float]:
     """Tasks, load case and time of an equilibrium, unless they are given."""
-    attrs = found.data.attrs
+    attrs = found.whole.attrs
     own = {}
     for name in attrs.get("let_go", ()):
-        value = float(found.data["drive_force"].sel(drive=name))
+        value = float(found.whole["drive_force"].sel(drive=name))
         own[name] = GivenForce(torque=value) if turns(system.model.all_drives[name]) else GivenForce(value)
     if load_case is None and attrs.get("load_case") in system.model.load_cases:
         load_case = str(attrs["load_case"])

@@ -27,6 +27,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics.coordinates import Basis, dof_basis
 from kinetruss.model import Model, nearest
 from kinetruss.results import Column, Result, provenance, variable
+from kinetruss.results.user_parts import part_axes
 from kinetruss.results.wide_tables import force_units
 
 if TYPE_CHECKING:
@@ -285,9 +286,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
         "input_unit": ("input", [unit for _, unit in columns]),
         "output": [one.label for one in wanted],
         "output_unit": ("output", [one.unit for one in wanted]),
-        "node": list(system.nodes),
-        "axis": ["x", "y", "z"][: system.dim],
-        "member": list(system.members),
+        **part_axes(system),
         "drive": list(system.drives),
         **named,
     }

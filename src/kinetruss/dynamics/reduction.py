@@ -34,6 +34,7 @@ from kinetruss.mechanics.matrices import bar_laws, mass_matrix
 from kinetruss.mechanics.rows import Derivatives, row_derivatives
 from kinetruss.model import Model
 from kinetruss.results import variable
+from kinetruss.results.user_parts import part_axes, users
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -262,5 +263,5 @@ def reduced_equations(
         "node_acceleration": variable(nodal, shaped[1], "m/s^2", "node acceleration"),
     }
     own = ("dof", [dof.unit for dof in at.dofs])
-    coords = {"dof": names, "by": names, "dof_unit": own, "node": list(system.nodes), "axis": ["x", "y", "z"][: model.dim]}
-    return xr.Dataset(data, coords=coords, attrs={"kind": "reduced_equations"})
+    coords = {"dof": names, "by": names, "dof_unit": own, **part_axes(system)}
+    return users(xr.Dataset(data, coords=coords, attrs={"kind": "reduced_equations"}))

@@ -107,10 +107,10 @@ def _at(model: Model, run: Any, index: int | None) -> _Pose:
         x[:, : model.dim] = [node.at for node in nodes.values()]
         return _Pose(model=model, x=x, vectors={}, forces=None)
     motion = run.motion
-    x[:, : model.dim] = motion.position.isel(time=index).values
-    vectors = {name: getattr(motion, name).isel(time=index).values for name in ("velocity", "acceleration")}
+    x[:, : model.dim] = motion.whole["position"].isel(time=index).values
+    vectors = {name: motion.whole[name].isel(time=index).values for name in ("velocity", "acceleration")}
     case = next(iter(run.forces.values()), None)
-    forces = None if case is None else case.member_force.isel(time=index).values
+    forces = None if case is None else case.whole["member_force"].isel(time=index).values
     return _Pose(model=model, x=x, vectors=vectors, forces=forces)
 
 

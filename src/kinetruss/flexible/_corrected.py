@@ -235,7 +235,7 @@ def _record(system: System, forces: Forces, wanted: list[Coordinate], rows: NDAr
         "steps": variable(("time",), np.array([one.steps for one in found]), "", "Newton's steps"),
     }
     coords = {
-        name: forces.data.coords[name] for name in ("time", "pose", "node", "axis", "member") if name in forces.data.coords
+        name: forces.whole.coords[name] for name in ("time", "pose", "node", "axis", "member") if name in forces.whole.coords
     }
     own = {"drive": [system.drives[d] for d in system.row_drive[rows]], "coordinate": [one.name for one in wanted], **named}
     frame = xr.Dataset(data, coords=own, attrs={"kind": "corrected", "load_case": forces.load_case}).assign_coords(coords)

@@ -88,7 +88,7 @@ def active_damping(
     at = np.atleast_1d(array_of(gains, "gains", {}, {"gains": None}))
     if np.any(at < 0):
         raise InputError(f"A gain is {at.min():g}. Give 0 or more: a negative gain feeds energy into the structure.")
-    count = forces.data.sizes["time"] if isinstance(forces, Forces) else 1
+    count = forces.whole.sizes["time"] if isinstance(forces, Forces) else 1
     if not 0 <= sample < count:
         raise InputError(f"sample is {sample}, but the forces have samples 0 to {count - 1}.")
     system = compile(model)

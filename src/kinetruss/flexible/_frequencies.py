@@ -140,7 +140,7 @@ def _record(
         "mac": variable(per, mac, "", "correlation with the mode of the sample before"),
         "actuator_share": variable((*per, "drive"), share, "", "share of the strain energy in a driven member"),
     }
-    coords = {name: forces.data.coords[name] for name in ("time", "pose", "node", "axis") if name in forces.data.coords}
+    coords = {name: forces.whole.coords[name] for name in ("time", "pose", "node", "axis") if name in forces.whole.coords}
     own = {"mode": np.arange(1, modes + 1), "drive": [system.drives[d] for d in system.row_drive[driven]]}
     frame = xr.Dataset(data, coords=own, attrs={"kind": "frequencies", "load_case": forces.load_case}).assign_coords(coords)
     at = np.flatnonzero(mac.min(axis=1) < UNSURE)

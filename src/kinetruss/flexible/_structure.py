@@ -111,15 +111,15 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
     x, v, a = (flat_positions(system, forces.motion.arrays[name].values) for name in ("position", "velocity", "acceleration"))
     load = nodal_forces(system, forces, x)
     shape, free = (len(x), -1, 3), system.free
-    still = bool(forces.data.attrs.get("at_rest", 0))
+    still = bool(forces.whole.attrs.get("at_rest", 0))
     soft = softness.flexibility(system, system.x0)
     if not (np.any(soft) or np.any(system.spring > 0) or has_elements(system)):
         raise InputError("No member is elastic. Give sections and materials, a stiffness for members, or springs.")
     case = forces.load_case if forces.load_case in system.model.load_cases else None
     gravity = loads_of(system, forces).gravity
     times = forces.arrays["time"].values
-    if "load_time" in forces.data.attrs:
-        times = np.full(len(x), float(forces.data.attrs["load_time"]))
+    if "load_time" in forces.whole.attrs:
+        times = np.full(len(x), float(forces.whole.attrs["load_time"]))
     for i, (here, rate, second) in enumerate(zip(x.reshape(shape), v.reshape(shape), a.reshape(shape), strict=True)):
         balance = replace(balance_of(system, case, None, float(times[i])), gravity=gravity)
         stiff, push = _of_shapes(system, forces, i, here)

@@ -131,7 +131,7 @@ class Course:
 def _course(at: list[Instant], forces: Forces, rest: float, ratio: float) -> Course:
     from scipy.interpolate import CubicSpline
 
-    if forces.data.attrs.get("at_rest", 0):
+    if forces.whole.attrs.get("at_rest", 0):
         raise InputError("Poses at rest do not vibrate. Give the forces of a motion, by dynamics.inverse.")
     t = np.asarray(forces.arrays["time"].values, float)
     if len(t) < 4:
@@ -260,7 +260,7 @@ def _record(
         "member_force": variable(per, force, "N", "mean axial force, tension positive"),
         "difference": variable(per, force - still, "N", "force minus that of the rigid structure"),
     }
-    coords = {name: forces.data.coords[name] for name in ("node", "axis", "member")}
+    coords = {name: forces.whole.coords[name] for name in ("node", "axis", "member")}
     attrs = {
         "kind": "vibration",
         "load_case": forces.load_case,

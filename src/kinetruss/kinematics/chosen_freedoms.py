@@ -161,7 +161,7 @@ def _dataset(
         "switched": variable(("time",), switched, "", "a new set begins"),
     }
     attrs = {"kind": "freedoms", "sets": [", ".join(names[i]) for i in starts]}
-    return xr.Dataset(data, coords={"time": motion.data["time"]} | ({} if single else {"dof_unit": (per, units)}), attrs=attrs)
+    return xr.Dataset(data, coords={"time": motion.whole["time"]} | ({} if single else {"dof_unit": (per, units)}), attrs=attrs)
 
 
 # Conditioning along a motion: singular values of the whole Jacobian at every sample.

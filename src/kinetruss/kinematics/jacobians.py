@@ -31,6 +31,7 @@ from kinetruss.mechanics.coordinates import (
 from kinetruss.mechanics.transfer import contradicted, flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
+from kinetruss.results.user_parts import part_axes, users
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -105,7 +106,7 @@ def state_of(system: System, state: Motion | ArrayLike | None) -> tuple[NDArray[
     """Flat positions (times, 3 n) of a state, and the time axis of a motion."""
     if isinstance(state, Motion):
         check_motion(system, state)
-        return flat_positions(system, state.data["position"].values), state.data["time"]
+        return flat_positions(system, state.whole["position"].values), state.whole["time"]
     return positions_of(system, state).reshape(1, -1).copy(), None
 
 
@@ -222,14 +223,12 @@ def _dataset(at: Basis, x: NDArray[np.float64], F: NDArray[np.float64], S: NDArr
         "length_second": variable(("member", "dof", "by"), length_second, "m per dof_unit^2", "second derivatives of lengths"),
     }
     coords = {
-        "node": list(system.nodes),
-        "axis": ["x", "y", "z"][: system.dim],
-        "member": list(system.members),
+        **part_axes(system),
         "dof": names,
         "by": names,
         "dof_unit": ("dof", [dof.unit for dof in at.dofs]),
     }
-    return xr.Dataset(data, coords=coords, attrs={"kind": "transfer_functions"})
+    return users(xr.Dataset(data, coords=coords, attrs={"kind": "transfer_functions"}))
 
 
 # The singularity measure at given positions: how far a structure is from a position in which its drives do not hold it.

@@ -65,7 +65,7 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
     axis = np.zeros((len(one.w), 3))
     axis[:, 2] = 1.0
     if model.dim == 3:
-        d = np.diff(motion.data["position"].sel(node=list(common)).values, axis=1)[:, 0]
+        d = np.diff(motion.whole["position"].sel(node=list(common)).values, axis=1)[:, 0]
         axis = d / np.linalg.norm(d, axis=1)[:, None]
     turning = two.w - one.w
     rate = _along(turning, axis)
@@ -77,7 +77,7 @@ def joint(model: Model, motion: Motion, first: Body, second: Body | None = None)
         "play": variable(("time",), np.linalg.norm(turning - rate[:, None] * axis, axis=1), "rad/s", "turning off the axis"),
     }
     refuse_uncounted(motion.arrays["time"].values, rate, f"joint of {' and '.join(map(_called, (first, second)))}")
-    coords = {"time": motion.data["time"], "direction": ["x", "y", "z"]}
+    coords = {"time": motion.whole["time"], "direction": ["x", "y", "z"]}
     return xr.Dataset(data, coords=coords, attrs={"kind": "joint", "nodes": list(common)}).isel(time=samples)
 
 
@@ -92,7 +92,7 @@ def _named(model: Model, motion: Motion, name: Body) -> xr.Dataset:
     system = compile(model)
     motion, samples = with_passed(system, motion)
     x, time = state_of(system, motion)
-    v, a = (flat_positions(system, motion.data[one].values) for one in ("velocity", "acceleration"))
+    v, a = (flat_positions(system, motion.whole[one].values) for one in ("velocity", "acceleration"))
     states = [y.reshape(len(x), -1, 3) for y in (x, v, a)]
     data = {}
     orders = (("", ""), ("_rate", "/s"), ("_acceleration", "/s^2"))

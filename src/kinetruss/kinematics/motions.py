@@ -29,6 +29,7 @@ from kinetruss.model import Model, turned_far
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.model.beam_frames import line_advice
 from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
+from kinetruss.results.user_parts import part_axes
 from kinetruss.results.wide_tables import drive_unit
 
 if TYPE_CHECKING:
@@ -43,9 +44,7 @@ def _axes(system: System) -> Axes:
     """Names of nodes, axes, members and drives."""
     return Axes(
         {
-            "node": np.array(system.nodes, dtype=object).astype(str),
-            "axis": list(AXES[: system.dim]),
-            "member": np.array(system.members, dtype=object).astype(str),
+            **part_axes(system),
             "drive": np.array(system.drives, dtype=object).astype(str),
             **drive_unit(system)[1],
         }
@@ -244,7 +243,7 @@ def _followed(
     course, found, sampled, beyond = course_along(model, system, trajectory, t, start, least)
     motion = motion_of(system, course, sampled.space, found.status, found.message)
     if off := off_pose(system, course.t, course.x, sampled):
-        data = motion.data.isel(time=slice(0, off[0]))
+        data = motion.whole.isel(time=slice(0, off[0]))
         motion = motion.with_(data=data, status=Status.NOT_CONVERGED, message=off[1])
     return motion, beyond
 

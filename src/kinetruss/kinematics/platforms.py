@@ -71,7 +71,7 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
     system = compile(model)
     motion, samples = with_passed(system, motion)
     x, time = state_of(system, motion)
-    histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
+    histories = [x] + [flat_positions(system, motion.whole[name].values) for name in ("velocity", "acceleration")]
     centre, arms = centred(system, histories, nodes)
     spin = spin_of(arms, nodes, system.dim)
     refuse_uncounted(time.values, spin[0], f"platform of {', '.join(nodes)}")
@@ -92,7 +92,7 @@ def platform(model: Model, motion: Motion, nodes: Sequence[str], *, base: Sequen
         data["normal"] = variable(("time", "axis"), normal[0], "", "normal of the plane")
         for name, rates in gimbal_angles(normal, below[1] if below else None, base).items():
             data |= _scalars(name, rates, "rad", f"gimbal angle {name}")
-    coords = {"time": time, "axis": motion.data["axis"], "rotation": ["x", "y", "z"][turns]}
+    coords = {"time": time, "axis": motion.whole["axis"], "rotation": ["x", "y", "z"][turns]}
     attrs = {"kind": "platform", "nodes": list(nodes), "base": list(base or ())}
     return xr.Dataset(data, coords=coords, attrs=attrs).isel(time=samples)
 

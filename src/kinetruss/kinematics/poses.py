@@ -158,7 +158,7 @@ def pose(
     for name, unit, value in (("angular_velocity", "rad/s", found.w), ("angular_acceleration", "rad/s^2", found.alpha)):
         data[name] = variable(("time", "rotation"), value[:, turns], unit, name.replace("_", " "))
     data["stretch"] = variable(("time",), found.stretch, "m/s", "largest departure from a rigid motion")
-    coords = {"time": motion.data["time"], "axis": motion.data["axis"], "rotation": ["x", "y", "z"][turns]}
+    coords = {"time": motion.whole["time"], "axis": motion.whole["axis"], "rotation": ["x", "y", "z"][turns]}
     if dim == 3:
         coords |= {"column": ["x", "y", "z"], "component": ["w", "x", "y", "z"], "turn": list(euler)}
     named = {"body": _called(body), "seen_from": "" if seen_from is None else _called(seen_from)}
@@ -169,7 +169,7 @@ def carried(model: Model, motion: Motion, body: str | Sequence[str], frame: Fram
     """The motion of a frame fixed in a body."""
     system = compile(model)
     x, _ = state_of(system, motion)
-    histories = [x] + [flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration")]
+    histories = [x] + [flat_positions(system, motion.whole[name].values) for name in ("velocity", "acceleration")]
     names = nodes_of(model, body)
     _, arms = centred(system, histories, names)
     R = _rotations(system, names, arms[0])

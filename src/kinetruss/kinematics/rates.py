@@ -15,6 +15,7 @@ from kinetruss.mechanics.coordinates import coordinate_values, coordinates
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
+from kinetruss.results.user_parts import users
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -61,7 +62,7 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     """
     system = compile(model)
     x, time = state_of(system, motion)
-    v, a = (flat_positions(system, motion.data[name].values) for name in ("velocity", "acceleration"))
+    v, a = (flat_positions(system, motion.whole[name].values) for name in ("velocity", "acceleration"))
     ends = [(y.reshape(len(x), -1, 3)[:, system.p], y.reshape(len(x), -1, 3)[:, system.q]) for y in (x, v, a)]
     (L, Ld, _), u = direction_rates(*(B - A for A, B in ends))
     turn = 1.0 / L
@@ -74,7 +75,7 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
     data = {
         "member_axes": variable(
             ("time", "member", "local", "axis"),
-            local_axes(system, motion.data["position"].values)[:, :, :dim, :dim],
+            local_axes(system, motion.whole["position"].values)[:, :, :dim, :dim],
             "",
             "axes",
         ),
@@ -91,13 +92,13 @@ def member_rates(model: Model, motion: Motion) -> xr.Dataset:
         )
     coords = {
         "time": time,
-        "member": motion.data["member"],
-        "axis": motion.data["axis"],
+        "member": motion.whole["member"],
+        "axis": motion.whole["axis"],
         "local": ["1", "2", "3"][:dim],
         "rotation": ["x", "y", "z"][turns],
         "part": [name for name, _, _ in names],
     }
-    return xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"})
+    return users(xr.Dataset(data, coords=coords, attrs={"kind": "member_rates"}))
 
 
 def _inertia(system: System, L: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -205,8 +206,8 @@ def first_order(model: Model, motion: Motion, wrt: str | Iterable[str] | None = 
         "error_size": variable(("time", "node"), size, "m", "distance of predicted and exact position"),
         "largest_error": variable(("time",), size.max(axis=1), "m", "largest distance of any node"),
     }
-    coords = {"time": time, "node": motion.data["node"], "axis": motion.data["axis"]}
-    return xr.Dataset(data, coords=coords, attrs={"kind": "first_order", "wrt": [one.name for one in moved]})
+    coords = {"time": time, "node": motion.whole["node"], "axis": motion.whole["axis"]}
+    return users(xr.Dataset(data, coords=coords, attrs={"kind": "first_order", "wrt": [one.name for one in moved]}))
 
 
 def _supports(system: System, names: list[str]) -> list[str]:

@@ -223,8 +223,8 @@ def with_passed(system: System, motion: Motion) -> tuple[Motion, NDArray[np.int6
         for name, unit, y in zip(KEPT, ("m", "m/s", "m/s^2"), (whole.x, whole.v, whole.a), strict=True)
     }
     # the motion was checked against the model above; states from a step's polynomial satisfy it up to the polynomial's error
-    names = {name: motion.data[name] for name in ("node", "axis", "member")}
-    attrs = {**motion.data.attrs, "trajectory_space": "given", "misfit": np.inf}
+    names = {name: motion.whole[name] for name in ("node", "axis", "member")}
+    attrs = {**motion.whole.attrs, "trajectory_space": "given", "misfit": np.inf}
     time, drives = variable(("time",), whole.t, "s", "time"), ("drive", np.array([" "]))
     return motion.with_(data=xr.Dataset(data, coords={**names, "time": time, "drive": drives}, attrs=attrs)), whole.samples
 

@@ -114,7 +114,7 @@ def _reached(cut: Slice, way: NDArray[np.float64], state: NDArray[np.float64]) -
     x, v, a = (np.ascontiguousarray(np.hstack([one, y])) for one, y in zip((way, still, still), supports, strict=True))
     path = Path(t=t, drive=(way, still, still), moving=(x, v, a))
     found = follow_path(cut.released, path, "workspace", start=state.reshape(-1, 3)[:, : cut.system.dim], least=cut.least)
-    position = found.data["position"].values
+    position = found.whole["position"].values
     full = np.zeros((len(position), len(cut.system.nodes), 3))
     full[:, :, : cut.system.dim] = position
     return full.reshape(len(position), -1)

@@ -57,12 +57,18 @@ def number_of(value: Any, name: str, unit: str, *, infinite: bool = False) -> fl
 
 
 def vectors_of(system: System, given: ArrayLike, name: str, unit: str) -> NDArray[np.float64]:
-    """Vectors (n, 3) of all nodes from given ones (n_nodes, dim).
+    """Vectors (n, 3) of all nodes from given ones (n_nodes, dim), or of the result that has them by this name.
 
     Raises
     ------
-    InputError : see `kinetruss.arrays.array_of`.
+    InputError : they are only those of the user's nodes, of a model with inner ones. See also `kinetruss.arrays.array_of`.
     """
+    given = given.whole[name] if hasattr(given, "whole") else given
     full = np.zeros_like(system.x0)
+    if (inner := len(system.nodes) - len(system.given.nodes)) and np.shape(given)[:1] == (len(system.given.nodes),):
+        raise InputError(
+            f"{name} has the {len(system.given.nodes)} nodes of the model, but not the {inner} inner ones that represent its "
+            f"beams, bodies and hubs, whose rotations do not follow from these. Give the result itself, or its whole[{name!r}]."
+        )
     full[:, : system.dim] = array_of(given, name, {"n_nodes": system.nodes, "dim": system.dim}, unit=unit)
     return full

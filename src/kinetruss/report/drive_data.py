@@ -25,11 +25,11 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
     """
     found, elsewhere = [], {(row["active"], row["load_case"]) for row in shown}
     for case, forces in run.forces.items():
-        if not forces.data.sizes["time"]:
+        if not forces.whole.sizes["time"]:
             continue
-        time, rates = forces.data["time"].values, run.motion.data["drive_velocity"].values
-        for k, name in enumerate(map(str, forces.data["drive"].values)):
-            drive, push, rate = run.model.all_drives[name], forces.data["drive_force"].values[:, k], rates[:, k]
+        time, rates = forces.whole["time"].values, run.motion.whole["drive_velocity"].values
+        for k, name in enumerate(map(str, forces.whole["drive"].values)):
+            drive, push, rate = run.model.all_drives[name], forces.whole["drive_force"].values[:, k], rates[:, k]
             if (getattr(drive, "bar", name) if drive.kind == "length" else name, case) in elsewhere or np.isnan(push).all():
                 continue
             at = int(np.nanargmax(np.abs(push)))
@@ -57,10 +57,10 @@ def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
         return _largest_results(run, kind)
     found = []
     for case, forces in run.forces.items():
-        if f"{kind}_force" not in forces.data or not forces.data.sizes["time"]:
+        if f"{kind}_force" not in forces.whole or not forces.whole.sizes["time"]:
             continue
-        time, push, value = (forces.data[name].values for name in ("time", f"{kind}_force", f"{kind}_value"))
-        for k, name in enumerate(map(str, forces.data[kind].values)):
+        time, push, value = (forces.whole[name].values for name in ("time", f"{kind}_force", f"{kind}_value"))
+        for k, name in enumerate(map(str, forces.whole[kind].values)):
             at = int(np.argmax(np.abs(push[:, k])))
             found.append(
                 {
@@ -78,22 +78,22 @@ def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
 def _largest_results(run: RunResult, kind: str) -> list[dict[str, Any]]:
     found = []
     for case, forces in run.forces.items():
-        for values in forces.data.data_vars.values():
-            if kind not in values.dims or not forces.data.sizes["time"]:
+        for values in forces.whole.data_vars.values():
+            if kind not in values.dims or not forces.whole.sizes["time"]:
                 continue
             along = values.transpose("time", kind, ...).values
             size = np.linalg.norm(along, axis=2) if along.ndim == 3 else np.abs(along)
-            for k, name in enumerate(map(str, forces.data[kind].values)):
+            for k, name in enumerate(map(str, forces.whole[kind].values)):
                 at = int(np.argmax(size[:, k]))
                 load = size[at, k] if along.ndim == 3 else along[at, k]
                 words = {"what": values.attrs["long_name"], "unit": values.attrs["units"], "load_case": case}
-                found.append({kind: name, **words, "load": float(load), "time": float(forces.data["time"].values[at])})
+                found.append({kind: name, **words, "load": float(load), "time": float(forces.whole["time"].values[at])})
     return found
 
 
 def drive_spans(run: RunResult) -> list[dict[str, Any]]:
     """Smallest and largest position, largest rate and acceleration of every drive; m or rad, s; limits of travel."""
-    data = run.motion.data
+    data = run.motion.whole
     if not data.sizes["time"] or "drive" not in data.sizes:
         return []
     found = []

@@ -69,8 +69,8 @@ class Along:
 def only(forces: Forces, sample: int) -> Forces:
     """Forces of one sample, with their motion."""
     here = {"time": [sample]}
-    motion = forces.motion.with_(data=forces.motion.data.isel(here))
-    return forces.with_(data=forces.data.isel(here), motion=motion, static=None)
+    motion = forces.motion.with_(data=forces.motion.whole.isel(here))
+    return forces.with_(data=forces.whole.isel(here), motion=motion, static=None)
 
 
 def section_lines(model: Model, forces: Forces, parts: Sequence[str]) -> list[Along]:
@@ -136,7 +136,7 @@ def _sampled_beams(model: Model, forces: Forces, parts: list[str], xi: Array) ->
         data = strength.beams(model, forces, stations=xi).isel(time=0)
     except InputError:  # positions out of balance: nothing is known of beams
         return []
-    lengths = dict(zip(forces.motion.data["member"].values, forces.motion.data["length"].values[0], strict=True))
+    lengths = dict(zip(forces.motion.whole["member"].values, forces.motion.whole["length"].values[0], strict=True))
     return [(name, _lines(data.sel(beam=name)), 0.0, float(lengths[f"{name}.chord"])) for name in parts]
 
 
@@ -326,7 +326,7 @@ def _subjects(
 
 
 def _when(run: RunResult, sample: int) -> str:
-    data = run.motion.data
+    data = run.motion.whole
     if "pose" in data.coords:
         return f"pose {data['pose'].values[sample]}"
     return f"t = {instant(float(data['time'].values[sample]))}" if run.good > 1 else ""
@@ -334,7 +334,7 @@ def _when(run: RunResult, sample: int) -> str:
 
 def _sample_of(run: RunResult, row: Mapping[str, Any]) -> int | None:
     """Index of the sample of an entry, by its pose or time; None of one that belongs to the whole run."""
-    data = run.motion.data
+    data = run.motion.whole
     if row.get("pose") and "pose" in data.coords:
         found = np.flatnonzero(data["pose"].values == row["pose"])
         return int(found[0]) if len(found) else None
@@ -346,7 +346,7 @@ def _sample_of(run: RunResult, row: Mapping[str, Any]) -> int | None:
 def _sample_at(run: RunResult, at: float | str | None) -> int:
     from kinetruss.units import parse
 
-    data = run.motion.data
+    data = run.motion.whole
     if at is None:
         return 0
     if "pose" in data.coords:

@@ -170,7 +170,7 @@ def _panel_of_result(result: Result, name: str) -> Panel | None:
         return None
     from kinetruss.results.wide_tables import flat, labels, units_of
 
-    array: Any = result.data[name]
+    array: Any = result.whole[name]
     values = np.asarray(flat(array), float)
     size = np.nan_to_num(np.abs(values)).max(axis=0)
     moving = np.ptp(np.nan_to_num(values), axis=0) > 0 if name == "position" else size > 0

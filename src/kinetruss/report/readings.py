@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from kinetruss.model import Owner
     from kinetruss.report.entries import Entry
     from kinetruss.runs import RunResult
 
@@ -251,20 +250,21 @@ def joints(
     ):
         if name is not None and name not in known:
             raise InputError(f"No {what} called {name!r}. There are: {', '.join(known)}.")
-    data = run.forces[case].data
+    data = run.forces[case].whole
     at = _instant(data, time)
     axes = [str(a) for a in data["axis"].values]
     shown = [axes.index(axis)] if axis else list(range(len(axes)))
     force = data["joint_force"].isel(time=at).values
     dim = run.model.dim
-    frames = local_axes(compile(run.model), run.motion.data["position"].values[at : at + 1])[0, :, :dim, :dim]
+    frames = local_axes(compile(run.model), run.motion.whole["position"].values[at : at + 1])[0, :, :dim, :dim]
     rows = [
         (name, end, bar.ends[e], force[i, e, shown], frames[i] @ force[i, e])
         for i, (name, bar) in enumerate({**whole.members, **run.model.members}.items())
         for e, end in enumerate("AB")
         if node in (None, bar.ends[e]) and (name == member or (member is None and name in run.model.members))
     ]
-    supports = [] if member is not None else _supports(data, at, whole.inner.nodes, node, shown)
+    reaction = zip(map(str, data["support"].values), data["reaction"].values[at], strict=True)
+    supports = [(name, force[shown]) for name, force in reaction if member is None and node in (None, name)]
     found = JointForces(
         time=float(data["time"].values[at]),
         pose=pose_at(run.forces[case], at),
@@ -283,18 +283,6 @@ def _instant(data: Any, time: float | None) -> int:
     if not math.isfinite(time):
         raise InputError(f"time is {time}. Give a finite number of seconds.")
     return int(np.argmin(np.abs(data["time"].values - time)))
-
-
-def _supports(
-    data: Any, at: int, inner: dict[str, Owner], node: str | None, shown: list[int]
-) -> Iterator[tuple[str, NDArray[np.float64]]]:
-    """The force of each support; that of a clamp is the sum over the node and its frame."""
-    reaction = data["reaction"].isel(time=at).values
-    names = list(map(str, data["support"].values))
-    of = [inner[name].at if name in inner else name for name in names]
-    for name in dict.fromkeys(of):
-        if node in (None, name):
-            yield name, reaction[[one == name for one in of]].sum(axis=0)[shown]
 
 
 def _joint_entries(found: JointForces) -> Iterator[Entry]:

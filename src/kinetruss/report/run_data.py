@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.mechanics import compile
 from kinetruss.model import LengthDrive
 from kinetruss.model.bracing import CHORD
 from kinetruss.model.members import Brace
 from kinetruss.results.records import MOTORS_UNCHECKED
+from kinetruss.results.user_parts import clamps
 from kinetruss.runs.doubts import energy_balance, not_unique, singularity
 from kinetruss.strength import elements
 from kinetruss.strength.beam_verdict import middle_forces
@@ -19,7 +21,6 @@ from kinetruss.strength.beam_verdict import middle_forces
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.model import Model
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
@@ -31,7 +32,7 @@ WORST = 8
 
 def pose_at(forces: Forces, at: int) -> str:
     """Name of the pose of a sample; empty for instants of a motion."""
-    return str(forces.data["pose"].values[at]) if "pose" in forces.data.coords else ""
+    return str(forces.whole["pose"].values[at]) if "pose" in forces.whole.coords else ""
 
 
 def peak(values: Any) -> float:
@@ -68,17 +69,17 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
     found: list[dict[str, Any]] = []
     members = run.model.whole.members
     for case, forces in run.forces.items():
-        values = forces.data["member_force"].values
+        values = forces.whole["member_force"].values
         if not len(values):
             continue
-        static = None if forces.static is None else forces.static.data["member_force"].values
-        unsure = set(forces.data.attrs.get("not_unique", []))
-        for i, member in enumerate(map(str, forces.data["member"].values)):
+        static = None if forces.static is None else forces.static.whole["member_force"].values
+        unsure = set(forces.whole.attrs.get("not_unique", []))
+        for i, member in enumerate(map(str, forces.whole["member"].values)):
             if isinstance(members[member], Brace):
                 continue
             at = int(np.argmax(np.abs(values[:, i])))
             share = math.nan if static is None else float(values[at, i] - static[at, i])
-            when = float(forces.data["time"].values[at])
+            when = float(forces.whole["time"].values[at])
             found.append(
                 {
                     "member": member,
@@ -102,7 +103,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
     found: dict[str, list[dict[str, Any]]] = {}
     members, beams = run.model.whole.members, {f"{name}{CHORD}": name for name in run.model.beams}
     for case, forces in run.forces.items():
-        data = forces.data
+        data = forces.whole
         if not data.sizes["time"]:
             continue
         time, values = data["time"].values, middle_forces(run.model, forces)
@@ -133,15 +134,17 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
 def reactions(run: RunResult) -> list[dict[str, Any]]:
     """Force of largest magnitude on the structure (N), its time (s) and its components, by support and load case.
 
-    A clamp has the forces of all nodes that beams add to its node, and ``moment`` (N m) about it at that time, by axis.
+    A clamp has also ``moment`` (N m) about its node at that time, by axis.
     """
     found = []
     for case, forces in run.forces.items():
-        data = forces.data
+        data = forces.whole
         if not data.sizes["time"] or not data.sizes["support"]:
             continue
         time, axes = data["time"].values, [str(axis) for axis in data["axis"].values]
-        for name, (values, moments) in _support_forces(run.model, forces).items():
+        several = clamps(compile(run.model))
+        for k, name in enumerate(map(str, data["support"].values)):
+            values = data["reaction"].values[:, k]
             size = np.linalg.norm(np.nan_to_num(values), axis=1)
             at = int(size.argmax())
             entry = {
@@ -151,28 +154,11 @@ def reactions(run: RunResult) -> list[dict[str, Any]]:
                 "time": float(time[at]),
                 "force": dict(zip(axes, values[at].tolist(), strict=True)),
             }
-            if moments is not None:
-                entry["moment"] = dict(zip(axes if len(axes) == 3 else ["z"], moments[at].tolist(), strict=True))
+            if name in several:
+                moment = data["reaction_moment"][at, k]
+                entry["moment"] = dict(zip(moment["rotation"].values.tolist(), moment.values.tolist(), strict=True))
             found.append(entry)
     return found
-
-
-def _support_forces(model: Model, forces: Forces) -> dict[str, tuple[Array, Array | None]]:
-    """Forces (times, axes), N, of supports, and moments (times, 3) or (times, 1), N m, of clamps about their nodes."""
-    reaction, place = forces.data["reaction"].values, forces.motion.data["position"].values
-    index = {str(name): k for k, name in enumerate(forces.motion.data["node"].values)}
-    inner = model.whole.inner.nodes
-    sums: dict[str, Array] = {}
-    moments: dict[str, Array] = {}
-    for k, name in enumerate(map(str, forces.data["support"].values)):
-        at = inner[name].at if name in inner and inner[name].table != "hubs" else name
-        sums[at] = sums.get(at, 0.0) + reaction[:, k]
-        if at != name:
-            arm = np.zeros((2, len(reaction), 3))
-            arm[0, :, : model.dim], arm[1, :, : model.dim] = place[:, index[name]] - place[:, index[at]], reaction[:, k]
-            turned = np.cross(arm[0], arm[1])
-            moments[at] = moments.get(at, 0.0) + (turned if model.dim == 3 else turned[:, 2:])
-    return {name: (values, moments.get(name)) for name, values in sums.items()}
 
 
 # Strength.
@@ -214,7 +200,7 @@ def skins(run: RunResult) -> list[dict[str, Any]]:
                 "von_mises": float(stress.values[at]),
                 "element": int(at[0]),
                 "nodes": [str(record.nodes[k]) for k in np.asarray(record.elements)[at[0]]],
-                "time": float(run.motion.data["time"].values[at[1]]) if stress.ndim > 1 else 0.0,
+                "time": float(run.motion.whole["time"].values[at[1]]) if stress.ndim > 1 else 0.0,
                 "yield_strength": None if material is None else getattr(material, "yield_strength", None),
             }
             found.append(entry)
@@ -249,7 +235,7 @@ def closure(run: RunResult) -> dict[str, Any] | None:
 
     Rigid bars are compared with their given or first length, driven ones with the drive. None without such bars or samples.
     """
-    data = run.motion.data
+    data = run.motion.whole
     if not data.sizes["time"]:
         return None
     time, position = data["time"].values, data["position"].values
@@ -270,7 +256,7 @@ def closure(run: RunResult) -> dict[str, Any] | None:
 
 def _wanted(run: RunResult) -> list[tuple[str, NDArray[np.float64] | float | None]]:
     """Members with a required length: over time, or one for all times (None: that of the start)."""
-    data = run.motion.data
+    data = run.motion.whole
     driven = {drive.bar: name for name, drive in run.model.all_drives.items() if isinstance(drive, LengthDrive)}
     columns = {str(name): k for k, name in enumerate(data["drive"].values)} if "drive" in data.coords else {}
     found: list[tuple[str, NDArray[np.float64] | float | None]] = []

@@ -98,7 +98,7 @@ SHAPE, LEAST_SHAPE = 210.0, 90.0
 
 
 def _shape(run: RunResult) -> Drawing:
-    position = run.motion.data["position"].values
+    position = run.motion.whole["position"].values
     poses = poses_of(run)
     shown = list(range(len(run.model.nodes)))
     chosen = _apart(position[:, shown])
@@ -134,7 +134,7 @@ def _apart(position: NDArray[np.float64]) -> list[int]:
 
 
 def _lengths(run: RunResult) -> Iterator[Histories]:
-    data = run.motion.data
+    data = run.motion.whole
     kinds = drive_kinds(run.model)
     panels = []
     for kind, unit in (("length", "m"), ("angle", "rad"), ("coordinate", "m")):
@@ -173,7 +173,7 @@ def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
 
 def _forces(forces: Forces) -> Histories | None:
     """The members with the largest forces, and the band of all; dotted: the same poses at rest. None without members."""
-    data = forces.data
+    data = forces.whole
     values = data["member_force"].values
     if not values.shape[1]:
         return None
@@ -182,7 +182,7 @@ def _forces(forces: Forces) -> Histories | None:
     lines = {name: values[:, k] for name, k in zip(names, order, strict=True)}
     still: dict[str, NDArray[np.float64]] = {}
     if forces.static is not None:
-        rest = forces.static.data["member_force"].values
+        rest = forces.static.whole["member_force"].values
         still = {name: rest[:, k] for name, k in zip(names, order, strict=True)}
     panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=(values.min(axis=1), values.max(axis=1)))
     title = "Largest member forces (mean axial force, tension positive)"
@@ -191,12 +191,12 @@ def _forces(forces: Forces) -> Histories | None:
 
 def _drives(run: RunResult, case: str, forces: Forces) -> Histories | None:
     """Force or torque, and power, of the drives that have no motor; dashed: at rest. None without any, or without motion."""
-    if run.good < 2 or "pose" in run.motion.data.coords:
+    if run.good < 2 or "pose" in run.motion.whole.coords:
         return None
-    data, kinds = forces.data, drive_kinds(run.model)
+    data, kinds = forces.whole, drive_kinds(run.model)
     with_motor = set(run.demand[case].data["active"].values) if case in run.demand else set()
     names = [str(name) for name in data["drive"].values] if "drive_force" in data else []
-    still = forces.static.data["drive_force"].values if forces.static is not None else None
+    still = forces.static.whole["drive_force"].values if forces.static is not None else None
     panels, chosen = [], []
     for what, unit, turning in (("drive force", "N", False), ("torque", "N m", True)):
         own = [k for k, name in enumerate(names) if name not in with_motor and (kinds[name] == "angle") == turning]

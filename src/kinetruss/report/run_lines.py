@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 def simulation_record(run: RunResult) -> dict[str, Any] | None:
     """The simulation of a run as plain data, or None."""
     found = run.simulation
-    if found is None or not found.data.sizes["time"]:
+    if found is None or not found.whole.sizes["time"]:
         return None
-    data = found.data
+    data = found.whole
     return {
         "method": str(data.attrs.get("method", "")),
         "solver": str(data.attrs.get("solver", "")),
@@ -38,10 +38,10 @@ def _energy(found: Simulation) -> dict[str, float]:
     """Energy at start and end, its largest change, and the largest kinetic energy, J; the largest powers that drives and loads
     feed, and that dampers and friction take, W.
     """
-    energy, kinetic = found.data["energy"].values, found.data["kinetic_energy"].values
+    energy, kinetic = found.whole["energy"].values, found.whole["kinetic_energy"].values
     most = float(kinetic.max())
     change = float(np.abs(energy - energy[0]).max())
-    powers = found.forces.data
+    powers = found.forces.whole
     known = (powers[name].values if name in powers else np.zeros(1) for name in ("power", "dissipation"))
     fed, taken = (float(np.nanmax(np.abs(one), initial=0.0)) for one in known)
     return {
@@ -56,7 +56,7 @@ def _energy(found: Simulation) -> dict[str, float]:
 
 def _motors(found: Simulation) -> list[dict[str, Any]]:
     """Inputs and outputs of each motor: values of largest magnitude (A, V, N m, rad/s), rad, J."""
-    data = found.data
+    data = found.whole
     if "motor" not in data.sizes:
         return []
     rows = []
@@ -104,7 +104,7 @@ def statics_record(run: RunResult) -> dict[str, Any] | None:
 
 
 def _case(run: RunResult, found: Result) -> dict[str, Any]:
-    data = found.data
+    data = found.whole
     fields: dict[str, Any] = {}
     shift = shift_of(run, found)
     if shift is not None and shift.size:
@@ -127,7 +127,7 @@ def _case(run: RunResult, found: Result) -> dict[str, Any]:
 
 def _elastic(found: Result) -> dict[str, Any]:
     """Lowest and highest frequency of each mode; the largest change of a length; overshoot, residual and largest difference."""
-    data = found.data
+    data = found.whole
     fields: dict[str, Any] = {}
     if "frequency" in data:
         values = data["frequency"].values
@@ -153,11 +153,11 @@ def _largest(values: Any) -> dict[str, Any]:
 
 def shift_of(run: RunResult, found: Result) -> Any:
     """Displacements (samples, nodes, axes), m, from the model's own place."""
-    if "displacement" in found.data:
-        return found.data["displacement"].values
-    if "position" not in found.data:
+    if "displacement" in found.whole:
+        return found.whole["displacement"].values
+    if "position" not in found.whole:
         return None
-    return found.data["position"].values - np.array([node.at for node in run.origin.whole.nodes.values()])
+    return found.whole["position"].values - np.array([node.at for node in run.origin.whole.nodes.values()])
 
 
 def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:
@@ -170,7 +170,7 @@ def statics_lines(run: RunResult) -> Iterator[tuple[str, str]]:
         if "displacement" in one:
             far = one["displacement"]
             vector = ", ".join(quantity(value, "m") for value in far["vector"])
-            when = f" at {moment(far['time'], poses_of(run))}" if len(run.motion.data["time"]) > 1 else ""
+            when = f" at {moment(far['time'], poses_of(run))}" if len(run.motion.whole["time"]) > 1 else ""
             yield f"displacement, {case}", f"largest {quantity(far['size'], 'm')} at {far['node']}: ({vector}){when}"
         yield from _elastic_lines(case, one, poses_of(run))
         if "strain_energy" in one:

@@ -46,7 +46,7 @@ def summary_record(run: RunResult) -> dict[str, Any]:
 
 def known(run: RunResult) -> dict[str, Any]:
     """What the page tells, with all numbers as they are."""
-    time, engines = run.motion.data["time"].values, motors(run)
+    time, engines = run.motion.whole["time"].values, motors(run)
     return {
         "run": run.name,
         "out": None if run.path is None else str(run.path),
@@ -98,7 +98,7 @@ def entries(run: RunResult) -> Iterator[Entry]:
 
 
 def _head(run: RunResult) -> str:
-    time = run.motion.data["time"].values
+    time = run.motion.whole["time"].values
     poses = poses_of(run)
     span = f", t = {number(time[0])} to {instant(time[-1])}" if len(time) > 1 else ""
     span = f", poses {', '.join(poses)}" if poses else span

@@ -14,6 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import ByIdentity
 from kinetruss.model import Model
 from kinetruss.results.arrays import HELD, Arrays, Columns, columns_of
+from kinetruss.results.user_parts import completed
 from kinetruss.results.wide_tables import NOT_CHECKED, Row, rows_of, wide
 
 if TYPE_CHECKING:
@@ -106,7 +107,9 @@ class Status(Enum):
 class Result:
     """Named arrays. ``result.position`` is ``result.data["position"]``.
 
-    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``. It is made when it is first read.
+    data : xarray.Dataset; every variable has attrs ``units`` and ``long_name``. It is made when it is first read. Its nodes,
+    members and supports are those of the user, and the arms of hubs. whole : the same with the inner parts that represent
+    beams, bodies and hubs (``model.whole``), with which analyses go on.
     status, message : how the analysis ended; `data` has only good samples.
     provenance : versions, options and model of the computation.
     """
@@ -117,8 +120,14 @@ class Result:
     provenance: dict[str, Any] = field(default_factory=dict)
 
     @property
+    def whole(self) -> xr.Dataset:
+        """The data with inner parts."""
+        held = self.__dict__["data"]
+        return held.dataset if isinstance(held, Arrays) else held
+
+    @property
     def arrays(self) -> Columns:
-        """The data as plain arrays: name -> ``dims``, ``values``, ``attrs``. No dataset is made."""
+        """The whole as plain arrays: name -> ``dims``, ``values``, ``attrs``. No dataset is made."""
         held = self.__dict__["data"]
         return held.columns if isinstance(held, Arrays) else columns_of(held)
 
@@ -165,8 +174,15 @@ class Result:
         return wide(self.data)
 
     def with_(self, **changes: Any) -> Self:
-        """A new result with some fields changed."""
-        changes.setdefault("data", self.__dict__["data"])
+        """A new result with some fields changed. To `data` that were cut or changed the inner parts are added again.
+
+        Raises
+        ------
+        InputError : `data` have instants that the result lacks, and it has inner parts.
+        """
+        given = changes.setdefault("data", self.__dict__["data"])
+        if not isinstance(given, Arrays):
+            changes["data"] = completed(given, self.whole)
         return replace(self, **changes)
 
 

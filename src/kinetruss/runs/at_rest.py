@@ -34,8 +34,8 @@ def along(plan: Plan, motion: Motion) -> Block:
     if plan.run.analysis in ELASTIC:
         return _elastic(plan, motion)
     system, t = compile(model), motion.arrays["time"].values
-    rates = [name for name, one in motion.data.data_vars.items() if "/s" in one.attrs.get("units", "")]
-    motion = motion.with_(data=motion.data.assign({name: 0.0 * motion.data[name] for name in rates}))
+    rates = [name for name, one in motion.whole.data_vars.items() if "/s" in one.attrs.get("units", "")]
+    motion = motion.with_(data=motion.whole.assign({name: 0.0 * motion.whole[name] for name in rates}))
     still = [at_rest(system, motion, case_loads(system, t, case, rotating=True)) for case in plan.cases]
     return judged(plan, motion, {forces.load_case: forces for forces in still})
 
@@ -51,7 +51,7 @@ def _elastic(plan: Plan, motion: Motion) -> Block:
         forces = dynamics.inverse(model, motion, case, static=plan.full)
         one = analyse(model, forces, **options)
         own = slice(0, len(motion.arrays["time"].values))  # a vibration goes on after the motion
-        found[forces.load_case] = one.with_(data=one.data.isel(time=own))
+        found[forces.load_case] = one.with_(data=one.whole.isel(time=own))
         moving[forces.load_case] = forces.with_(message=one.message)
     return judged(plan, motion, moving).with_(statics=found)
 
@@ -83,9 +83,9 @@ def _equilibrium(plan: Plan) -> Block:
     """The equilibrium, and the forces in it as of a pose at rest."""
     case = plan.cases[0]
     found = statics.equilibrium(plan.model, load_case=case, tasks=plan.run.tasks or None, raise_on_failure=False)
-    motion = _resting(plan.model, found.data["position"].values).with_(status=found.status, message=found.message)
+    motion = _resting(plan.model, found.whole["position"].values).with_(status=found.status, message=found.message)
     if not found.status.ok:
-        none = motion.with_(data=motion.data.isel(time=slice(0, 0)))
+        none = motion.with_(data=motion.whole.isel(time=slice(0, 0)))
         return Block(motion=none, forces={}, sections={}, demand={}, verdict=None)
     system = compile(plan.model)
     forces = at_rest(system, motion, case_loads(system, np.zeros(1), case))
@@ -124,8 +124,10 @@ def _resting(model: Model, place: NDArray[np.float64]) -> Motion:
 
 def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     """Forces of the stiffness method as of one pose at rest; those of drives of lengths are minus their tensions."""
-    bent = ["displacement"] if any(beam.kind == "elastic" for beam in model.beams.values()) else []
-    data = _timed(found).data[["member_force", "end_force", "joint_force", "reaction", *bent]]
+    kept = ["member_force", "end_force", "joint_force", "reaction", "reaction_moment", "held_force"]
+    kept += ["displacement"] if any(beam.kind == "elastic" for beam in model.beams.values()) else []
+    data = _timed(found).whole
+    data = data[[name for name in kept if name in data]]
     drive = np.full((1, len(model.all_drives)), np.nan)
     for k, one in enumerate(model.all_drives.values()):
         if isinstance(one, LengthDrive):
@@ -156,5 +158,5 @@ def _between(system: System, data: xr.Dataset, case: str | None) -> xr.Dataset:
 
 def _timed(found: Result) -> Result:
     """A result of one configuration as one sample of a time axis."""
-    data = found.data.expand_dims("time").assign_coords(time=variable(("time",), np.zeros(1), "s", "time"))
-    return found.with_(data=data.assign_attrs(found.data.attrs))
+    data = found.whole.expand_dims("time").assign_coords(time=variable(("time",), np.zeros(1), "s", "time"))
+    return found.with_(data=data.assign_attrs(found.whole.attrs))

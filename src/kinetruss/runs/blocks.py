@@ -34,7 +34,7 @@ def stored_blocks(plan: Plan, run: RunResult) -> Iterator[Block]:
 
 def _cut(result: Any, part: slice) -> Any:
     # the interruption after the blocks is not a status of the blocks
-    return result.with_(data=result.data.isel(time=part).load(), status=Status.COMPLETED, message="")
+    return result.with_(data=result.whole.isel(time=part).load(), status=Status.COMPLETED, message="")
 
 
 # A run in blocks of samples, computed one by one, so that memory is bounded and a run can be resumed.
@@ -75,7 +75,7 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
     """Motion of the samples of one block, started from the sample before it."""
     last = min(first + plan.block, len(plan.times))
     if plan.given is not None:
-        part = plan.given.with_(data=plan.given.data.isel(time=slice(first, last)))
+        part = plan.given.with_(data=plan.given.whole.isel(time=slice(first, last)))
         early = last < len(plan.given.arrays["time"].values)
         return part.with_(status=Status.COMPLETED, message="") if early else part
     lead = 0 if position is None else 1
@@ -86,7 +86,7 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
             raise
         # an error after good samples is part of the result, not an exception
         return _nothing(plan, first, position).with_(status=Status.INCONSISTENT, message=str(error))
-    return motion.with_(data=motion.data.isel(time=slice(lead, None))) if lead else motion
+    return motion.with_(data=motion.whole.isel(time=slice(lead, None))) if lead else motion
 
 
 def _followed(plan: Plan, times: NDArray[np.float64], start: NDArray[np.float64] | None, *, raising: bool) -> Motion:
@@ -96,7 +96,7 @@ def _followed(plan: Plan, times: NDArray[np.float64], start: NDArray[np.float64]
 def _nothing(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Motion:
     """A motion without samples."""
     before = _followed(plan, plan.times[first - 1 : first], position, raising=True)
-    return before.with_(data=before.data.isel(time=slice(0, 0)))
+    return before.with_(data=before.whole.isel(time=slice(0, 0)))
 
 
 def _analysed(plan: Plan, motion: Motion) -> Block:

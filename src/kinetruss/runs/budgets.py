@@ -275,9 +275,9 @@ class _Job:
         """Quantities for errors of lengths (rows, members), m, in one sweep."""
         motion = self._motion(model, lengths)
         found = np.empty((len(lengths), len(self.kinds)))
-        x = flat_positions(compile(model), motion.data["position"].values)
+        x = flat_positions(compile(model), motion.whole["position"].values)
         if self.x is None:
-            self.x = motion.data["position"].values[-1]
+            self.x = motion.whole["position"].values[-1]
         if self.own:
             values = coordinate_values(compile(model), list(self.own.values()), x)
             found[:, list(self.own)] = values
@@ -286,9 +286,9 @@ class _Job:
             strains = strength.gauges(model, forces, zeroed=False) if any(kind == "strain" for _, kind in self.kinds) else None
             for k, (name, kind) in enumerate(self.kinds):
                 if kind == "force":
-                    found[:, k] = forces.data["member_force"].sel(member=name)
+                    found[:, k] = forces.whole["member_force"].sel(member=name)
                 elif kind == "drive_force":
-                    found[:, k] = forces.data["drive_force"].sel(drive=name)
+                    found[:, k] = forces.whole["drive_force"].sel(drive=name)
                 elif kind == "strain" and strains is not None:
                     found[:, k] = strains["strain"].sel(gauge=name)
         return found

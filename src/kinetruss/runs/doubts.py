@@ -44,7 +44,7 @@ class Ran(Protocol):
 
 def poses_of(run: Ran) -> list[str]:
     """Names of the poses of a run at rest; empty for a motion, whose samples have times."""
-    data = run.motion.data
+    data = run.motion.whole
     return [str(name) for name in data["pose"].values] if "pose" in data.coords else []
 
 
@@ -100,7 +100,7 @@ def singularity(run: Ran) -> dict[str, float] | None:
     if not len(gauge) or np.isnan(gauge).all():
         return None
     at = int(np.nanargmin(gauge))
-    return {"smallest": float(gauge[at]), "time": float(run.motion.data["time"].values[at])}
+    return {"smallest": float(gauge[at]), "time": float(run.motion.whole["time"].values[at])}
 
 
 def energy_balance(run: Ran) -> dict[str, Any] | None:
@@ -108,7 +108,7 @@ def energy_balance(run: Ran) -> dict[str, Any] | None:
     for poses at rest, which have no power.
     """
     still, exchanged = _stands_still(run), _exchanged(run)
-    moving = [forces for forces in run.forces.values() if forces.data.sizes["time"] and "energy_balance" in forces.data]
+    moving = [forces for forces in run.forces.values() if forces.whole.sizes["time"] and "energy_balance" in forces.whole]
     found = [_balance(forces, exchanged, still) for forces in moving]
     return max(found, key=lambda entry: float(entry["relative"]), default=None)
 
@@ -123,7 +123,7 @@ def _exchanged(run: Ran) -> float:
 
 def _stands_still(run: Ran) -> bool:
     """True if all motion is round-off, so that fractions of the largest power have no meaning."""
-    data = run.motion.data
+    data = run.motion.whole
     if not data["time"].size:
         return True
     way = float(np.max(np.abs(data["velocity"].values), initial=0.0)) * float(data["time"][-1] - data["time"][0])
@@ -134,10 +134,10 @@ def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
     """Largest error of the power balance, and its ratio to the largest power: that of a single drive, of drives and loads
     together, or between kinetic and potential energy.
     """
-    data = forces.data
+    data = forces.whole
     miss = float(np.max(np.abs(data["energy_balance"].values)))
     drives = (
-        data["drive_force"].values * forces.motion.data["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
+        data["drive_force"].values * forces.motion.whole["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
     )
     powers = [np.nanmax(np.abs(one), initial=0.0) for one in (drives, data["power"].values, data["energy_rate"].values)]
     largest = float(max(*powers, exchanged))

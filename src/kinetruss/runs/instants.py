@@ -74,7 +74,7 @@ def forces_at_peak(model: Model, name: str | None, members: tuple[str, ...], *, 
     job = plan(model, name)
     every = max(1, len(job.times) // 2000)  # of a long run, only equally spaced samples are checked
     forces = _forces(job, job.times[::every], load_case)
-    shown = forces.data["member_force"].sel(member=list(members) or list(model.members))
+    shown = forces.whole["member_force"].sel(member=list(members) or list(model.members))
     k = int(np.argmax(np.abs(shown.values).max(axis=1, initial=0.0)))
     return _only(forces, np.array([k]))
 
@@ -105,9 +105,9 @@ def forces_at_rest(model: Model, *, load_case: str | None = None) -> Forces:
 def _only(forces: Forces, samples: NDArray[np.int64]) -> Forces:
     """Some of the samples, with their motion and static forces."""
     here = {"time": samples}
-    static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(here))
-    motion = forces.motion.with_(data=forces.motion.data.isel(here))
-    return forces.with_(data=forces.data.isel(here), motion=motion, static=static)
+    static = None if forces.static is None else forces.static.with_(data=forces.static.whole.isel(here))
+    motion = forces.motion.with_(data=forces.motion.whole.isel(here))
+    return forces.with_(data=forces.whole.isel(here), motion=motion, static=static)
 
 
 def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
@@ -150,12 +150,12 @@ def _motion(job: Plan, t: NDArray[np.float64]) -> Motion:
     """The motion at the instants t."""
     if job.given is not None:
         nearest = np.unique(np.abs(job.times[:, None] - t).argmin(axis=0))
-        return job.given.with_(data=job.given.data.isel(time=nearest))
+        return job.given.with_(data=job.given.whole.isel(time=nearest))
     # from the start of the path, not directly from the model's pose to the requested one
     lead = np.linspace(job.times[0], t[0], STEPS, endpoint=False) if t[0] > job.times[0] else np.zeros(0)
     t = np.clip(t, job.times[0], job.times[-1])
     motion = followed((job.origin, job.model), job.condition, job.run.trajectory, np.concatenate([lead, t]))
-    return motion.with_(data=motion.data.isel(time=slice(len(lead), None)))
+    return motion.with_(data=motion.whole.isel(time=slice(len(lead), None)))
 
 
 # Results of short variants that are not stored because they follow from motion and forces; computed on first access.

@@ -84,16 +84,16 @@ class Accumulator:
 
     def add(self, block: Block) -> None:
         """Take one more block into account."""
-        self.count += int(block.motion.data.sizes["time"])
+        self.count += int(block.motion.whole.sizes["time"])
         self.status = block.motion.status
         left = [] if block.demand or not block.motion.unchecked else [block.motion.unchecked]
         self.message = " ".join([*notes_of(block), *left]) or self.message
-        if BETWEEN in block.motion.data.dims:
+        if BETWEEN in block.motion.whole.dims:
             # a simulation tells all of them so far
             before = [] if block.simulation is not None else self.between
-            self.between = [*before, block.motion.data.drop_dims("time").drop_dims(["member", "drive"])]
+            self.between = [*before, block.motion.whole.drop_dims("time").drop_dims(["member", "drive"])]
         if block.simulation is not None:
-            self.simulation = block.simulation.data.drop_dims("time")
+            self.simulation = block.simulation.whole.drop_dims("time")
         if block.verdict is not None:
             self.verdict = block.verdict if self.verdict is None else worse(self.verdict, block.verdict)
         for case, demand in block.demand.items():
@@ -110,7 +110,7 @@ def notes_of(block: Block) -> list[str]:
 
 def worse(a: Verdict, b: Verdict) -> Verdict:
     """For every entry the row with the higher utilisation, with all its values."""
-    return a.with_(data=_worse(a.data, b.data))
+    return a.with_(data=_worse(a.whole, b.whole))
 
 
 def _worse(a: xr.Dataset, b: xr.Dataset) -> xr.Dataset:
@@ -142,16 +142,16 @@ class DemandAccumulator:
 
 def groups_of(block: Block) -> dict[str, xr.Dataset]:
     """Datasets of a block with a time axis, by their path in the store."""
-    found = {"motion": block.motion.data}
+    found = {"motion": block.motion.whole}
     if block.simulation is not None:
-        found["simulation"] = block.simulation.data
+        found["simulation"] = block.simulation.whole
     for case, forces in block.forces.items():
-        found[f"forces/{key(case)}/total"] = forces.data
+        found[f"forces/{key(case)}/total"] = forces.whole
         if forces.static is not None:
-            found[f"forces/{key(case)}/static"] = forces.static.data
-    found |= {f"statics/{key(case)}": one.data for case, one in block.statics.items()}
-    found |= {f"sections/{key(case)}": one.data for case, one in block.sections.items()}
-    found |= {f"demand/{key(case)}": one.data for case, one in block.demand.items()}
+            found[f"forces/{key(case)}/static"] = forces.static.whole
+    found |= {f"statics/{key(case)}": one.whole for case, one in block.statics.items()}
+    found |= {f"sections/{key(case)}": one.whole for case, one in block.sections.items()}
+    found |= {f"demand/{key(case)}": one.whole for case, one in block.demand.items()}
     return {name: timed(data) for name, data in found.items()}
 
 
@@ -198,9 +198,9 @@ def _whole_motion(parts: list[Motion], accumulated: Accumulator) -> Motion:
     """The motion of all blocks, with the states between its samples."""
     if len(parts) == 1 or not accumulated.between:
         return _along_time(parts)  # type: ignore[no-any-return]
-    found: Motion = _along_time([part.with_(data=part.data.drop_dims(BETWEEN, errors="ignore")) for part in parts])
+    found: Motion = _along_time([part.with_(data=part.whole.drop_dims(BETWEEN, errors="ignore")) for part in parts])
     between = concatenated(accumulated.between, BETWEEN)
-    return found.with_(data=found.data.assign({name: between[name].variable for name in between.data_vars}))
+    return found.with_(data=found.whole.assign({name: between[name].variable for name in between.data_vars}))
 
 
 def _forces(parts: list[Forces], motion: Motion) -> Forces:
@@ -214,8 +214,8 @@ def _simulation(kept: list[Block], motion: Motion, forces: Mapping[str, Forces])
     parts = [block.simulation for block in kept if block.simulation is not None]
     if not parts:
         return None
-    found = parts[-1].data.drop_dims("time")  # events and passages so far
-    data = parts[0].data if len(parts) == 1 else concatenated([timed(part.data) for part in parts]).merge(found)
+    found = parts[-1].whole.drop_dims("time")  # events and passages so far
+    data = parts[0].whole if len(parts) == 1 else concatenated([timed(part.whole) for part in parts]).merge(found)
     one = next(iter(forces.values()), parts[-1].forces)
     return parts[-1].with_(data=data, motion=motion, forces=one)
 
@@ -223,14 +223,14 @@ def _simulation(kept: list[Block], motion: Motion, forces: Mapping[str, Forces])
 def _demand(parts: list[Demand], accumulated: DemandAccumulator) -> Demand:
     if len(parts) == 1:
         return parts[0]
-    histories: Demand = _along_time([part.with_(data=timed(part.data)) for part in parts])
-    summary = parts[0].data.drop_dims("time") if accumulated.summary is None else accumulated.summary
+    histories: Demand = _along_time([part.with_(data=timed(part.whole)) for part in parts])
+    summary = parts[0].whole.drop_dims("time") if accumulated.summary is None else accumulated.summary
     return histories.with_(data=histories.data.merge(summary, compat="override", join="override"))
 
 
 def _along_time(parts: list[Any]) -> Any:
     """One result from consecutive ones, with status and message of the last one."""
-    return parts[0] if len(parts) == 1 else parts[-1].with_(data=concatenated([part.data for part in parts]))
+    return parts[0] if len(parts) == 1 else parts[-1].with_(data=concatenated([part.whole for part in parts]))
 
 
 def concatenated(datasets: list[xr.Dataset], along: str = "time") -> xr.Dataset:

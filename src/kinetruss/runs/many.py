@@ -272,7 +272,7 @@ class _Work:
         ledger = ledger_of(job, variant.settings)
         ledger = replace(
             ledger,
-            committed=int(first.motion.data.sizes["time"]),
+            committed=int(first.motion.whole.sizes["time"]),
             state="finished",
             status=status.name,
             message=" ".join(notes_of(first)),
@@ -336,8 +336,8 @@ def _variant_runs(done: Sequence[_Done], found: Sequence[Variant], paths: Sequen
 
 def _datasets(block: Block) -> dict[str, Any]:
     """The stored datasets of a run of one block, by path in the store."""
-    found = {"motion": block.motion.data}
-    found |= {f"forces/{key(case)}/total": forces.data for case, forces in block.forces.items()}
+    found = {"motion": block.motion.whole}
+    found |= {f"forces/{key(case)}/total": forces.whole for case, forces in block.forces.items()}
     return found if block.verdict is None else found | {"verdict": block.verdict.data}
 
 

@@ -189,7 +189,7 @@ class _Known:
                 return blocks(job)
             whole = replace(job, run=job.run.with_(analysis="kinematics.follow"))
             parts = [block.motion for block in blocks(whole)]
-            motion = parts[-1].with_(data=concatenated([part.data for part in parts])) if len(parts) > 1 else parts[0]
+            motion = parts[-1].with_(data=concatenated([part.whole for part in parts])) if len(parts) > 1 else parts[0]
             if not motion.status.ok:
                 return blocks(job)
             self._motion = key, motion

@@ -114,7 +114,7 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         run = run.with_(motion=str(Path(run.motion).absolute()))
         origin = origin.with_(runs={**origin.runs, chosen: origin.runs[chosen].with_(motion=run.motion)})
         given = kinematics.from_csv(model, str(run.motion))
-        times = given.data["time"].values
+        times = given.whole["time"].values
     elif run.targets is not None:
         times = np.linspace(0.0, run.targets.duration, run.samples)
         check_supports(model, 0.0, float(times[-1]))

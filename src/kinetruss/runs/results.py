@@ -8,21 +8,26 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from kinetruss.errors import StoreError
 from kinetruss.io.earlier import without_inner_parts
+from kinetruss.mechanics import compile
 from kinetruss.model import Event, Model, Run
 from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Status, Verdict
 from kinetruss.results.dynamic_records import happened
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, key, open_store
+from kinetruss.results.user_parts import marked
 from kinetruss.runs.doubts import doubts
 from kinetruss.runs.instants import derived
 from kinetruss.runs.plans import conditioned
 from kinetruss.strength.findings import Finding, demands, find
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -88,7 +93,7 @@ class RunResult:
     @property
     def good(self) -> int:
         """Number of good samples."""
-        return int(self.motion.data.sizes["time"])
+        return int(self.motion.whole.sizes["time"])
 
     @cached_property
     def finding(self) -> Finding:
@@ -139,16 +144,16 @@ def from_store(store: Store) -> RunResult:
     ledger = store.ledger
     status, message = _ending(store)
     common: dict[str, Any] = {"status": status, "message": message, "provenance": dict(ledger.provenance)}
-    motion = Motion(data=store.read("motion"), **common)
-    forces: Mapping[str, Forces] = {case: _forces(store, case, motion, common) for case in _cases(store, "forces")}
+    origin = model_of(store)
+    model = conditioned(origin, origin.runs[ledger.run])[0]
+    motion = Motion(data=_read(store, model, "motion"), **common)
+    forces: Mapping[str, Forces] = {case: _forces(store, model, case, motion, common) for case in _cases(store, "forces")}
     sections: Mapping[str, Sections] = {
         case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")
     }
     demand: Mapping[str, Demand] = {
         case: Demand(data=store.read(f"demand/{key(case)}"), **common) for case in _cases(store, "demand")
     }
-    origin = model_of(store)
-    model = conditioned(origin, origin.runs[ledger.run])[0]
     if ledger.options.get("derived"):
         forces, sections, demand = derived(model, motion, forces, int(ledger.options["stations"]))
     return RunResult(
@@ -160,7 +165,7 @@ def from_store(store: Store) -> RunResult:
         sections=sections,
         demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
-        statics={case: Result(data=store.read(f"statics/{key(case)}"), **common) for case in _cases(store, "statics")},
+        statics={case: Result(data=_read(store, model, f"statics/{key(case)}"), **common) for case in _cases(store, "statics")},
         simulation=_simulation(store, origin.runs[ledger.run].events, motion, forces, common),
         samples=ledger.samples,
         path=store.path,
@@ -197,11 +202,19 @@ def _ending(store: Store) -> tuple[Status, str]:
     return Status.RUNNING if state == "running" else Status.INTERRUPTED, " ".join(filter(None, [count, ledger.message]))
 
 
-def _forces(store: Store, case: str, motion: Motion, common: dict[str, Any]) -> Forces:
+def _read(store: Store, model: Model, group: str, motion: Motion | None = None) -> xr.Dataset:
+    """A dataset over the parts of a model, which may have inner ones."""
+    data = store.read(group)
+    if not model.whole.inner.nodes:
+        return data
+    return marked(compile(model), data, data["position"] if motion is None else motion.whole["position"])
+
+
+def _forces(store: Store, model: Model, case: str, motion: Motion, common: dict[str, Any]) -> Forces:
     static, place = None, f"forces/{key(case)}"
     if f"{place}/static" in store.groups:
-        static = Forces(data=store.read(f"{place}/static"), motion=motion, load_case=case, **common)
-    return Forces(data=store.read(f"{place}/total"), motion=motion, static=static, load_case=case, **common)
+        static = Forces(data=_read(store, model, f"{place}/static", motion), motion=motion, load_case=case, **common)
+    return Forces(data=_read(store, model, f"{place}/total", motion), motion=motion, static=static, load_case=case, **common)
 
 
 def _simulation(

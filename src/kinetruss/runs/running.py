@@ -83,7 +83,7 @@ def run(
         computed = blocks(job, fitted=block is None)
         first = next(computed)  # all input errors are raised before the folder is changed
         if first.simulation is not None and block is None:
-            job = replace(job, block=max(1, int(first.motion.data.sizes["time"])))
+            job = replace(job, block=max(1, int(first.motion.whole.sizes["time"])))
         writer = create(path, ledger_of(job, settings), job.origin.model_dump_json(), overwrite=overwrite, held=held)
         stored = _stream(job, writer, Accumulator(job.model), _chained(first, computed), progress, started)
     if len(job.times) > job.block:

@@ -75,6 +75,6 @@ def simulated_at(plan: Plan, t: NDArray[Any]) -> Simulation:
     """
     work = stepper_of(plan)
     found = simulation_of(work, work.advance(t))
-    if found.data.sizes["time"] < len(t):
+    if found.whole.sizes["time"] < len(t):
         raise AnalysisError(f"Run {plan.name!r} ended early. {found.message or found.status.value}", found)
     return found

@@ -293,8 +293,8 @@ def _outputs(model: Model, record: Measured, load_case: str | None) -> dict[str,
     times = np.array(record.times) - record.times[0]
     motion = kinematics.follow(model, record, times=times)
     forces = dynamics.inverse(model, motion, load_case, static=False)
-    found = {"position": motion.data["position"]}
-    found |= {name: forces.data[name] for name in ("member_force", "drive_force")}
+    found = {"position": motion.whole["position"]}
+    found |= {name: forces.whole[name] for name in ("member_force", "drive_force")}
     if model.actuators:
         demand = actuators.evaluate(model, motion, forces).data
         found |= {name: demand[name].reset_coords(drop=True) for name in _DEMANDS if np.isfinite(demand[name].values).any()}

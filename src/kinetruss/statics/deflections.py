@@ -102,10 +102,10 @@ def deflection(model: Model, forces: Forces) -> Deflection:
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Nodal forces f - M a (times, 3 n), N, from loads, weight and inertia alone."""
     loads = loads_of(system, forces)
-    if forces.data.attrs.get("at_rest", 0):
+    if forces.whole.attrs.get("at_rest", 0):
         v = a = np.zeros((1, x.shape[1]))
     else:
-        v, a = (flat_positions(system, forces.motion.data[name].values) for name in ("velocity", "acceleration"))
+        v, a = (flat_positions(system, forces.motion.whole[name].values) for name in ("velocity", "acceleration"))
     joint, rest = np.empty((len(x), len(system.members), 2, 3)), np.empty_like(x)
     apply_loads(system, loads, States(x, v, a), EndForces(joint, rest))
     return rest
@@ -121,10 +121,10 @@ def loads_of(system: System, forces: Forces) -> Loads:
     if ROTATION in forces.attrs:
         raise InputError(ROTATES)
     t = forces.arrays["time"].values
-    if "load_time" in forces.data.attrs:
-        t = np.full(len(t), float(forces.data.attrs["load_time"]))
+    if "load_time" in forces.whole.attrs:
+        t = np.full(len(t), float(forces.whole.attrs["load_time"]))
     case = forces.load_case if forces.load_case in system.model.load_cases else None
-    return loads_at(system, t, case, str(forces.data.attrs.get("weight", "all")))
+    return loads_at(system, t, case, str(forces.whole.attrs.get("weight", "all")))
 
 
 def _apart(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -183,7 +183,7 @@ def _record(
         "work_balance": variable(time, work - stored, "J", "work minus strain energy"),
     }
     kept = ("time", "pose", "node", "axis", "member")
-    coords = forces.data.coords
+    coords = forces.whole.coords
     frame = xr.Dataset(data, attrs={"kind": "deflection", "load_case": forces.load_case})
     frame = frame.assign_coords({name: coords[name] for name in kept if name in coords})
     if "pose" in coords:

@@ -22,6 +22,7 @@ from kinetruss.mechanics.null_space import Spaces
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
+from kinetruss.results.user_parts import part_axes, reactions, support_axes
 from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
@@ -104,7 +105,7 @@ def equilibrium(
         return _failed(balance, x, wanted, raise_on_failure)
     reached = find_equilibrium(balance, x, wanted, tolerance, max_steps)
     found = _record(system, balance, reached)
-    found.data.attrs["load_time"] = load_time
+    found.whole.attrs["load_time"] = load_time
     if reached.good or not raise_on_failure:
         return found
     raise AnalysisError(f"{found.status.value} {found.message}", found)
@@ -121,7 +122,7 @@ def begun(
     InputError : a start of another shape, or not finite; a name that prescribes nothing; a meaningless value.
     """
     system = balance.system
-    x = positions_of(system, start.data["position"].values if isinstance(start, Result) else start).copy()
+    x = positions_of(system, start.whole["position"].values if isinstance(start, Result) else start).copy()
     wanted, places = _prescribed_values(system, x, lengths)
     x, error, span = closed(system, x, wanted, places)
     return x, wanted, error, span
@@ -192,7 +193,7 @@ def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64
     worst = int(np.abs(error).argmax())
     message = f"{system.part_of(worst)!r} is off by {abs(error[worst]):.3g} m."
     position = variable(("node", "axis"), x[:, : system.dim], "m", "node position")
-    data = xr.Dataset({"position": position}, coords={"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim]})
+    data = xr.Dataset({"position": position}, coords=part_axes(system))
     data.attrs |= {"kind": "equilibrium", "unstable": 0, "neutral": 0, "ways_out": []}
     found = Equilibrium(
         data=data, status=Status.NOT_CONVERGED, message=message, provenance=provenance(system.given, load_case=balance.name)
@@ -207,21 +208,18 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
     shapes = found.shapes[:, :, :dim]
     if len(shapes):
         shapes = shapes / np.abs(shapes).max(axis=(1, 2), keepdims=True)
-    supports = [system.node_index(name) for name in system.supports]
     d = reached.x[system.q] - reached.x[system.p]
     data = {
         "position": variable(("node", "axis"), reached.x[:, :dim], "m", "node position"),
         "length": variable(("member",), np.linalg.norm(d, axis=1), "m", "member length"),
-        **forces_of(system, balance, reached.x, reached.N, supports),
+        **forces_of(system, balance, reached.x, reached.N),
         "stiffness": variable(("mode",), found.values, "N/m", "eigenvalues of the reduced stiffness"),
         "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
     }
     coords = {
-        "node": list(system.nodes),
-        "axis": ["x", "y", "z"][:dim],
-        "member": list(system.members),
+        **part_axes(system),
+        **support_axes(system),
         "drive": list(system.drives),
-        "support": list(system.supports),
         **element_axes(system),
         **force_units(system, "drive", *element_axes(system))[1],
     }
@@ -276,9 +274,7 @@ def _holds(system: System, drive: int) -> bool:
     return bool(np.any(system.row_drive == drive) or np.any(system.coordinate_drive[:, 1] == drive))
 
 
-def forces_of(
-    system: System, balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64], supports: list[int]
-) -> dict[str, Column]:
+def forces_of(system: System, balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]) -> dict[str, Column]:
     """member_force (member), reaction (support, axis), drive_force (drive), values and forces of springs at rest."""
     held = balance.system
     tension, torque = row_tensions(held, x, N)
@@ -295,18 +291,18 @@ def forces_of(
     for flat, d in system.coordinate_drive:
         drive[d] = -left[flat] if held.prescribed[flat] else balance.force[flat]
         fixed[flat] = False
-    reaction = np.where(fixed, -left, 0.0).reshape(-1, 3)[supports, : system.dim]
     last = len(system.measures) - len(system.force_elements)
     own = last - len(system.model.couplings)
     mean = balance.tension(x) + tension
     support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
+    supports = [system.node_index(name) for name in system.supports]
     carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
     mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
     units, on = force_units(system)[0], named_motions(system, x[None])
     return (
         {
             "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
-            "reaction": variable(("support", "axis"), reaction, "N", "support force on the structure"),
+            **reactions(system, (), x, support[0, supports]),
             "drive_force": variable(("drive",), drive, units["drive"], "drive force or torque"),
         }
         | element_columns(system, (), on.force[0], on.value[0])

@@ -16,6 +16,7 @@ from kinetruss.mechanics.matrices import bar_laws, member_tangents
 from kinetruss.mechanics.rows import null_basis
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
+from kinetruss.results.user_parts import part_axes
 from kinetruss.statics.large_displacements import must_begin
 from kinetruss.statics.paths import scaled_force, without
 from kinetruss.statics.saddle_point import Saddle, rows_of
@@ -92,9 +93,8 @@ def buckling(
         "member_force": variable(("member",), tension, "N", "mean axial force without the load, tension positive"),
         "member_force_of_load": variable(("member",), added, "N", "force that a unit of the load factor adds"),
     }
-    coords = {"node": list(system.nodes), "axis": ["x", "y", "z"][: system.dim], "member": list(system.members)}
     return Buckling(
-        data=xr.Dataset(data, coords=coords, attrs={"kind": "buckling", "load_case": balance.name}),
+        data=xr.Dataset(data, coords=part_axes(system), attrs={"kind": "buckling", "load_case": balance.name}),
         message="" if kept else "No factor of this load makes the structure unstable.",
         provenance=provenance(model, load_case=balance.name),
     )

@@ -28,6 +28,7 @@ from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
+from kinetruss.results.user_parts import part_axes, reactions, support_axes
 from kinetruss.results.wide_tables import coordinate_axes, element_columns, force_units
 from kinetruss.statics.refinement import NOTHING, accuracy_note
 from kinetruss.statics.small_displacements import (
@@ -289,7 +290,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
         "member_force": variable(("member",), force, "N", "mean axial force, tension positive"),
         "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable(("member", "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
-        "reaction": variable(("support", "axis"), reaction[supports, :dim], "N", "support force on the structure"),
+        **reactions(system, (), x, reaction[supports]),
         "elongation": variable(("member",), elongation, "m", "elongation by the load"),
         "strain": variable(("member",), elongation / length, "", "axial strain by the load"),
         "strain_energy": variable(("member",), energy, "J", "strain energy that the load adds"),
@@ -297,11 +298,9 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
         "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
     }
     coords: dict[str, Any] = {
-        "node": list(system.nodes),
-        "axis": ["x", "y", "z"][:dim],
-        "member": list(system.members),
+        **part_axes(system),
+        **support_axes(system),
         "end": ["A", "B"],
-        "support": list(system.supports),
     }
     coords |= coordinate_axes(system) | force_units(system, *coordinate_axes(system))[1]
     data |= element_columns(system, (), on_coordinates)

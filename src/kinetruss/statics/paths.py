@@ -16,6 +16,7 @@ from kinetruss.mechanics.balance import Balance, balance_of
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
+from kinetruss.results.user_parts import part_axes, support_axes
 from kinetruss.results.wide_tables import element_axes
 from kinetruss.statics.arc import Point, Road
 from kinetruss.statics.large_displacements import forces_of, must_begin
@@ -317,8 +318,8 @@ def _end(system: System, last: Point, span: float) -> str:
 
 
 def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: bool, end: str) -> Path:
-    dim, supports = system.dim, [system.node_index(name) for name in system.supports]
-    forces = [forces_of(system, road.loaded(at.factor), at.x, at.N, supports) for at in walk.points]
+    dim = system.dim
+    forces = [forces_of(system, road.loaded(at.factor), at.x, at.N) for at in walk.points]
     lowest = [values[0] if len(values) else np.nan for values in walk.values]
     position = np.array([at.x[:, :dim] for at in walk.points])
     d = position[:, system.q] - position[:, system.p]
@@ -337,10 +338,8 @@ def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: boo
         **_events(system, road, walk),
     }
     coords = {
-        "node": list(system.nodes),
-        "axis": ["x", "y", "z"][:dim],
-        "member": list(system.members),
-        "support": list(system.supports),
+        **part_axes(system),
+        **support_axes(system),
         "drive": list(system.drives),
     } | element_axes(system)
     message = end if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."

@@ -91,7 +91,7 @@ def at_poses(
     else:
         values = given if isinstance(given, np.ndarray) else _drives(model, given)
         motion, closed, stopped = _reached(system, values, names)
-    forces = _forces(system, motion, names, load_case, word, load_time) if motion.data.sizes["time"] else None
+    forces = _forces(system, motion, names, load_case, word, load_time) if motion.whole.sizes["time"] else None
     if forces is not None and (said := _unsure(system, motion, closed, names)):
         forces = forces.with_(message=f"{forces.message} {said}".strip())
     if stopped:
@@ -225,14 +225,14 @@ def _refuse_contradiction(system: System, x: NDArray[np.float64], wanted: NDArra
 
 def _forces(system: System, motion: Motion, names: list[str], load_case: str | None, word: str, time: float) -> Forces:
     """Forces of the poses, the time axis counting them."""
-    count = motion.data.sizes["time"]
+    count = motion.whole.sizes["time"]
     loads = loads_at(system, np.full(count, time), load_case, word, rotating=True)
     if loads.base is not None and loads.base.turns:
         raise InputError("Poses have no time, so gravity cannot turn with it. Leave out gravity_turns, or give a motion.")
-    motion = motion.with_(data=_counted(motion.data, names[:count]))
+    motion = motion.with_(data=_counted(motion.whole, names[:count]))
     forces = at_rest(system, motion, loads)
-    forces.data.attrs |= {"weight": word, "load_time": time}
-    return forces.with_(data=_counted(forces.data, names[:count]))
+    forces.whole.attrs |= {"weight": word, "load_time": time}
+    return forces.with_(data=_counted(forces.whole, names[:count]))
 
 
 def _counted(data: xr.Dataset, names: list[str]) -> xr.Dataset:

@@ -99,7 +99,7 @@ def _data(result: Any) -> xr.Dataset | None:
             "not decide their forces. Give the result of statics.linear, statics.equilibrium or dynamics.simulate."
         )
     if isinstance(result, Forces) and "displacement" not in result.arrays:
-        return result.motion.data
+        return result.motion.whole
     return cast("Result", (None if isinstance(result, Forces) else getattr(result, "motion", None)) or result).data
 
 

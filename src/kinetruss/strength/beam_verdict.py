@@ -61,7 +61,7 @@ def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
     """Axial forces ((times,) members), N, of forces or of an equilibrium; on the chords of elastic beams those in their middle,
     NaN where they are not known, and on those of rigid beams.
     """
-    data = result.arrays if isinstance(result, Forces) else result.data
+    data = result.arrays if isinstance(result, Forces) else result.whole
     found, names = np.array(data["member_force"].values, float), beam_parts(model)
     members = list(model.whole.members)
     found[..., [members.index(chord_of(beam)) for beam in model.beams]] = np.nan

@@ -78,7 +78,7 @@ def positions_of(system: System, result: Any) -> tuple[NDArray[np.float64], bool
     """Positions (times, n, 3), and whether there is a time axis."""
     if isinstance(result, Result):
         motion = getattr(result, "motion", None)
-        data = result.data if motion is None else motion.data
+        data = result.whole if motion is None else motion.whole
         if "position" in data:
             given = data["position"].values
         elif "displacement" in data and "size" not in data:
@@ -173,7 +173,7 @@ def _dataset(
     coords["true_component"] = ["xx", "yy", "zz", "yz", "xz", "xy"]
     if timed and isinstance(result, Result):
         source = getattr(result, "motion", None) or result
-        coords["time"] = source.data["time"].values
+        coords["time"] = source.whole["time"].values
     return xr.Dataset(data, coords=coords, attrs={"kind": "elements", "axes": dim})
 
 

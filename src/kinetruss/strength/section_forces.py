@@ -155,7 +155,7 @@ def sections(model: Model, forces: Forces, stations: int | ArrayLike = 7) -> Sec
     attrs = {"kind": "sections", "load_case": forces.load_case, "at_rest": int(forces.attrs.get("at_rest", 0))}
     found: Any = Arrays(axes, forces.arrays["time"].values, data, attrs)
     if "pose" in forces.arrays:  # names of poses at rest
-        found = found.dataset.assign_coords(pose=forces.data["pose"].variable).set_xindex("pose")
+        found = found.dataset.assign_coords(pose=forces.whole["pose"].variable).set_xindex("pose")
     return Sections(
         data=found,
         status=forces.status,

@@ -81,7 +81,7 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     }
     parts, k = places.parts, places.part
     coords: dict[str, Any] = {
-        "time": forces.data["time"].variable,
+        "time": forces.whole["time"].variable,
         "gauge": list(model.gauges),
         "member": ("gauge", [parts.members[i] for i in k]),
         "part": ("gauge", [parts.names[i] for i in k]),

@@ -89,7 +89,7 @@ def utilisation(model: Model, forces: Forces, options: Options | None = None) ->
     [0.0192]
     """
     found = utilised(model, forces, options).dataset
-    return found.assign_coords(time=forces.data.coords["time"]) if "pose" in forces.arrays else found
+    return found.assign_coords(time=forces.whole.coords["time"]) if "pose" in forces.arrays else found
 
 
 def utilised(model: Model, forces: Forces, options: Options | None = None) -> Arrays:

@@ -195,7 +195,7 @@ def _forces(
         if not fine and len(model.members) > MANY:
             return None, "Forces of elastic members follow when the pointer rests."
         rest = statics.equilibrium(model, position)
-        found = np.array(rest.data["position"].values)
+        found = np.array(rest.whole["position"].values)
         size = float(np.ptp(position, axis=0).max()) or 1.0
         sag = float(np.abs(found - position).max())
         if not rest.stable or sag > 0.2 * size:

@@ -288,7 +288,7 @@ def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -
     note = rest.message
     if not rest.stable:
         note = f"{note} {'; '.join(rest.ways_out)}".strip()
-    return _checked(model, Reached(position=np.array(rest.data["position"].values), values=dict(values), note=note))
+    return _checked(model, Reached(position=np.array(rest.whole["position"].values), values=dict(values), note=note))
 
 
 def _gauge(model: Model, position: Pose, values: Mapping[str, float]) -> float:

@@ -11,7 +11,9 @@ import numpy as np
 
 from kinetruss.errors import Fault, UnitError
 from kinetruss.io.writing import located
+from kinetruss.mechanics import compile
 from kinetruss.model import NodalForce, turns
+from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
 from kinetruss.studio.edits import CELLS, MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import loose_ends
@@ -25,8 +27,6 @@ from kinetruss.viewer import pack, scene
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
-
-    from numpy.typing import NDArray
 
     from kinetruss.model import Model
     from kinetruss.results import Forces
@@ -98,7 +98,7 @@ def run_of(result: RunResult) -> bytes:
 
 def numbers(session: Shown) -> Record:
     """All numbers of the present pose in double precision."""
-    pose, data = session.pose, session.instant().forces.data
+    pose, data = session.pose, session.instant().forces.whole
     names = [name for name in ("member_force", "reaction", "drive_force", "end_force", "joint_force") if name in data]
     return {
         "kind": "numbers",
@@ -207,7 +207,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "alarms": found.alarms,
         "mobility": _mobility(found, light),
         "drives": _drives(found),
-        **_forces(found.forces, list(known), _origins(found)),
+        **_forces(found.forces, list(known), clamps(compile(found.model)) if found.model is not None else set()),
     }
     if light:
         return record
@@ -289,52 +289,26 @@ def _drives(found: Judged) -> list[dict[str, Any]]:
     ]  # fmt: skip
 
 
-def _forces(forces: Forces | None, members: list[str], origins: dict[str, str]) -> dict[str, Any]:
+def _forces(forces: Forces | None, members: list[str], moments: set[str]) -> dict[str, Any]:
     """Axial forces (N) in the order of the members shown, NaN as null; reactions (N) and moments of clamps (N m) by node.
 
-    origins : as of `_origins`.
+    moments : supports that have a moment.
     """
     if forces is None:
         return {"force": None, "reaction": {}, "reaction_moment": {}, "unsure": []}
     arrays = forces.arrays
     names = [str(name) for name in arrays["member"].values]
     values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
-    sums: dict[str, list[float]] = {}
-    moments: dict[str, NDArray[np.float64]] = {}
-    if "reaction" in arrays:
-        for name, row in zip(map(str, arrays["support"].values), arrays["reaction"].values[0].tolist(), strict=True):
-            # a clamp holds nodes that a beam has added to its end: their forces are its reaction too
-            at = origins.get(name)
-            if at is not None:
-                sums[at] = [a + b for a, b in zip(sums.get(at, [0.0] * len(row)), row, strict=True)]
-            if at is not None and at != name:
-                moments[at] = moments.get(at, np.zeros(1)) + _moment(forces, name, at, row)
+    on: dict[str, dict[str, Any]] = {"reaction": {}, "reaction_moment": {}}
+    for what, own in on.items():
+        if what in arrays:
+            rows = zip(map(str, arrays["support"].values), arrays[what].values[0].tolist(), strict=True)
+            own |= {name: [number(one) for one in row] for name, row in rows if what == "reaction" or name in moments}
     return {
         "force": [number(values.get(name, np.nan)) for name in members],
-        "reaction": {name: [number(one) for one in row] for name, row in sums.items()},
-        "reaction_moment": {name: [number(one) for one in row.tolist()] for name, row in moments.items()},
+        **on,
         "unsure": list(forces.attrs.get("not_unique", ())),
     }
-
-
-def _origins(found: Judged) -> dict[str, str]:
-    """Nodes, and those that clamped beams have added to them -> node at which their reaction is shown."""
-    if found.model is None:
-        return {}
-    return {name: owner.at for name, owner in found.model.whole.inner.nodes.items() if owner.table != "hubs"} | {
-        name: name for name in found.model.nodes
-    }
-
-
-def _moment(forces: Forces, name: str, at: str, force: list[float]) -> NDArray[np.float64]:
-    """Moment r x F (N m) about a node of a force at a node that a beam has added to it: (3,), in the plane (1,)."""
-    motion = forces.motion.arrays
-    nodes = [str(one) for one in motion["node"].values]
-    place = motion["position"].values[0]
-    arm = np.zeros(3)
-    arm[: len(force)] = place[nodes.index(name)] - place[nodes.index(at)]
-    found = np.cross(arm, [*force, 0.0][:3])
-    return found if len(force) == 3 else found[2:]
 
 
 def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:

@@ -100,14 +100,14 @@ def moving(
     The arrays of the first load case have their plain names, those of the next begin with ``1:``, ``2:``, .. ``cases`` holds
     the header fields of each: as many as fit without rounding, at least one.
     """
-    count = int(motion.data.sizes["time"])
-    keep = _chosen_samples(count, most, motion.data["time"].values, run, instants)
+    count = int(motion.whole.sizes["time"])
+    keep = _chosen_samples(count, most, motion.whole["time"].values, run, instants)
     if len(keep) < count:
-        motion = motion.with_(data=motion.data.isel(time=keep))
+        motion = motion.with_(data=motion.whole.isel(time=keep))
         forces = [_cut(one, keep, motion) for one in forces]
-    time = motion.data["time"].values
+    time = motion.whole["time"].values
     names = ("time", "position", "velocity", "acceleration", "drive_position")
-    found = {name: motion.data[name].values for name in names if name in motion.data.variables}
+    found = {name: motion.whole[name].values for name in names if name in motion.whole.variables}
     if forces:  # the page computes section forces from them
         rates = rates_in_space(forces[0].attrs, time, found["position"], found["velocity"], found["acceleration"])
         found["velocity"], found["acceleration"] = rates
@@ -121,7 +121,7 @@ def moving(
         fields, arrays, over_run = _forces(model, one, run, rounded)
         described.append(fields)
         found |= {f"{k}:{name}" if k else name: values for name, values in arrays.items()}
-    found |= stress_of_faces(model, motion.data["position"].values)
+    found |= stress_of_faces(model, motion.whole["position"].values)
     channels = [{**one, "over_run": one["id"] in over_run} for one in channels_of(found, bool(model.whole.members))]
     more = {
         "rounded": rounded,
@@ -148,7 +148,7 @@ def scalars_placed(model: Model, position: NDArray[np.float64]) -> NDArray[np.fl
 
 def load_times(result: Forces | Result, time: NDArray[np.float64]) -> NDArray[np.float64]:
     """The instants (times,), s, of which the loads act: of poses at rest and of equilibria one for all, not their numbers."""
-    held = result.data.attrs.get("load_time")
+    held = result.whole.attrs.get("load_time")
     return time if held is None else np.full(len(time), float(held))
 
 
@@ -181,14 +181,14 @@ def sections_of_beams(model: Model, result: Forces | Result) -> dict[str, NDArra
     from kinetruss.strength.beam_verdict import beam_sections
 
     count = sum(beam.kind == "elastic" for beam in model.beams.values())
-    if not count or result.data.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
+    if not count or result.whole.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
         return {}
     return {"beam_section": beam_sections(model, result, STATIONS)}
 
 
 def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:
-    static = None if forces.static is None else forces.static.with_(data=forces.static.data.isel(time=keep), motion=motion)
-    return forces.with_(data=forces.data.isel(time=keep), motion=motion, static=static)
+    static = None if forces.static is None else forces.static.with_(data=forces.static.whole.isel(time=keep), motion=motion)
+    return forces.with_(data=forces.whole.isel(time=keep), motion=motion, static=static)
 
 
 def _forces(
@@ -198,10 +198,10 @@ def _forces(
     from kinetruss.strength.beam_verdict import middle_forces
     from kinetruss.strength.verdict import strength_histories, worst_of
 
-    data = forces.data
+    data = forces.whole
     case = forces.load_case if forces.load_case in model.load_cases else None
     when = load_times(forces, data["time"].values)
-    loads, load_force = loads_of(model, when, case, forces.motion.data["position"].values)
+    loads, load_force = loads_of(model, when, case, forces.motion.whole["position"].values)
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
     found = {"member_force": middle_forces(model, forces)}
     found |= {name: data[name].values for name in names if name in data} | {"load_force": load_force}
@@ -225,7 +225,7 @@ def _forces(
 
 def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """Actions on members other than weight: sources, members and arrays; `mean` if mean forces include them."""
-    return _described_actions(model, forces.data)
+    return _described_actions(model, forces.whole)
 
 
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
@@ -235,7 +235,7 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     from kinetruss.mechanics import compile
     from kinetruss.mechanics.loads import case_loads
 
-    system, data = compile(model), rest.data
+    system, data = compile(model), rest.whole
     x = np.zeros((1, *system.x0.shape))
     x[:, :, : model.dim] = data["position"].values
     case = rest.provenance.get("load_case")

@@ -166,7 +166,7 @@ def snapshots(
         more, found = _standing(subject)
     else:
         check_samples(subject.motion)
-        data = subject.motion.data
+        data = subject.motion.whole
         found = {name: data[name].values for name in ("time", "position")}
         found["position"] = scalars_placed(model, found["position"])
         when, loading = found["time"], None
@@ -271,7 +271,7 @@ def _finding(subject: _Subject) -> Finding:
         return find(None)
     verdict = check(subject.model, subject.forces)
     if run is None:
-        return find(verdict, timed=subject.motion is not None and subject.motion.data.sizes["time"] > 1)
+        return find(verdict, timed=subject.motion is not None and subject.motion.whole.sizes["time"] > 1)
     names = {one.load_case for one in subject.forces}
     demand = demands({name: one for name, one in run.demand.items() if name in names})
     return find(verdict, demand, partial=run.partial, doubts=run.doubts, timed=run.timed)
@@ -296,7 +296,7 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     more: dict[str, Any] = {}
     known = subject.linear or subject.rest
     try:
-        position = assemble(model) if known is None else known.data["position"].values
+        position = assemble(model) if known is None else known.whole["position"].values
     except (AnalysisError, InputError) as error:
         position = np.array([node.at for node in model.whole.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}

@@ -96,10 +96,10 @@ def _member(places: Places, run: RunResult, part: str) -> int | None:
 
 
 def _sample(run: RunResult, entry: Mapping[str, Any]) -> int:
-    if entry.get("pose") and "pose" in run.motion.data.coords:
-        return int(np.flatnonzero(run.motion.data["pose"].values == entry["pose"])[0])
+    if entry.get("pose") and "pose" in run.motion.whole.coords:
+        return int(np.flatnonzero(run.motion.whole["pose"].values == entry["pose"])[0])
     when = value_of(entry["time"])
-    return 0 if np.isnan(when) else int(np.abs(run.motion.data["time"].values - when).argmin())
+    return 0 if np.isnan(when) else int(np.abs(run.motion.whole["time"].values - when).argmin())
 
 
 def _drives(places: Places, chief: int | None) -> list[Label]:
@@ -135,10 +135,10 @@ def _marks(places: Places) -> list[str]:
 
 
 def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: bool, places: Places) -> str:
-    model, header, time = run.model, places.scene.header, run.motion.data["time"].values
+    model, header, time = run.model, places.scene.header, run.motion.whole["time"].values
     when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
-    if "pose" in run.motion.data.coords:
-        when = f"in pose {run.motion.data['pose'].values[k]}"
+    if "pose" in run.motion.whole.coords:
+        when = f"in pose {run.motion.whole['pose'].values[k]}"
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
     if worst is not None:
         mark = "red, over its capacity" if over else "on a broad pale band"

@@ -45,9 +45,9 @@ class Cut:
 def sample_of(forces: Forces, row: Row) -> int | None:
     """Index of the sample of an entry: by the name of its pose, or by its time."""
     if row.pose:
-        found = np.flatnonzero(forces.data["pose"].values == row.pose)
+        found = np.flatnonzero(forces.whole["pose"].values == row.pose)
     else:
-        found = np.flatnonzero(forces.data["time"].values == row.time)
+        found = np.flatnonzero(forces.whole["time"].values == row.time)
     return int(found[0]) if len(found) else None
 
 
@@ -60,7 +60,7 @@ def cuts(model: Model, forces: Forces, part: str, position: float) -> list[Cut]:
     order = np.argsort(xi, kind="stable")
     data = strength.sections(model, forces, stations=xi[order]).data.isel(time=0, part=k)
     member = str(found["member"].values[k])
-    length = float(forces.motion.data["length"].values[0, list(model.whole.members).index(member)])
+    length = float(forces.motion.whole["length"].values[0, list(model.whole.members).index(member)])
     at = {int(place): n for n, place in enumerate(order)}
     return [_cut(data.isel(station=at[n]), part, length) for n in range(3)]
 

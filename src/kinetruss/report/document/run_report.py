@@ -226,7 +226,7 @@ def _shown(run: RunResult, record: dict[str, Any], view: str, drawn: _Drawn) -> 
 
 def _moves(run: RunResult) -> bool:
     """True if the structure moves by more than round-off."""
-    position = run.motion.data["position"].values
+    position = run.motion.whole["position"].values
     size = float((position[0].max(axis=0) - position[0].min(axis=0)).max())
     return float(abs(position - position[0]).max()) > 1e-3 * size
 
@@ -236,7 +236,7 @@ class _Drawn:
 
     def __init__(self, run: RunResult) -> None:
         self._figures: list[tuple[int, Figure]] = list(enumerate(specifications(run)))
-        self._timed = run.good > 1 and "pose" not in run.motion.data.coords
+        self._timed = run.good > 1 and "pose" not in run.motion.whole.coords
 
     def of(self, name: str) -> list[Entry]:
         named = [(k, one) for k, one in self._figures if one.name == name or one.name.startswith(f"{name}_")]

@@ -77,8 +77,8 @@ class _Column:
 def _stroke(sheet: Sheet, model: Model, motion: Motion, row: Row) -> Sheet:
     sheet.digits = FINE  # the stroke is a small difference of lengths
     least, most = model.active[row.part].limits or (math.nan, math.nan)
-    k = int(np.flatnonzero(motion.data["time"].values == row.time)[0])
-    length = motion.data["length"].values[k, list(model.members).index(row.part)]
+    k = int(np.flatnonzero(motion.whole["time"].values == row.time)[0])
+    length = motion.whole["length"].values[k, list(model.members).index(row.part)]
     sheet.give("L", "length of the member", float(length), "m", ENGINE)
     sheet.give("L_1", "shortest length", least, "m", TRAIN)
     sheet.give("L_2", "greatest length", most, "m", TRAIN)
@@ -126,10 +126,10 @@ def _rates(model: Model, motion: Motion, column: _Column, k: int, name: str) -> 
     """Rate and acceleration of the length or angle of a drive; rates near standstill are 0."""
     if name in model.active:
         member = list(model.members).index(name)
-        rate, change = column.of("length_rate")[k], motion.data["length_acceleration"].values[k, member]
+        rate, change = column.of("length_rate")[k], motion.whole["length_acceleration"].values[k, member]
     else:
-        drive = motion.data["drive"].values.tolist().index(name)
-        rate, change = column.of("angle_rate")[k], motion.data["drive_acceleration"].values[k, drive]
+        drive = motion.whole["drive"].values.tolist().index(name)
+        rate, change = column.of("angle_rate")[k], motion.whole["drive_acceleration"].values[k, drive]
     return 0.0 if abs(rate) < STANDSTILL else float(rate), float(change)
 
 

@@ -219,7 +219,7 @@ Source = tuple[Callable[[], Any], Callable[[], Any]]
 
 def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source]:
     """Datasets that may have it, with those at rest; computed ones are last, and only if they are needed."""
-    yield lambda: run.motion.data, lambda: None
+    yield lambda: run.motion.whole, lambda: None
     simulation = run.simulation
     if simulation is not None:
         yield lambda: simulation.data, lambda: None
@@ -228,7 +228,7 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
     forces = run.forces[case]
     # at rest all powers are zero
     static = None if quantity.startswith(("power", "energy")) else forces.static
-    yield lambda: forces.data, lambda: None if static is None else static.data
+    yield lambda: forces.whole, lambda: None if static is None else static.whole
     if case in run.statics:
         yield lambda: run.statics[case].data, lambda: None
     if case in run.demand:
@@ -257,18 +257,18 @@ def _demand_at_rest(run: RunResult, quantity: str, static: Any, demand: Any) -> 
     if quantity == "motor_torque" and "holding_torque" in demand:
         return {"motor_torque": demand["holding_torque"]}
     if quantity == "drive_torque":
-        turned = static.data["drive_force"].rename(drive="active")
+        turned = static.whole["drive_force"].rename(drive="active")
         return {quantity: turned.reindex(active=demand["active"].values).where(demand["drive_torque"].notnull().any("time"))}
     if quantity != "thrust":
         return None
-    held = -static.data["member_force"].sel(member=list(run.model.active)).rename(member="active")
+    held = -static.whole["member_force"].sel(member=list(run.model.active)).rename(member="active")
     return {"thrust": held.reindex(active=demand["active"].values)}
 
 
 def _is_there(run: RunResult, name: str) -> bool:
     name = BUNDLES.get(name, (ALIASES.get(name, name),))[0]
     if name in MOTION:
-        return name in run.motion.data
+        return name in run.motion.whole
     if name in (*SIMULATION, *FED):
         return run.simulation is not None and name in run.simulation.data
     if name in ELASTIC:
@@ -276,7 +276,7 @@ def _is_there(run: RunResult, name: str) -> bool:
     if name in TURNING:
         return any(name in demand.data for demand in run.demand.values())
     if name in FORCES:
-        return any(name in forces.data for forces in run.forces.values())
+        return any(name in forces.whole for forces in run.forces.values())
     return bool(run.demand) if name in DEMAND else bool(run.forces)
 
 
