@@ -151,8 +151,8 @@ def test_forward_and_inverse_dynamics_agree():
     model = loaded_box()
     run = kt.dynamics.simulate(model, t_end=0.4)
     again = kt.dynamics.inverse(model, run.motion, static=False)
-    size = float(abs(run.forces.data["member_force"]).max())
-    assert float(abs(again.data["member_force"] - run.forces.data["member_force"]).max()) < 1e-9 * size
+    size = float(abs(run.forces.whole["member_force"]).max())
+    assert float(abs(again.whole["member_force"] - run.forces.whole["member_force"]).max()) < 1e-9 * size
     assert float(abs(run.forces.data["energy_balance"]).max()) < 1e-9 * float(abs(run.forces.data["power"]).max())
     labelled = kt.dynamics.newton_euler(model, run.motion, again, time=0.2)
     assert labelled.residual < 1e-9 * labelled.largest

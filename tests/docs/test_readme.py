@@ -117,6 +117,11 @@ def test_result_names_of_the_notation_are_real():
         bars={"b": kt.Bar(ends=("A", "B"), kind="free", mass=1.0)}, gravity=(0, -9.81),
     )  # fmt: skip
     known |= {str(name) for name in kt.statics.equilibrium(hung).data.data_vars}
+    cantilever = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0)}, clamped=["A"], beams={"b": ("A", "B")}, section=kt.Rod(diameter=0.01),
+        material="steel_s235", loads={"F": kt.NodalForce(node="B", force=(0, -1))},
+    )  # fmt: skip
+    known |= {str(name) for name in kt.statics.linear(cantilever).data.data_vars}
     table = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
     first = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
     for name in re.findall(r"`([a-z]\w+)`", " ".join(first)):

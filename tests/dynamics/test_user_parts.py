@@ -78,7 +78,7 @@ def test_in_motion_the_forces_of_a_clamp_balance_the_change_of_momentum():
     reaction, t = run.forces.reaction.sel(support="A").values, run.motion.time.values
     weight = 7850 * np.pi * 0.05**2 / 4 * 5.0 * 9.81
     left = run.momentum.values - run.momentum.values[0]
-    total = reaction + [10.0, 0.0, -40.0 - weight]
+    total = reaction + np.array([10.0, 0.0, -40.0 - weight])
     impulse = np.concatenate([[np.zeros(3)], np.cumsum((total[1:] + total[:-1]) / 2 * np.diff(t)[:, None], axis=0)])
     assert np.abs(impulse - left).max() < 1e-3 * np.abs(left).max()
 

@@ -159,7 +159,7 @@ def test_tasks_of_the_tip_move_the_drives():
     model = truss()
     wanted = kt.kinematics.inverse(model, kt.Quintic(moves={"T.x": (0.7, 0.9), "T.y": (2.5, 2.51)}, duration=1.0), samples=5)
     np.testing.assert_allclose(wanted.position.sel(node="T").values[-1], [0.9, 2.51], atol=1e-9)
-    assert wanted.length.sel(member="arm.chord").values == pytest.approx(LONG, abs=1e-10)
+    assert wanted.whole["length"].sel(member="arm.chord").values == pytest.approx(LONG, abs=1e-10)
     ends = {name: (START, float(wanted.drive_position.sel(drive=name)[-1])) for name in ("left", "right")}
     again = kt.kinematics.follow(model, kt.Quintic(moves=ends, duration=1.0), samples=3)
     np.testing.assert_allclose(again.position.sel(node="T").values[-1], [0.9, 2.51], atol=1e-9)
@@ -175,7 +175,7 @@ def test_drives_that_bend_a_beam_and_beams_that_balance_alone_does_not_decide():
     # two beams side by side from the plate to one node: how they share is not a question of balance alone
     twice = truss(beams={"arm": ("C", "T"), "brace": ("D", "T")}, clamped={"C": "plate", "D": "plate"})
     motion = kt.kinematics.follow(twice, SLEW, samples=5)
-    np.testing.assert_allclose(motion.length.sel(member=["arm.chord", "brace.chord"]).std("time"), 0.0, atol=1e-9)
+    np.testing.assert_allclose(motion.whole["length"].sel(member=["arm.chord", "brace.chord"]).std("time"), 0.0, atol=1e-9)
     forces = kt.dynamics.inverse(twice, motion)
     assert "Balance alone does not decide the forces of the beams arm, brace" in forces.message
     assert not {"left", "right", "cross"} & set(forces.attrs["not_unique"])

@@ -129,7 +129,8 @@ class Read(NamedTuple):
 
 
 class Carried(NamedTuple):
-    """Forces along a motion, N or N m, as in a `Forces` record, with three components everywhere.
+    """Forces along a motion, N or N m, as in the whole of a `Forces` record, with three components everywhere; reaction is its
+    ``held_force`` where there are inner nodes.
 
     member_force (times, members); end_force (times, members, 2); joint_force (times, members, 2, 3); reaction (times,
     supports, 3); drive_force (times, drives); coupling_force (times, couplings). not_unique (members,): True if redundant, so
@@ -180,7 +181,7 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         "member_force": variable(per, every.member_force, "N", "mean axial force, tension positive"),
         "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable((*per, "end", "axis"), every.joint_force[..., :dim], "N", "force on the member from its joint"),
-        **reactions(system, ("time",), solved["x"].reshape(len(read.length), -1, 3), every.reaction),
+        **reactions(system, ("time",), solved["x"].reshape(len(solved["x"]), len(system.nodes), 3), every.reaction),
         "drive_force": variable(("time", "drive"), every.drive_force, force_units(system)[0]["drive"], "drive force or torque"),
     }
     if system.model.couplings:

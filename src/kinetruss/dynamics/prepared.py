@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class Places(NamedTuple):
-    """Good samples of a motion as plain arrays.
+    """Good samples of a motion as plain arrays, with the inner nodes of beams, bodies and hubs behind those of the user.
 
     t (s,) s; position, velocity, acceleration (s, n_nodes, 3) m, m/s, m/s^2 (z is 0 in the plane); drive_position,
     drive_velocity, drive_acceleration (s, drives) m or rad, per s, per s^2; singularity (s,), the measure of

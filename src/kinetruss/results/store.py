@@ -51,6 +51,7 @@ from kinetruss.results.folder import (
 )
 from kinetruss.results.lock import Lock, cannot_write, hold, is_locked
 from kinetruss.results.reading import Content, content, dataset
+from kinetruss.results.user_parts import users
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -71,8 +72,8 @@ class Store:
     groups: tuple[str, ...]
     content: Content
 
-    def read(self, group: str) -> xr.Dataset:
-        """One dataset, cut to the good samples; arrays are loaded when used.
+    def read(self, group: str, *, whole: bool = False) -> xr.Dataset:
+        """One dataset, cut to the good samples; arrays are loaded when used. whole : with inner parts (`Result.whole`).
 
         For a run that has not ended, only variables with a time axis: the others are known only at the end.
 
@@ -81,7 +82,8 @@ class Store:
         StoreError : no such group, or not readable; also later, if an array that is used no longer exists.
         """
         self.content.check()
-        return dataset(self.content, group, self.ledger)
+        found = dataset(self.content, group, self.ledger)
+        return found if whole else users(found)
 
     def state(self) -> dict[str, NDArray[Any]] | None:
         """The state of the integration after the last good sample; None for runs without one.

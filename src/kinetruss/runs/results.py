@@ -204,7 +204,7 @@ def _ending(store: Store) -> tuple[Status, str]:
 
 def _read(store: Store, model: Model, group: str, motion: Motion | None = None) -> xr.Dataset:
     """A dataset over the parts of a model, which may have inner ones."""
-    data = store.read(group)
+    data = store.read(group, whole=True)
     if not model.whole.inner.nodes:
         return data
     return marked(compile(model), data, data["position"] if motion is None else motion.whole["position"])

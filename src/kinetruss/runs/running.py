@@ -131,7 +131,9 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
         store = _unfinished(path)  # read it again, now that no other process writes it
         job = plan(model_of(store), store.ledger.run, store.ledger.block)
         first = store.ledger.committed
-        position, state = (store.read("motion")["position"].isel(time=-1).values, store.state()) if first else (None, None)
+        position, state = (
+            (store.read("motion", whole=True)["position"].isel(time=-1).values, store.state()) if first else (None, None)
+        )
         accumulated = Accumulator(job.model, message=store.ledger.message)
         for block in stored_blocks(job, from_store(store)) if first else ():
             accumulated.add(block)

@@ -100,7 +100,7 @@ def _data(result: Any) -> xr.Dataset | None:
         )
     if isinstance(result, Forces) and "displacement" not in result.arrays:
         return result.motion.whole
-    return cast("Result", (None if isinstance(result, Forces) else getattr(result, "motion", None)) or result).data
+    return cast("Result", (None if isinstance(result, Forces) else getattr(result, "motion", None)) or result).whole
 
 
 def _no_motion(result: Any) -> dict[str, Any]:
