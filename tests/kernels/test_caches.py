@@ -38,11 +38,16 @@ FORMS = 3
 """Signatures that the small program compiles."""
 
 
+def besides_compiling(error):
+    """What a process says besides that it compiles, which it does where the machine is busy."""
+    return "".join(line for line in error.splitlines(True) if not line.startswith("kinetruss: compil"))
+
+
 def start(*places: Path, state: str = "s" * 16, before: tuple[str, ...] = ()) -> dict[str, object]:
     """What a process that compiles three forms of one kernel says."""
     command = [*before, sys.executable, "-c", ADD, state, *map(str, places)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert (done.returncode, besides_compiling(done.stderr)) == (0, "")
     return json.loads(done.stdout)
 
 
@@ -219,7 +224,7 @@ def test_many_first_starts_at_once_disturb_nobody(tmp_path):
     running = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(4)]
     for one in running:
         out, error = one.communicate()
-        assert (one.returncode, error) == (0, "")
+        assert (one.returncode, besides_compiling(error)) == (0, "")
         assert json.loads(out)["right"]
     assert start(tmp_path) == GOOD
     assert len(files(tmp_path)) == FORMS
@@ -333,7 +338,7 @@ def test_a_package_that_may_not_be_written_without_a_home_works_and_says_so(tmp_
         )
         assert done.returncode == 0, done.stderr
         assert str(package) in done.stdout
-        return done.stdout.splitlines()[1].split(), done.stderr
+        return done.stdout.splitlines()[1].split(), besides_compiling(done.stderr)
 
     kernels = package / "kernels"
     kernels.chmod(0o555)
