@@ -55,7 +55,7 @@ def test_frequencies_of_a_loaded_beam_are_those_of_its_equilibrium():
     """Under 300 N, 15 % of its Euler load, the first frequency falls by 4 %."""
     model = truss((0.0, -300.0))
     rest = kt.statics.equilibrium(model)
-    forces = kt.statics.at_poses(model, rest.position.values[None])
+    forces = kt.statics.at_poses(model, rest)
     found = kt.flexible.frequencies(model, forces, rigid=BARS).frequency.values[0]
     assert found == pytest.approx(kt.dynamics.linearise(model, rest).frequency.values, rel=1e-8)
     free = truss((0.0, 0.0))

@@ -99,7 +99,9 @@ def test_a_pose_in_which_balance_does_not_decide_the_forces_of_beams_is_not_judg
     with pytest.raises(InputError, match=r"statics\.equilibrium"):
         kt.strength.beams(model, forces)
     at_rest = kt.statics.equilibrium(model)
-    balanced = kt.statics.at_poses(model, at_rest.position.values[None])
+    with pytest.raises(InputError, match="not the .* inner ones"):
+        kt.statics.at_poses(model, at_rest.position.values[None])
+    balanced = kt.statics.at_poses(model, at_rest)
     assert "not_balanced" not in balanced.attrs
     assert row_of(kt.strength.check(model, balanced), "arm", "yield").checked
 
@@ -108,7 +110,7 @@ def vibrating(folder):
     """The cantilever let go, its motion as a table of all nodes, and the simulation."""
     model = cantilever(runs={"swing": kt.Run(analysis="dynamics.simulate", t_end=0.05, samples=41)}, gravity=(0, -9.81))
     run = kt.run(model, "swing")
-    data, columns = run.motion.data, {"t": run.motion.data["time"].values}
+    data, columns = run.motion.whole, {"t": run.motion.whole["time"].values}
     for node in map(str, data["node"].values):
         for kind, name in (("", "position"), ("v", "velocity"), ("a", "acceleration")):
             columns |= {f"{node}.{kind}{axis}": data[name].sel(node=node, axis=axis).values for axis in "xy"}

@@ -56,6 +56,16 @@ def number_of(value: Any, name: str, unit: str, *, infinite: bool = False) -> fl
     return float(value)
 
 
+def refuse_without_inner(system: System, given: ArrayLike, name: str) -> None:
+    """Refuse vectors (.., nodes, dim) of the user's nodes alone, of a model with inner ones."""
+    own, every = len(system.given.nodes), len(system.nodes)
+    if own < every and np.shape(given)[-2:] == (own, system.dim):
+        raise InputError(
+            f"{name} has the {own} nodes of the model, but not the {every - own} inner ones that represent its beams, bodies "
+            f"and hubs, whose rotations do not follow from these. Give the result itself, or its whole[{name!r}]."
+        )
+
+
 def vectors_of(system: System, given: ArrayLike, name: str, unit: str) -> NDArray[np.float64]:
     """Vectors (n, 3) of all nodes from given ones (n_nodes, dim), or of the result that has them by this name.
 
@@ -64,11 +74,7 @@ def vectors_of(system: System, given: ArrayLike, name: str, unit: str) -> NDArra
     InputError : they are only those of the user's nodes, of a model with inner ones. See also `kinetruss.arrays.array_of`.
     """
     given = given.whole[name] if hasattr(given, "whole") else given
+    refuse_without_inner(system, given, name)
     full = np.zeros_like(system.x0)
-    if (inner := len(system.nodes) - len(system.given.nodes)) and np.shape(given)[:1] == (len(system.given.nodes),):
-        raise InputError(
-            f"{name} has the {len(system.given.nodes)} nodes of the model, but not the {inner} inner ones that represent its "
-            f"beams, bodies and hubs, whose rotations do not follow from these. Give the result itself, or its whole[{name!r}]."
-        )
     full[:, : system.dim] = array_of(given, name, {"n_nodes": system.nodes, "dim": system.dim}, unit=unit)
     return full

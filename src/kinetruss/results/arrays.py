@@ -121,24 +121,3 @@ class Arrays:
 def columns_of(data: xr.Dataset) -> Columns:
     """The arrays of a dataset; its variables have the fields of a `Column`."""
     return cast("Columns", data.variables)
-
-
-class Held:
-    """The field `data` of a result, kept whole: a dataset, or arrays from which it is made when it is first read."""
-
-    def __get__(self, result: Any, kind: type | None = None) -> xr.Dataset:
-        from kinetruss.results.user_parts import users
-
-        if result is None:
-            raise AttributeError("data")
-        whole: xr.Dataset = result.whole
-        kept: tuple[xr.Dataset, xr.Dataset] | None = result.__dict__.get("_users")
-        if kept is None or kept[0] is not whole:
-            kept = result.__dict__["_users"] = whole, users(whole)
-        return kept[1]
-
-    def __set__(self, result: Any, given: xr.Dataset | Arrays) -> None:
-        result.__dict__["data"] = given
-
-
-HELD: Any = Held()

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, Self
 from kinetruss.errors import InputError
 from kinetruss.mechanics import ByIdentity
 from kinetruss.model import Model
-from kinetruss.results.arrays import HELD, Arrays, Columns, columns_of
-from kinetruss.results.user_parts import completed
+from kinetruss.results.arrays import Arrays, Columns, columns_of
+from kinetruss.results.user_parts import SHOWN, completed
 from kinetruss.results.wide_tables import NOT_CHECKED, Row, rows_of, wide
 
 if TYPE_CHECKING:
@@ -114,7 +114,7 @@ class Result:
     provenance : versions, options and model of the computation.
     """
 
-    data: xr.Dataset = HELD
+    data: xr.Dataset = SHOWN
     status: Status = Status.COMPLETED
     message: str = ""
     provenance: dict[str, Any] = field(default_factory=dict)

@@ -12,7 +12,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics import cached
-from kinetruss.results.arrays import variable
+from kinetruss.results.arrays import Arrays, variable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -102,6 +102,25 @@ def users(whole: xr.Dataset) -> xr.Dataset:
     parts = {axis: slice(len(own)) if (own == np.arange(len(own))).all() else own for axis, own in kept.items()}
     gone = [MARKS[axis] for axis in marks]
     return whole.drop_dims(HELD, errors="ignore").isel(parts).drop_vars(gone)
+
+
+class Shown:
+    """The field `data` of a result, kept whole: a dataset, or arrays from which it is made when it is first read."""
+
+    def __get__(self, result: Any, kind: type | None = None) -> xr.Dataset:
+        if result is None:
+            raise AttributeError("data")
+        whole: xr.Dataset = result.whole
+        kept: tuple[xr.Dataset, xr.Dataset] | None = result.__dict__.get("_users")
+        if kept is None or kept[0] is not whole:
+            kept = result.__dict__["_users"] = whole, users(whole)
+        return kept[1]
+
+    def __set__(self, result: Any, given: xr.Dataset | Arrays) -> None:
+        result.__dict__["data"] = given
+
+
+SHOWN: Any = Shown()
 
 
 def completed(given: xr.Dataset, whole: xr.Dataset) -> xr.Dataset:

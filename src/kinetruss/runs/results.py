@@ -165,7 +165,10 @@ def from_store(store: Store) -> RunResult:
         sections=sections,
         demand=demand,
         verdict=Verdict(data=store.read("verdict"), **common) if "verdict" in store.groups else None,
-        statics={case: Result(data=_read(store, model, f"statics/{key(case)}"), **common) for case in _cases(store, "statics")},
+        statics={
+            case: Result(data=_read(store, model, f"statics/{key(case)}", motion), **common)
+            for case in _cases(store, "statics")
+        },
         simulation=_simulation(store, origin.runs[ledger.run].events, motion, forces, common),
         samples=ledger.samples,
         path=store.path,

@@ -17,12 +17,12 @@ from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.positions import assembled
 from kinetruss.kinematics.sampling import start_values
 from kinetruss.mechanics import System, arrange, cached, compile
-from kinetruss.mechanics.arguments import number_of
+from kinetruss.mechanics.arguments import number_of, refuse_without_inner
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.positions import row_values, shortest
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
-from kinetruss.results import Forces, Motion, Status, variable
+from kinetruss.results import Forces, Motion, Result, Status, variable
 from kinetruss.statics.refinement import accuracy_note
 from kinetruss.statics.saddle_point import weakest_block
 from kinetruss.statics.small_displacements import Weight, loads_at, weight_word
@@ -52,7 +52,7 @@ def at_poses(
     poses : a sequence of mappings from drives or pose coordinates to values (``[{"bay.beta": 0.1}, {"M7": "1.2 m"}]``; what is
         not named stands as in the model), or a mapping from names to such mappings (``{"stowed": {...}, "open": {...}}``), or
         one mapping alone; or an array of drive values (poses, drives), m or rad, in the order of ``model.all_drives``; or an
-        array of node positions (poses, n_nodes, dim), m.
+        array of node positions (poses, n_nodes, dim), m, or the result that has them.
     weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
     load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
 
@@ -103,6 +103,9 @@ def at_poses(
 
 def _listed(system: System, poses: Any) -> tuple[list[str], Any]:
     """Names of the poses, and a list of mappings or an array (poses, drives) or (poses, nodes, dim)."""
+    if isinstance(poses, Result):
+        at = poses.whole["position"].values
+        return _listed(system, at[None] if at.ndim == 2 else at)
     if isinstance(poses, Mapping):
         if poses and all(isinstance(one, Mapping) for one in poses.values()):
             return [str(name) for name in poses], list(poses.values())
@@ -111,6 +114,7 @@ def _listed(system: System, poses: Any) -> tuple[list[str], Any]:
         return [str(k) for k in range(len(poses))], list(poses)
     if isinstance(poses, Sequence) and any(isinstance(one, Mapping) for one in poses):
         raise InputError("poses are mappings of coordinates to values, or an array of numbers, not a mix of both.")
+    refuse_without_inner(system, poses, "position")
     positions = {"poses": None, "n_nodes": system.nodes, "dim": system.dim}
     given = array_of(poses, "poses", {"poses": None, "drives": system.drives}, positions)
     return [str(k) for k in range(len(given))], given

@@ -49,7 +49,7 @@ def cantilever(dim: int) -> Numbers:
     found |= {"weight.clamp": -2 * own[0] / weight, "weight.middle": -8 * own[1] / weight}
     if dim == 3:
         twisted = kt.Model(**base, loads={"T": kt.BodyCouple(body="N1", moment=(TORQUE, 0.0, 0.0))})
-        moved = kt.statics.linear(twisted).displacement.sel(axis="z")
+        moved = kt.statics.linear(twisted).whole["displacement"].sel(axis="z")
         turn = (moved.sel(node="N1.d2") - moved.sel(node="N1")) / twisted.whole.nodes["N1.d2"].at[1]
         found["twist"] = turn * STEEL.E / 2.6 * SQUARE.torsion_constant / TORQUE
     return found
@@ -57,7 +57,7 @@ def cantilever(dim: int) -> Numbers:
 
 def _end(places: Any, load: Any, **more: Any) -> Any:
     """Places of nodes in equilibrium under a load at the last of a row of beams."""
-    return kt.statics.equilibrium(kt.Model(**row(places, loads={"load": load}, **more))).position
+    return kt.statics.equilibrium(kt.Model(**row(places, loads={"load": load}, **more))).whole["position"]
 
 
 def circle(count: int) -> Numbers:
