@@ -254,6 +254,8 @@ def _terms(model: WholeModel, index: dict[str, int], one: Any) -> list[Term]:
         return [Term(NODE, at(one.node), (*np.eye(3)["xyz".index(one.axis)], *Y))]
     if one.kind == "cosine":
         return [Term(COSINE, at(one.node), (one.phase, 0.0, 0.0, *Y), phase=True)]
+    if one.kind == "distance":
+        return [Term(ALONG, at(one.nodes[1], one.nodes[0]))]
     if one.kind == "offset":
         return [Term(OFFSET, at(one.point, *one.line))]
     if one.kind == "hinge":

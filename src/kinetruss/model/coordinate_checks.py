@@ -79,6 +79,8 @@ def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
         if one.node in model.nodes and not model.nodes[one.node].scalar:
             mend = f"Make it one: {one.node}: {{at: [..], scalar: true}}."
             yield Fault((*path, "node"), f"{one.node!r} is no scalar.", mend, about=(("nodes", one.node),))
+    elif one.kind == "distance":
+        yield from _distance(model, one, (*path, "nodes"))
     elif one.kind == "offset":
         yield from _offset(model, one, path, dim)
     elif one.kind == "hinge":
@@ -105,6 +107,20 @@ def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         yield Fault(path, f"{one.bar!r} points along the axis, so it has no angle about it.", "Choose another axis or bar.")
     if one.reference is not None and _across(one.reference, one.axis) <= ON_AXIS:
         yield Fault((*path, "reference"), "points along the axis.", "Give a direction across it.")
+
+
+def _distance(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
+    first, second = one.nodes
+    scalars = [name for name in one.nodes if name in model.nodes and model.nodes[name].scalar]
+    if first == second:
+        yield Fault(path, f"names {first!r} twice.", "Give two different nodes.")
+    elif scalars:
+        yield Fault(path, f"{scalars[0]!r} is a scalar, which is no place.", "Give two nodes that are places.")
+    elif all(name in model.nodes for name in one.nodes) and _apart(model, first, second) == 0.0:
+        words = f"{first!r} and {second!r} stand at one place in the model, so their distance has no direction."
+        yield Fault(path, words, "Give nodes that are apart, or move one of them.", about=(("nodes", first), ("nodes", second)))
+    elif all(model.fixed.get(name, "") == "xyz"[: model.dim] and name not in model.support_motion for name in one.nodes):
+        yield Fault(path, "are both fixed, so their distance cannot change.", "Name a node that can move.")
 
 
 def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:

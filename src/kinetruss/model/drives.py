@@ -182,6 +182,26 @@ class OffsetCoordinate(Record):
     point: NodeName
 
 
+class DistanceCoordinate(Record):
+    """Distance (m) of two nodes; no bar need join them.
+
+    nodes : the two nodes, which are apart in the model. The distance has no direction while they meet, so what acts on it must
+    keep them apart.
+
+    >>> import kinetruss as kt
+    >>> kt.DistanceCoordinate(("A", "B"))
+    DistanceCoordinate(nodes=('A', 'B'))
+    """
+
+    _positional: ClassVar = ("nodes",)
+    kind: Literal["distance"] = "distance"
+    nodes: tuple[NodeName, NodeName]
+
+    if TYPE_CHECKING:
+
+        def __init__(self, nodes: tuple[str, str]) -> None: ...
+
+
 class CosineCoordinate(Record):
     """Cosine of the angle that a scalar node holds, with a phase (rad) added: cos(x + phase); a number.
 
@@ -196,7 +216,8 @@ class CosineCoordinate(Record):
 
 
 Measured = Annotated[
-    LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | OffsetCoordinate | CosineCoordinate, Field(discriminator="kind")
+    LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | DistanceCoordinate | OffsetCoordinate | CosineCoordinate,
+    Field(discriminator="kind"),
 ]
 
 
@@ -204,9 +225,10 @@ class Coupling(Record):
     """Keeps the sum of factor times coordinate at its start value, or at `value`.
 
     A coordinate is given as the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a node;
-    or the offset of a node from a line, or the cosine of a scalar. Angles count on over full turns; so the factors of two or
-    more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear pair two angles; the
-    offsets of two points of one body from a line of another are the two conditions of a slider in the plane.
+    or the distance of two nodes, the offset of a node from a line, or the cosine of a scalar. Angles count on over full turns;
+    so the factors of two or more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear
+    pair two angles; the offsets of two points of one body from a line of another are the two conditions of a slider in the
+    plane.
 
     terms : pairs of coordinate and factor.
     value : of the sum, m or rad; by default that in the model.
