@@ -9,7 +9,8 @@ from scipy.sparse import csr_array
 
 from kinetruss.elements import scalars
 from kinetruss.elements.continua_matrices import continua_stiffness
-from kinetruss.elements.kinds import Results, on_coordinates, present, spans_of
+from kinetruss.elements.element import Results
+from kinetruss.elements.kinds import on_coordinates, present, spans_of
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.element_table import ENERGY, FORCE
 
