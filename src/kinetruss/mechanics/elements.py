@@ -125,6 +125,11 @@ def element_results(
     return [one.results(system, record, times, place, rate) for one, record in present(system) if one.results is not None]
 
 
+def displaced_results(system: System, x: NDArray[np.float64], u: NDArray[np.float64]) -> list[Results]:
+    """The same at rest with small displacements u from x, both (n, 3), to first order: of those kinds that have such."""
+    return [one.linear_results(system, record, x, u) for one, record in present(system) if one.linear_results is not None]
+
+
 def scalar_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
     """Resistance F, dF/dq and dF/dq' of each element on a coordinate (elements, 3) at x, v (n, 3)."""
     if (every := on_coordinates(system)) is None:

@@ -278,6 +278,15 @@ def axes_of(drive: Any, d: Array) -> tuple[Array, Array]:
     return e1, np.cross(axis, e1)
 
 
+def period_of(parts: Any) -> float | None:
+    """After what change a sum of coordinates and factors is the same, 0: never; None if its angles are in no ratio."""
+    turning = [(k, float(factor)) for k, (one, factor) in enumerate(parts) if turns(one)]
+    if not turning:
+        return 0.0
+    found = _period(turning)
+    return None if found is None else TURN * abs(parts[found.largest][1]) * found.step / found.whole
+
+
 def _period(turning: list[tuple[int, float]]) -> Period | None:
     """Period of a sum of angles times factors (term, factor): its least change by whole turns of these; None if none."""
     largest, place = max(((abs(one), -t) for t, one in turning), default=(0.0, 0))

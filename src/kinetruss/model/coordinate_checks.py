@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.model.drives import geared
 from kinetruss.model.joints import GROUND, SHARED
+from kinetruss.model.references import unknown_names
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
@@ -29,7 +30,15 @@ def coupling_faults(model: ModelData) -> Iterator[Fault]:
             yield Fault(path, f"{name!r} is also the name of a drive or a member.", "Give the coupling another name.")
         if not model.members:
             yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
-        yield from _sum_faults(model, coupling.terms, (*path, "terms"))
+        yield from sum_faults(model, coupling.terms, (*path, "terms"))
+
+
+def element_faults(model: ModelData) -> Iterator[Fault]:
+    """What the records of elements find by themselves, of those whose names are known."""
+    for field in ELEMENT_FIELDS.values():
+        for name, one in getattr(model, field).items():
+            if not any(unknown_names(model, one, (field, name))):
+                yield from one.faults(model, (field, name))
 
 
 def force_element_faults(model: ModelData) -> Iterator[Fault]:
@@ -46,12 +55,13 @@ def force_element_faults(model: ModelData) -> Iterator[Fault]:
             if not model.members:
                 yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
             if one.terms is not None:
-                yield from _sum_faults(model, one.terms, (*path, "terms"))
+                yield from sum_faults(model, one.terms, (*path, "terms"))
             elif one.coordinate is not None:
                 yield from _term_faults(model, one.coordinate, (*path, "coordinate"))
 
 
-def _sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:
+def sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:
+    """Faults of a sum of coordinates: pairs of coordinate and factor."""
     for k, (one, factor) in enumerate(terms):
         yield from _term_faults(model, one, (*path, k))
         if factor == 0:

@@ -28,6 +28,9 @@ from kinetruss.model.references import DriveName, MemberName, NodeName, Ref
 from kinetruss.units import Tagged, parse
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from kinetruss.errors import Fault
     from kinetruss.model.data import ModelData
 
 
@@ -296,14 +299,23 @@ _UNITS = {"length": "m, N and s", "angle": "rad, N m and s"}
 Points = Annotated[tuple[tuple[Number, Number], ...], Field(min_length=2)]
 
 
-class ForceElement(Record):
+class ElementRecord(Record):
+    """What the records of elements have in common: the word for the kind, which names its results, and rules of its own."""
+
+    element: ClassVar[str]
+
+    def faults(self, model: ModelData, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002
+        """Faults that need the model; path : the place of the record in it. It is asked only if the names in it are known."""
+        return iter(())
+
+
+class ForceElement(ElementRecord):
     """What elements with a law on a coordinate have in common.
 
     coordinate : on which it acts, as a drive that would move it.
     terms : a sum of coordinates in its place: pairs of coordinate and factor.
     """
 
-    element: ClassVar[str]
     plain: ClassVar[tuple[str, ...]]
     """Fields whose unit is that of a length or an angle, as the coordinate is."""
     coordinate: Measured | None = None

@@ -16,6 +16,7 @@ from kinetruss.results.arrays import Column, variable
 if TYPE_CHECKING:
     import xarray as xr
 
+    from kinetruss.elements.element import Results
     from kinetruss.kernels.compiled.record import Floats
     from kinetruss.mechanics import System
     from kinetruss.results.arrays import Columns
@@ -275,8 +276,20 @@ def other_columns(
     """Variables of the elements that are not on coordinates, along x, v (times, n, 3) and t (times,); without v at rest."""
     from kinetruss.mechanics.elements import element_results
 
+    return _columns(system, per, element_results(system, x, v, t))
+
+
+def displaced_columns(system: System, x: Floats, u: Floats) -> tuple[dict[str, Column], dict[str, list[str]]]:
+    """The same with small displacements u from x, both (n, 3), as far as kinds of elements have them; and their axes."""
+    from kinetruss.mechanics.elements import displaced_results
+
+    results = displaced_results(system, x, u)
+    return _columns(system, (), results), {one.kind: list(one.names) for one in results}
+
+
+def _columns(system: System, per: tuple[str, ...], results: Iterable[Results]) -> dict[str, Column]:
     found = {}
-    for one in element_results(system, x, v, t):
+    for one in results:
         for name, (values, unit, words) in one.values.items():
             vectors = values.ndim == 3
             values = values[..., : system.dim] if vectors else values
