@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from kinetruss.display import Table, instant, margin, number, quantity
+from kinetruss.display.ranks import levels
 from kinetruss.mechanics import cached
 from kinetruss.results.arrays import Column, variable
 
@@ -150,13 +151,16 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     most = {part: most_used(values) for part, values in of.items()}
     infinite = {row.part for row in rows if math.isinf(row.utilisation)}
 
-    def worst_first(row: Row) -> tuple[bool, float, str, bool]:
-        beyond = math.isinf(row.utilisation)
-        used = most[row.part] if beyond else row.utilisation if row.checked else 0.0
-        # rows of one part stay together where one of them is infinite
-        return not row.checked, -used, row.part if row.part in infinite and used == most[row.part] else "", beyond
+    used = [most[row.part] if math.isinf(row.utilisation) else row.utilisation if row.checked else 0.0 for row in rows]
+    level = levels(used)
 
-    return sorted(rows, key=worst_first)
+    def worst_first(k: int) -> tuple[bool, int, str, bool]:
+        row = rows[k]
+        # rows of one part stay together where one of them is infinite
+        together = row.part in infinite and used[k] == most[row.part]
+        return not row.checked, level[k], row.part if together else "", math.isinf(row.utilisation)
+
+    return [rows[k] for k in sorted(range(len(rows)), key=worst_first)]
 
 
 def most_used(values: Iterable[float]) -> float:
