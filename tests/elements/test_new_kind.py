@@ -1,11 +1,12 @@
 """A kind of element that is not on a coordinate: a record, a file of `elements`, a field of the model, an entry in the list.
 
 All analyses, results and pages then know it. Tried, in a copy of the package, with drag on nodes and with the contact of a
-sphere and the ground, which has events and rules of its own.
+sphere and the ground, which has events and rules of its own, and the example of CONTRIBUTING.md.
 """
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,7 @@ import pytest
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parents[2]
+FILES = ("record", "element")
 KINDS = "from kinetruss.elements import "
 IMPORT = "from kinetruss.model.drives import (\n"
 OWN = Path(__file__).parent / "new_kind"
@@ -44,18 +46,21 @@ runs:
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory):
-    """A copy of the package that has drags and contacts."""
+    """A copy of the package that has drags, contacts, and the magnets of CONTRIBUTING.md."""
     folder = tmp_path_factory.mktemp("new_kind")
     package = folder / "kinetruss"
     shutil.copytree(ROOT / "src" / "kinetruss", package)
     data, kinds = package / "model" / "data.py", package / "elements" / "kinds.py"
     fields, entries = data.read_text("utf-8"), kinds.read_text("utf-8")
-    for kind in ("drag", "contact"):
-        shutil.copy(OWN / kind / "record.py", package / "model" / f"{kind}.py")
-        shutil.copy(OWN / kind / "element.py", package / "elements" / f"{kind}.py")
-        name = kind.capitalize()
+    shown = re.findall(r"```python\n(.*?)```", (ROOT / "CONTRIBUTING.md").read_text("utf-8"), re.DOTALL)
+    for kind in ("drag", "contact", "magnet"):
+        name, field = kind.capitalize(), f'    {kind}s: Table[Name, {kind.capitalize()}] = ReadOnly()\n    """Trial."""\n'
+        record, element = ((OWN / kind / f"{part}.py").read_text("utf-8") if kind != "magnet" else "" for part in FILES)
+        if kind == "magnet":
+            record, element, field = shown
+        (package / "model" / f"{kind}.py").write_text(record, "utf-8")
+        (package / "elements" / f"{kind}.py").write_text(element, "utf-8")
         fields = fields.replace(IMPORT, f"from kinetruss.model.{kind} import {name}\n{IMPORT}", 1)
-        field = f'    {kind}s: Table[Name, {name}] = ReadOnly()\n    """Trial."""\n'
         fields = fields.replace(FIELD, f"{field}{FIELD}", 1)
         entries = entries.replace(KINDS, f"{KINDS}{kind}, ", 1).replace(ENTRY, f"{ENTRY}{kind}.{kind}s, ", 1)
     data.write_text(fields, "utf-8")
@@ -301,3 +306,34 @@ for bad in ({"radius": 0.9}, {"node": "bal"}, {"damping": -1.0}):
     assert "contacts.floor.radius: the sphere reaches down to -0.2 m, below the ground at 0 m. Raise the node" in said
     assert "contacts.floor.node: no node called 'bal'" in said
     assert "damping -1 is negative" in said
+
+
+def test_the_example_of_the_page_is_an_element(package):
+    """Two masses that attract each other: speeds from their energy, momenta kept, force C/d^4."""
+    code = """
+import json
+import numpy as np
+import kinetruss as kt
+from kinetruss.model.magnet import Magnet
+pair = kt.Model(
+    nodes={"A": kt.Node(at=(0, 0), mass=2.0), "B": kt.Node(at=(1, 0.5), mass=1.0)},
+    bars={"line": kt.Bar(ends=("A", "B"), kind="free")},
+    magnets={"pair": Magnet(nodes=("A", "B"), strength=0.6)})
+found = []
+for method in (kt.DOP853(), kt.Radau(), kt.EnergyMomentum(1e-3)):
+    run = kt.dynamics.simulate(pair, 0.8, samples=9, method=method)
+    v, data = run.motion.velocity.values, run.forces.data
+    d = data.magnet_distance.values[:, 0]
+    balance = float(abs(kt.dynamics.inverse(pair, run.motion).energy_balance).max())
+    energy = (v**2).sum(axis=2) @ [1.0, 0.5] - 0.2 / d**3 + 0.2 / 1.25**1.5
+    force = np.linalg.norm(data.magnet_force.values[:, 0], axis=1) - 0.6 / d**4
+    found.append([*(float(abs(one).max()) for one in (energy, np.array([2.0, 1.0]) @ v, force)), balance])
+kt.io.write(pair, "pair.yaml")
+assert kt.io.read("pair.yaml") == pair
+print(json.dumps(found))
+"""
+    for (energy, momentum, force, balance), within in zip(json.loads(answers(package, code)), (1e-9, 1e-7, 1e-9), strict=True):
+        assert energy < within
+        assert momentum < 1e-10
+        assert force < 1e-12
+        assert balance < (1e-9 if within < 1e-7 else 1e-5)
