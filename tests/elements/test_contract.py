@@ -75,6 +75,7 @@ MODELS = {
     "spring": {
         "on a hinge": SPACE.with_(**_spring(HINGE, stiffness=3.0, damping=0.4, preload=0.2, rest=0.9)),
         "on a length": SPACE.with_(**_spring(kt.LengthDrive("CE"), stiffness=30.0, friction=0.3, slip=0.2, rest=0.7)),
+        "on a distance": SPACE.with_(**_spring(kt.DistanceCoordinate(("A", "E")), stiffness=30.0, damping=0.5, rest=1.2)),
         "with play": SPACE.with_(**_spring(kt.LengthDrive("CE"), stiffness=30.0, damping=2.0, play=0.05, rest=0.7)),
         "of two terms": SPACE.with_(
             springs={"law": kt.Spring(terms=((HINGE, 1.0), (kt.HingeDrive(axis=("B", "C"), start="D", end="E"), -2.0)),

@@ -1,10 +1,12 @@
 """A kind of element that is not on a coordinate: a record, a file of `elements`, a field of the model, an entry in the list.
 
-All analyses, results and pages then know it. Tried with drag on nodes, in a copy of the package.
+All analyses, results and pages then know it. Tried, in a copy of the package, with drag on nodes and with the contact of a
+sphere and the ground, which has events and rules of its own, and the example of CONTRIBUTING.md.
 """
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,20 +18,13 @@ import pytest
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parents[2]
+FILES = ("record", "element")
+KINDS = "from kinetruss.elements import "
+IMPORT = "from kinetruss.model.drives import (\n"
 OWN = Path(__file__).parent / "new_kind"
 C = 1.225 * 0.5 * 0.8 / 2
 FIELD = "    poses: Table[Name, Pose] = ReadOnly()\n"
-KIND = """    Element(
-        drag.table,
-        drag.coordinates,
-        drag.KERNELS,
-        drag.tangents,
-        without_series=lambda system: "drag resists" if system.model.drags else None,
-        loses=lambda s: True,
-        results=drag.results,
-        fields=drag.fields,
-    ),
-"""
+ENTRY = "ON_NODES: tuple[Callable[[System], on_nodes.Part | None], ...] = ("
 MODEL = """kinetruss: 1
 title: A ball that falls, and a pendulum in a fluid
 nodes:
@@ -51,22 +46,25 @@ runs:
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory):
-    """A copy of the package that has drags."""
+    """A copy of the package that has drags, contacts, and the magnets of CONTRIBUTING.md."""
     folder = tmp_path_factory.mktemp("new_kind")
     package = folder / "kinetruss"
     shutil.copytree(ROOT / "src" / "kinetruss", package)
-    shutil.copy(OWN / "record.py", package / "model" / "drag.py")
-    shutil.copy(OWN / "element.py", package / "elements" / "drag.py")
     data, kinds = package / "model" / "data.py", package / "elements" / "kinds.py"
-    text = data.read_text("utf-8").replace(
-        "from kinetruss.model.drives", "from kinetruss.model.drag import Drag\nfrom kinetruss.model.drives", 1
-    )
-    data.write_text(
-        text.replace(FIELD, f'    drags: Table[Name, Drag] = ReadOnly()\n    """Nodes that a fluid resists."""\n{FIELD}', 1),
-        "utf-8",
-    )
-    text = kinds.read_text("utf-8").replace("import continua,", "import drag, continua,", 1)
-    kinds.write_text(text.replace(')\n"""All kinds', f'{KIND})\n"""All kinds', 1), "utf-8")
+    fields, entries = data.read_text("utf-8"), kinds.read_text("utf-8")
+    shown = re.findall(r"```python\n(.*?)```", (ROOT / "CONTRIBUTING.md").read_text("utf-8"), re.DOTALL)
+    for kind in ("drag", "contact", "magnet"):
+        name, field = kind.capitalize(), f'    {kind}s: Table[Name, {kind.capitalize()}] = ReadOnly()\n    """Trial."""\n'
+        record, element = ((OWN / kind / f"{part}.py").read_text("utf-8") if kind != "magnet" else "" for part in FILES)
+        if kind == "magnet":
+            record, element, field = shown
+        (package / "model" / f"{kind}.py").write_text(record, "utf-8")
+        (package / "elements" / f"{kind}.py").write_text(element, "utf-8")
+        fields = fields.replace(IMPORT, f"from kinetruss.model.{kind} import {name}\n{IMPORT}", 1)
+        fields = fields.replace(FIELD, f"{field}{FIELD}", 1)
+        entries = entries.replace(KINDS, f"{KINDS}{kind}, ", 1).replace(ENTRY, f"{ENTRY}{kind}.{kind}s, ", 1)
+    data.write_text(fields, "utf-8")
+    kinds.write_text(entries, "utf-8")
     return folder
 
 
@@ -198,7 +196,8 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.numbers import numbers_of, tables_at
 system = compile(ball)
 area = numbers_of(system)["drag area"]
-print(json.dumps(float(tables_at(system, {"drag area": area + 1e-30j})["drag c"].imag[0] / 1e-30)))
+numbers = tables_at(system, {"drag area": area + 1e-30j})["drag numbers"]
+print(json.dumps(float(numbers.imag[0, 0] / 1e-30)))
 """
     assert json.loads(answers(package, FALL, code)) == pytest.approx(C / 0.5)
 
@@ -210,7 +209,7 @@ try:
 except kt.errors.KinetrussError as why:
     print(why)
 """
-    assert "drag resists" in answers(package, FALL, code)
+    assert "the drag 'air' has a law without one" in answers(package, FALL, code)
 
 
 def test_a_file_has_it_and_pages_show_it(package):
@@ -220,3 +219,121 @@ def test_a_file_has_it_and_pages_show_it(package):
     assert "Drag (largest values of the motion)" in said
     assert "resistance on the node" in said
     assert "drags: air, fluid" in answers(package, run.format(["info", "ball.yaml"]))
+
+
+BOUNCE = """
+import json
+import numpy as np
+import kinetruss as kt
+from kinetruss.model.contact import Contact
+def ball(gravity=(0, 0, 0), velocities={"ball": (0, 0, -3.0)}, **more):
+    return kt.Model(
+        nodes={"ball": kt.Node(at=(0, 0, 0.7), mass=2.0), "A": (-1, 0, 0), "B": (1, 0, 0)}, fixed=["A", "B"],
+        bars={"one": kt.Bar(ends=("A", "ball"), kind="free"), "two": kt.Bar(ends=("B", "ball"), kind="free")},
+        gravity=gravity, velocities=velocities,
+        contacts={"floor": Contact(**({"node": "ball", "radius": 0.1, "stiffness": 800.0, "exponent": 1.0} | more))})
+"""
+METHODS = [("DOP853()", 1e-8), ("Radau()", 1e-6), ("EnergyMomentum(1e-4)", 1e-5), ("GeneralizedAlpha(1e-4)", 1e-4)]
+
+
+@pytest.mark.parametrize(("method", "within"), METHODS)
+def test_a_linear_bounce_lasts_half_a_period_and_is_told(package, method, within):
+    code = f"""
+run = kt.dynamics.simulate(ball(), 0.5, samples=3, method=kt.{method})
+speeds = run.motion.velocity.sel(node="ball", axis="z").values.tolist()
+print(json.dumps([[[e.name, e.time, e.direction] for e in run.events], speeds]))
+"""
+    ((first, begin, way), (second, end, back)), speeds = json.loads(answers(package, BOUNCE, code))
+    assert (first, way, second, back) == ("floor.contact", -1, "floor.contact", 1)
+    assert begin == pytest.approx(0.2, abs=1e-6)
+    assert end - begin == pytest.approx(np.pi * np.sqrt(2.0 / 800.0), abs=10 * within)
+    assert speeds[-1] == pytest.approx(3.0, rel=within)
+
+
+def test_restitution_is_that_of_hunt_and_crossley_and_friction_slows(package):
+    """c (v + w) = ln((1 + c v)/(1 - c w)), whatever n; a ball that slides under its weight loses mu g t of its speed."""
+    code = """
+tight = kt.DOP853(rtol=1e-12, atol=1e-13)
+run = kt.dynamics.simulate(ball(exponent=1.5, damping=0.3, stiffness=5e3), 0.6, samples=3, method=tight)
+slide = ball(gravity=(0, 0, -9.81), velocities={"ball": (2.0, 0, 0)}, friction=0.2, slip=1e-6, radius=0.7, damping=5.0)
+slid = kt.dynamics.simulate(slide, 0.9, samples=901, method=kt.Radau())
+floor = slid.forces.data
+print(json.dumps([float(run.motion.velocity.sel(node="ball", axis="z")[-1]),
+    float(slid.motion.velocity.sel(node="ball", axis="x")[-1]), float(floor.contact_pressure.integrate("time")[0]),
+    float(abs(kt.dynamics.inverse(slide, slid.motion).energy_balance).max()), float(floor.contact_gap[-1, 0]),
+    floor.contact_gap.attrs, float(slid.motion.velocity.sel(node="ball", axis="z")[-1])]))
+"""
+    after, slid, impulse, balance, gap, attrs, falling = json.loads(answers(package, BOUNCE, code))
+    assert 0.3 * (3.0 + after) == pytest.approx(np.log((1 + 0.3 * 3.0) / (1 - 0.3 * after)), rel=1e-7)
+    assert impulse == pytest.approx(2.0 * (9.81 * 0.9 + falling), rel=1e-4)
+    assert slid == pytest.approx(2.0 - 0.2 * impulse / 2.0, rel=1e-4)
+    assert balance < 1e-8
+    assert gap == pytest.approx(-2.0 * 9.81 / 800.0, rel=0.1)
+    assert attrs == {"units": "m", "long_name": "from the sphere to the ground"}
+
+
+def test_it_rests_in_equilibrium_and_small_displacements_have_its_columns(package):
+    code = """
+model = ball(gravity=(0, 0, -9.81), velocities={}).with_(fixed={"A": "xyz", "B": "xyz", "ball": "xy"})
+rest = kt.statics.equilibrium(model)
+pushed = model.with_(loads={"W": kt.NodalForce(node="ball", force=(0, 0, -5.0))})
+linear = kt.statics.linear(pushed, position=rest.data.position.values, weight=False)
+found = linear.data
+print(json.dumps([float(rest.data.position.sel(node="ball", axis="z")), float(rest.data.contact_pressure[0]),
+    float(linear.displacement.sel(node="ball", axis="z")), float(found.contact_pressure[0]), float(found.contact_gap[0]),
+    found.contact_force.values.tolist()]))
+"""
+    z, pressure, moved, after, gap, force = json.loads(answers(package, BOUNCE, code))
+    sunk = 2.0 * 9.81 / 800.0
+    assert z == pytest.approx(0.1 - sunk, rel=1e-9)
+    assert pressure == pytest.approx(2.0 * 9.81, rel=1e-9)
+    # the forces of the configuration count as loads that its elements answer: the weight is left out, so they push it back
+    assert moved == pytest.approx((2.0 * 9.81 - 5.0) / 800.0, rel=1e-9)
+    assert after == pytest.approx(5.0, rel=1e-9)
+    assert gap == pytest.approx(-5.0 / 800.0, rel=1e-9)
+    assert force[0] == pytest.approx([0.0, 0.0, 5.0], abs=1e-9)
+
+
+def test_rules_of_its_own_come_before_the_run(package):
+    code = """
+for bad in ({"radius": 0.9}, {"node": "bal"}, {"damping": -1.0}):
+    try:
+        ball(**bad)
+    except kt.ModelError as why:
+        print(why)
+"""
+    said = answers(package, BOUNCE, code)
+    assert "contacts.floor.radius: the sphere reaches down to -0.2 m, below the ground at 0 m. Raise the node" in said
+    assert "contacts.floor.node: no node called 'bal'" in said
+    assert "damping -1 is negative" in said
+
+
+def test_the_example_of_the_page_is_an_element(package):
+    """Two masses that attract each other: speeds from their energy, momenta kept, force C/d^4."""
+    code = """
+import json
+import numpy as np
+import kinetruss as kt
+from kinetruss.model.magnet import Magnet
+pair = kt.Model(
+    nodes={"A": kt.Node(at=(0, 0), mass=2.0), "B": kt.Node(at=(1, 0.5), mass=1.0)},
+    bars={"line": kt.Bar(ends=("A", "B"), kind="free")},
+    magnets={"pair": Magnet(nodes=("A", "B"), strength=0.6)})
+found = []
+for method in (kt.DOP853(), kt.Radau(), kt.EnergyMomentum(1e-3)):
+    run = kt.dynamics.simulate(pair, 0.8, samples=9, method=method)
+    v, data = run.motion.velocity.values, run.forces.data
+    d = data.magnet_distance.values[:, 0]
+    balance = float(abs(kt.dynamics.inverse(pair, run.motion).energy_balance).max())
+    energy = (v**2).sum(axis=2) @ [1.0, 0.5] - 0.2 / d**3 + 0.2 / 1.25**1.5
+    force = np.linalg.norm(data.magnet_force.values[:, 0], axis=1) - 0.6 / d**4
+    found.append([*(float(abs(one).max()) for one in (energy, np.array([2.0, 1.0]) @ v, force)), balance])
+kt.io.write(pair, "pair.yaml")
+assert kt.io.read("pair.yaml") == pair
+print(json.dumps(found))
+"""
+    for (energy, momentum, force, balance), within in zip(json.loads(answers(package, code)), (1e-9, 1e-7, 1e-9), strict=True):
+        assert energy < within
+        assert momentum < 1e-10
+        assert force < 1e-12
+        assert balance < (1e-9 if within < 1e-7 else 1e-5)

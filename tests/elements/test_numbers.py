@@ -75,6 +75,7 @@ def _plane() -> kt.Model:
         "play": kt.Spring(coordinate=LENGTH, stiffness=30.0, friction=0.3, slip=0.2, play=0.05),
         "table": kt.Spring(coordinate=LENGTH, table=((-0.1, -3.0), (0.0, 0.0), (0.2, 9.0))),
         "sum": kt.Spring(terms=((TURN, 1.0), (NEXT, -2.0)), stiffness=2.0),
+        "distance": kt.Spring(coordinate=kt.DistanceCoordinate(("A", "E")), stiffness=20.0, rest=1.1),
         "offset": kt.Spring(coordinate=OffsetCoordinate(point="E", line=("A", "B")), stiffness=9.0),
     }
     stops = {

@@ -107,3 +107,17 @@ def test_files_read_as_they_are_written(tmp_path):
     again = kt.io.read(tmp_path / "model.yaml")
     assert again == model
     assert again.stops["wall"].stiffness == 800.0
+
+
+def test_a_stop_on_a_sum_tells_of_contact():
+    """Along a wall that leans: 0.6 x + 0.8 y reaches the gap where the path crosses the line."""
+    terms = ((REACH, 0.6), (kt.CoordinateDrive(node="P", axis="y"), 0.8))
+    model = runner(coordinate=None, terms=terms, upper=GAP).with_(fixed={"O": "xy"}, velocities={"P": (1.0, 0.5)})
+    run = kt.dynamics.simulate(model, 2.0, samples=5, method=TIGHT)
+    begin, end = contact(run)
+    assert begin == pytest.approx(GAP / (0.6 + 0.4), abs=1e-9)
+    assert end - begin == pytest.approx(math.pi * math.sqrt(MASS / 800.0), rel=1e-9)
+    there = kt.Event(terms=terms, value="0.3 m")
+    found = kt.dynamics.simulate(model, 2.0, samples=5, events={"there": there})
+    assert found.events[0].time == pytest.approx(0.3, abs=1e-9)
+    assert "there (sum P x + P y crosses 0.3 m)" in found.message

@@ -29,6 +29,7 @@ TERMS = [
     [{"kind": "angle", "bar": "crank"}, 1],
     [{"kind": "offset", "line": ["Ant", "Bee"], "point": "Cat"}, 2],
     [{"kind": "cosine", "node": "turn"}, 1],
+    [{"kind": "distance", "nodes": ["Ant", "Cat"]}, 1],
     [{"kind": "coordinate", "node": "Cat", "axis": "x"}, 1],
     [HINGE, 1],
     [{"kind": "length", "bar": "rocker"}, 1],

@@ -14,6 +14,7 @@ import xarray as xr
 from kinetruss.actuators.screws import is_self_locking, largest_self_locking_lead
 from kinetruss.actuators.shafts import Geared, Output, Parts, at_motor, output_of, parts_of
 from kinetruss.display import instant, quantity
+from kinetruss.display.ranks import largest_first, place_of_largest
 from kinetruss.model import Active, Model
 from kinetruss.results import Arrays, Axes, Column, Demand, variable
 from kinetruss.results.wide_tables import SLACK
@@ -90,7 +91,7 @@ def exceeded(demand: Demand) -> tuple[Exceeded, ...]:
     [('actuator', 'voltage', 0.45, 25.0)]
     """
     found = list(_found(demand))
-    return tuple(sorted(found, key=lambda one: -one.value / one.limit))
+    return tuple(largest_first(found, lambda one: one.value / one.limit))
 
 
 def _found(demand: Demand) -> Iterator[Exceeded]:
@@ -116,7 +117,7 @@ def _stretches(time: NDArray[np.float64], values: NDArray[np.float64], limit: fl
     for first, end in zip(firsts.tolist(), ends.tolist(), strict=True):
         start = _crossing(time, values, first - 1, limit) if first > 0 else float(time[0])
         stop = _crossing(time, values, end - 1, limit) if end < len(time) else float(time[-1])
-        yield start, stop, first + int(np.argmax(values[first:end]))
+        yield start, stop, first + place_of_largest(values[first:end])
 
 
 def _crossing(time: NDArray[np.float64], values: NDArray[np.float64], at: int, limit: float) -> float:
@@ -365,7 +366,7 @@ def _peaks(
             if history is None:
                 value[i, j] = totals[i][peak.replace(" ", "_")]
             elif magnitudes.size and not np.isnan(magnitudes).all():
-                at = int(np.nanargmax(magnitudes))
+                at = place_of_largest(magnitudes)
                 value[i, j], when[i, j] = magnitudes[at], time[at]
             elif peak == "torque":
                 # one line a member is enough to say that its motor is missing

@@ -16,6 +16,7 @@ from rich.cells import cell_len
 
 from kinetruss.display.html import Markup, element
 from kinetruss.display.numbers import DIGIT, POINT, aligned, column
+from kinetruss.display.ranks import largest_first
 
 SHORT = 14
 """Number of rows up to which a table is kept on one printed page."""
@@ -194,7 +195,7 @@ class Table:
         """The rows that are shown, in their order or by rank, and the others."""
         if self.most is None or len(self.rows) <= self.most[place]:
             return self.rows, []
-        rows = self.rows if self.rank is None else sorted(self.rows, key=self.rank, reverse=True)
+        rows = self.rows if self.rank is None else largest_first(self.rows, self.rank)
         return rows[: self.most[place]], rows[self.most[place] :]
 
     def _lines(self, rows: list[Any], *, pages: bool) -> list[Line]:

@@ -50,8 +50,8 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
         for one in records:
             if one.kind == "coordinate":
                 _add_weight(system, t, weights)
-            elif one.kind == "cosine":
-                pass  # of a scalar, which no bar turns with
+            elif one.kind in ("cosine", "distance"):
+                pass  # a scalar turns with no bar, and forces along the line of two nodes bend none
             elif one.kind == "offset":
                 yield from _offset(system, bars, t, key)
             elif one.kind == "hinge" and system.term_kind[t] == AROUND:

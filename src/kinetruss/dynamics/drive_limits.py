@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators, kinematics
+from kinetruss.display.ranks import largest, largest_first
 from kinetruss.dynamics.prescribed import inverse
 from kinetruss.errors import InputError
 from kinetruss.kinematics.drive_limits import LIMIT_ATTRS, Limits, Use, limit_values, motion_uses
@@ -139,7 +140,7 @@ def limits_kept(
         raise InputError(
             "There is no limit to compare with. Give rate, acceleration or force, or strokes and motors with limits."
         )
-    return LimitsKept(uses=tuple(sorted(uses, key=lambda one: -one.ratio)))
+    return LimitsKept(uses=tuple(largest_first(uses, lambda one: one.ratio)))
 
 
 def _motor_uses(model: Model, motion: Motion, forces: Forces) -> list[Use]:
@@ -398,7 +399,7 @@ class _Search:
             found.append(_Share(float(share[i, d]), what, self.names[int(d)], int(i)))
         if self.motors:
             found.append(_of_motors(self.model, made, forces))
-        return made, max(found, key=lambda one: one.share)
+        return made, largest(found, lambda one: one.share)
 
 
 def _quickest_pace(parts: NDArray[np.float64], limit: NDArray[np.float64]) -> float:

@@ -21,10 +21,11 @@ from kinetruss.kernels.structure.equations import DENSE, SUM_FORCE
 from kinetruss.kernels.structure.rows import POLYNOMIAL
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
 from kinetruss.mechanics import System
-from kinetruss.mechanics.measure_arrays import terms_of
+from kinetruss.mechanics.measure_arrays import period_of, terms_of
 from kinetruss.mechanics.measures import measure_of, terms_sum
 from kinetruss.mechanics.sparse_plan import tangent_record
-from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor, turns
+from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Rattle, Taylor
+from kinetruss.model.simulation import WATCHED
 
 if TYPE_CHECKING:
     from kinetruss.kernels.structure.equations import Equations
@@ -288,15 +289,18 @@ def watched(system: System, eq: Equations, events: Mapping[str, Any]) -> list[Wa
 
 def _terms(system: System, event: Any) -> tuple[Terms, float]:
     """The terms of the coordinate of an event, and after what it is the same (0: never)."""
-    one = event.coordinate
-    if one is None or isinstance(one, str):
+    if event.terms is None and (event.coordinate is None or isinstance(event.coordinate, str)):
         return [], 0.0
     index = {name: i for i, name in enumerate(system.nodes)}
-    return terms_of(system.model, index, system.x0, one, 1.0), 2.0 * np.pi if turns(one) else 0.0
+    parts = event.terms or ((event.coordinate, 1.0),)
+    found = [term for one, factor in parts for term in terms_of(system.model, index, system.x0, one, factor)]
+    if (period := period_of(parts)) is None:
+        raise InputError("events: the factors of the angles of a sum are in no ratio of whole numbers. Mend the factors.")
+    return found, period
 
 
 def _quantity(system: System, eq: Equations, name: str, event: Any) -> tuple[int, int, int, float]:
-    if event.coordinate is not None and not isinstance(event.coordinate, str):
+    if event.terms is not None or not isinstance(event.coordinate, str | None):
         return SUM, 0, 0, event.value
     if event.coordinate is not None:
         node, _, axis = event.coordinate.rpartition(".")
@@ -333,17 +337,19 @@ def _length_at(system: System, i: int, name: str, event: Any) -> float:
 
 def described(name: str, event: Any) -> str:
     """An event as text."""
-    what = next(field for field in ("length", "coordinate", "force") if getattr(event, field) is not None)
+    what = next(field for field in WATCHED if getattr(event, field) is not None)
     way = {"rising": "rises through", "falling": "falls through", "both": "crosses"}[event.direction]
     quantity = getattr(event, what)
-    if not isinstance(quantity, str):
+    if what == "terms":
+        what, quantity = "sum", " + ".join(" ".join(_named(one)) for one, _ in quantity)
+    elif not isinstance(quantity, str):
         what, quantity = quantity.kind, ", ".join(_named(quantity))
     return f"{name} ({what} {quantity} {way} {event.value:g} {event.unit})"
 
 
 def _named(coordinate: Any) -> list[str]:
     """The bars and nodes that a coordinate names."""
-    given = (getattr(coordinate, name, ()) for name in ("bar", "node", "axis", "start", "end", "line", "point"))
+    given = (getattr(coordinate, name, ()) for name in ("bar", "node", "axis", "start", "end", "line", "point", "nodes"))
     return [one for part in given for one in ((part,) if isinstance(part, str) else part) if isinstance(one, str)]
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements import continua, continua_matrices, scalars
+from kinetruss.elements import continua, continua_matrices, on_nodes, scalars
 from kinetruss.elements.caching import cached
+from kinetruss.elements.element import Element
 from kinetruss.elements.loads import along, body_loads, nodal, pressures
 from kinetruss.elements.loads.load import Load, Turning, UnitLoad
 from kinetruss.elements.pin_friction import pins
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
 
 ON_COORDINATES = {"friction": pins, "spring": springs, "stop": stops}
 """Kinds of elements on coordinates (elements.scalars): friction, whose elements have no names, and those of a model."""
+
+ON_NODES: tuple[Callable[[System], on_nodes.Part | None], ...] = ()
+"""Kinds of elements on nodes whose law is an expression (elements.on_nodes)."""
 
 
 @cached()
@@ -59,43 +63,11 @@ def spans_of(system: System) -> dict[str, slice]:
 
 def switches(system: System) -> dict[str, Any]:
     """Events by name at which a law changes its form."""
+    return {name: event for one in ELEMENTS for name, event in one.switches(system).items()}
+
+
+def _of_parts(system: System) -> dict[str, Any]:
     return {name: event for part in parts_of(system).values() for name, event in part.switches.items()}
-
-
-class Results(NamedTuple):
-    """What a person reads of the elements of one kind: the kind, a word that names their dimension; their names; by name of the
-    result its values along a motion, (times, elements) or vectors (times, elements, 3), their unit, and what they are.
-    """
-
-    kind: str
-    names: tuple[str, ...]
-    values: Mapping[str, tuple[NDArray[np.float64], str, str]]
-
-
-class Element(NamedTuple):
-    """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
-    none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
-    (kernels.structure.element_table), interface and kernel. without_series : why a system has no power series of these forces,
-    or None. loses : whether elements of its record take energy.
-
-    With positions and velocities (n, 3), as sparse matrices (3 n, 3 n): tangents : K and C, minus the derivatives of the forces
-    by x and by v. geometric : the stiffness of the forces that small displacements u from x add, for critical loads; None where
-    these have none. rows : the equations of small displacements have rows for the deformations of its elements
-    (statics.small_displacements). results : at times (times,), positions and velocities (times, 3 n), where its elements have
-    some that are not on a coordinate. fields : the arrays of the record by name, whose numbers may be complex, and copies, as
-    those of the system are (mechanics.numbers).
-    """
-
-    table: Callable[[Any], Any]
-    coordinates: Callable[[Any], NDArray[np.int64]]
-    kernels: Mapping[int, tuple[Any, Any]]
-    tangents: Callable[[Any, Any, Any, Any], tuple[Any, Any]]
-    without_series: Callable[[Any], str | None]
-    loses: Callable[[Any], bool]
-    geometric: Callable[[Any, Any, Any, Any], Any] | None = None
-    rows: bool = False
-    results: Callable[[Any, Any, Any, Any, Any], Results] | None = None
-    fields: Callable[[Any], dict[str, NDArray[Any]] | None] | None = None
 
 
 def _bent(system: System) -> str | None:
@@ -116,6 +88,7 @@ ELEMENTS = (
         geometric=scalars.geometric,
         rows=True,
         fields=fields_on_coordinates,
+        switches=_of_parts,
     ),
     Element(
         continua_matrices.table,
@@ -128,6 +101,7 @@ ELEMENTS = (
         rows=True,
         fields=continua_matrices.fields,
     ),
+    *map(on_nodes.element, ON_NODES),
 )
 """All kinds, in the order of their sums."""
 

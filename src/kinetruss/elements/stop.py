@@ -61,8 +61,7 @@ def stops(system: System) -> Part:
                     f"stops.{name}.{end}: the coordinate is {here[k]:.6g} in the model, beyond the stop at {value:.6g}. "
                     "Move the nodes or the stop."
                 )
-            if one.coordinate is not None:
-                switches[f"{name}.{end}"] = Event(coordinate=one.coordinate, value=value, stop=False)
+            switches[f"{name}.{end}"] = Event(coordinate=one.coordinate, terms=one.terms, value=value, stop=False)
     for column, none_there in ((LOWER, -math.inf), (UPPER, math.inf)):
         given = numbers[..., column]
         numbers[..., column] = np.where(np.isnan(given), none_there, given - start)

@@ -9,7 +9,8 @@ from scipy.sparse import csr_array
 
 from kinetruss.elements import scalars
 from kinetruss.elements.continua_matrices import continua_stiffness
-from kinetruss.elements.kinds import Results, on_coordinates, present, spans_of
+from kinetruss.elements.element import Results
+from kinetruss.elements.kinds import on_coordinates, present, spans_of
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.element_table import ENERGY, FORCE
 
@@ -122,6 +123,11 @@ def element_results(
     rate = np.broadcast_to(rate, place.shape)  # at rest one row stands for all
     times = np.broadcast_to(0.0 if t is None else t, len(place))
     return [one.results(system, record, times, place, rate) for one, record in present(system) if one.results is not None]
+
+
+def displaced_results(system: System, x: NDArray[np.float64], u: NDArray[np.float64]) -> list[Results]:
+    """The same at rest with small displacements u from x, both (n, 3), to first order: of those kinds that have such."""
+    return [one.linear_results(system, record, x, u) for one, record in present(system) if one.linear_results is not None]
 
 
 def scalar_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> NDArray[np.float64]:

@@ -254,6 +254,8 @@ def _terms(model: WholeModel, index: dict[str, int], one: Any) -> list[Term]:
         return [Term(NODE, at(one.node), (*np.eye(3)["xyz".index(one.axis)], *Y))]
     if one.kind == "cosine":
         return [Term(COSINE, at(one.node), (one.phase, 0.0, 0.0, *Y), phase=True)]
+    if one.kind == "distance":
+        return [Term(ALONG, at(one.nodes[1], one.nodes[0]))]
     if one.kind == "offset":
         return [Term(OFFSET, at(one.point, *one.line))]
     if one.kind == "hinge":
@@ -274,6 +276,15 @@ def axes_of(drive: Any, d: Array) -> tuple[Array, Array]:
     e1 = reference - (reference @ axis)[..., None] * axis
     e1 = e1 / size(e1)[..., None]
     return e1, np.cross(axis, e1)
+
+
+def period_of(parts: Any) -> float | None:
+    """After what change a sum of coordinates and factors is the same, 0: never; None if its angles are in no ratio."""
+    turning = [(k, float(factor)) for k, (one, factor) in enumerate(parts) if turns(one)]
+    if not turning:
+        return 0.0
+    found = _period(turning)
+    return None if found is None else TURN * abs(parts[found.largest][1]) * found.step / found.whole
 
 
 def _period(turning: list[tuple[int, float]]) -> Period | None:

@@ -110,7 +110,7 @@ def _tables(system: System) -> dict[str, NDArray[Any]]:
     found |= {f"structure {name}": one for name, one in elements(system).items()}
     for kind in ELEMENTS:
         if kind.fields is not None:
-            file = kind.coordinates.__module__.rpartition(".")[2]
+            file = kind.name or kind.coordinates.__module__.rpartition(".")[2]
             found |= {f"{file} {name}": one for name, one in (kind.fields(system) or {}).items()}
         elif (record := kind.table(system)) is not None:
             raise AnalysisError(

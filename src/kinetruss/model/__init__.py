@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         CoordinateDrive as CoordinateDrive,
         CosineCoordinate as CosineCoordinate,
         Coupling as Coupling,
+        DistanceCoordinate as DistanceCoordinate,
         GimbalPose as GimbalPose,
         HingeDrive as HingeDrive,
         LengthDrive as LengthDrive,

@@ -12,7 +12,13 @@ from kinetruss.model.beam_checks import beam_faults
 from kinetruss.model.body_checks import body_faults, planar_body_faults
 from kinetruss.model.common_faults import a_bar, components, other_quantity
 from kinetruss.model.continua import continuum_faults
-from kinetruss.model.coordinate_checks import coupling_faults, force_element_faults, joint_faults, measured_faults
+from kinetruss.model.coordinate_checks import (
+    coupling_faults,
+    element_faults,
+    force_element_faults,
+    joint_faults,
+    measured_faults,
+)
 from kinetruss.model.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, coordinate_kinds
 from kinetruss.model.gauges import gauge_faults
 from kinetruss.model.hub_expansion import bearing_faults
@@ -56,6 +62,7 @@ def faults_of(model: WholeModel) -> list[Fault]:
         *_drives(model),
         *coupling_faults(model),
         *force_element_faults(model),
+        *element_faults(model),
         *_trajectories(model),
         *run_faults(model),
         *all_condition_faults(model),

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
-from kinetruss.model.data import FORCE_ELEMENTS
+from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.model.drives import geared
 from kinetruss.model.joints import GROUND, SHARED
+from kinetruss.model.references import unknown_names
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
@@ -29,7 +30,15 @@ def coupling_faults(model: ModelData) -> Iterator[Fault]:
             yield Fault(path, f"{name!r} is also the name of a drive or a member.", "Give the coupling another name.")
         if not model.members:
             yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
-        yield from _sum_faults(model, coupling.terms, (*path, "terms"))
+        yield from sum_faults(model, coupling.terms, (*path, "terms"))
+
+
+def element_faults(model: ModelData) -> Iterator[Fault]:
+    """What the records of elements find by themselves, of those whose names are known."""
+    for field in ELEMENT_FIELDS.values():
+        for name, one in getattr(model, field).items():
+            if not any(unknown_names(model, one, (field, name))):
+                yield from one.faults(model, (field, name))
 
 
 def force_element_faults(model: ModelData) -> Iterator[Fault]:
@@ -46,12 +55,13 @@ def force_element_faults(model: ModelData) -> Iterator[Fault]:
             if not model.members:
                 yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
             if one.terms is not None:
-                yield from _sum_faults(model, one.terms, (*path, "terms"))
+                yield from sum_faults(model, one.terms, (*path, "terms"))
             elif one.coordinate is not None:
                 yield from _term_faults(model, one.coordinate, (*path, "coordinate"))
 
 
-def _sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:
+def sum_faults(model: ModelData, terms: Any, path: Path) -> Iterator[Fault]:
+    """Faults of a sum of coordinates: pairs of coordinate and factor."""
     for k, (one, factor) in enumerate(terms):
         yield from _term_faults(model, one, (*path, k))
         if factor == 0:
@@ -79,6 +89,8 @@ def measured_faults(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
         if one.node in model.nodes and not model.nodes[one.node].scalar:
             mend = f"Make it one: {one.node}: {{at: [..], scalar: true}}."
             yield Fault((*path, "node"), f"{one.node!r} is no scalar.", mend, about=(("nodes", one.node),))
+    elif one.kind == "distance":
+        yield from _distance(model, one, (*path, "nodes"))
     elif one.kind == "offset":
         yield from _offset(model, one, path, dim)
     elif one.kind == "hinge":
@@ -105,6 +117,20 @@ def _angle(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
         yield Fault(path, f"{one.bar!r} points along the axis, so it has no angle about it.", "Choose another axis or bar.")
     if one.reference is not None and _across(one.reference, one.axis) <= ON_AXIS:
         yield Fault((*path, "reference"), "points along the axis.", "Give a direction across it.")
+
+
+def _distance(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
+    first, second = one.nodes
+    scalars = [name for name in one.nodes if name in model.nodes and model.nodes[name].scalar]
+    if first == second:
+        yield Fault(path, f"names {first!r} twice.", "Give two different nodes.")
+    elif scalars:
+        yield Fault(path, f"{scalars[0]!r} is a scalar, which is no place.", "Give two nodes that are places.")
+    elif all(name in model.nodes for name in one.nodes) and _apart(model, first, second) == 0.0:
+        words = f"{first!r} and {second!r} stand at one place in the model, so their distance has no direction."
+        yield Fault(path, words, "Give nodes that are apart, or move one of them.", about=(("nodes", first), ("nodes", second)))
+    elif all(model.fixed.get(name, "") == "xyz"[: model.dim] and name not in model.support_motion for name in one.nodes):
+        yield Fault(path, "are both fixed, so their distance cannot change.", "Name a node that can move.")
 
 
 def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:

@@ -11,7 +11,18 @@ from kinetruss.errors import shown
 from kinetruss.model.beams import Beam
 from kinetruss.model.bodies import Body
 from kinetruss.model.continua import Membrane, Solid
-from kinetruss.model.drives import AngleDrive, Coupling, Drive, ForceElement, HingeDrive, LengthDrive, Pose, Spring, geared
+from kinetruss.model.drives import (
+    AngleDrive,
+    Coupling,
+    Drive,
+    ElementRecord,
+    ForceElement,
+    HingeDrive,
+    LengthDrive,
+    Pose,
+    Spring,
+    geared,
+)
 from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
@@ -227,7 +238,7 @@ _ELEMENTS: dict[str, tuple[str, type]] = {
     record.element: (name, record)
     for name, field in ModelData.model_fields.items()
     for record in get_args(field.annotation)
-    if getattr(record, "element", None)
+    if isinstance(record, type) and issubclass(record, ElementRecord)
 }
 ELEMENT_FIELDS: dict[str, str] = {kind: name for kind, (name, _) in _ELEMENTS.items()}
 """Kinds of elements whose records say so (`element`), and the fields that have them."""

@@ -28,6 +28,9 @@ from kinetruss.model.references import DriveName, MemberName, NodeName, Ref
 from kinetruss.units import Tagged, parse
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from kinetruss.errors import Fault
     from kinetruss.model.data import ModelData
 
 
@@ -182,6 +185,26 @@ class OffsetCoordinate(Record):
     point: NodeName
 
 
+class DistanceCoordinate(Record):
+    """Distance (m) of two nodes; no bar need join them.
+
+    nodes : the two nodes, which are apart in the model. The distance has no direction while they meet, so what acts on it must
+    keep them apart.
+
+    >>> import kinetruss as kt
+    >>> kt.DistanceCoordinate(("A", "B"))
+    DistanceCoordinate(nodes=('A', 'B'))
+    """
+
+    _positional: ClassVar = ("nodes",)
+    kind: Literal["distance"] = "distance"
+    nodes: tuple[NodeName, NodeName]
+
+    if TYPE_CHECKING:
+
+        def __init__(self, nodes: tuple[str, str]) -> None: ...
+
+
 class CosineCoordinate(Record):
     """Cosine of the angle that a scalar node holds, with a phase (rad) added: cos(x + phase); a number.
 
@@ -196,7 +219,8 @@ class CosineCoordinate(Record):
 
 
 Measured = Annotated[
-    LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | OffsetCoordinate | CosineCoordinate, Field(discriminator="kind")
+    LengthDrive | AngleDrive | HingeDrive | CoordinateDrive | DistanceCoordinate | OffsetCoordinate | CosineCoordinate,
+    Field(discriminator="kind"),
 ]
 
 
@@ -204,9 +228,10 @@ class Coupling(Record):
     """Keeps the sum of factor times coordinate at its start value, or at `value`.
 
     A coordinate is given as the drive that would move it: the length or the angle of a bar, a hinge, a coordinate of a node;
-    or the offset of a node from a line, or the cosine of a scalar. Angles count on over full turns; so the factors of two or
-    more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear pair two angles; the
-    offsets of two points of one body from a line of another are the two conditions of a slider in the plane.
+    or the distance of two nodes, the offset of a node from a line, or the cosine of a scalar. Angles count on over full turns;
+    so the factors of two or more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear
+    pair two angles; the offsets of two points of one body from a line of another are the two conditions of a slider in the
+    plane.
 
     terms : pairs of coordinate and factor.
     value : of the sum, m or rad; by default that in the model.
@@ -274,14 +299,23 @@ _UNITS = {"length": "m, N and s", "angle": "rad, N m and s"}
 Points = Annotated[tuple[tuple[Number, Number], ...], Field(min_length=2)]
 
 
-class ForceElement(Record):
+class ElementRecord(Record):
+    """What the records of elements have in common: the word for the kind, which names its results, and rules of its own."""
+
+    element: ClassVar[str]
+
+    def faults(self, model: ModelData, path: tuple[Any, ...]) -> Iterator[Fault]:  # noqa: ARG002
+        """Faults that need the model; path : the place of the record in it. It is asked only if the names in it are known."""
+        return iter(())
+
+
+class ForceElement(ElementRecord):
     """What elements with a law on a coordinate have in common.
 
     coordinate : on which it acts, as a drive that would move it.
     terms : a sum of coordinates in its place: pairs of coordinate and factor.
     """
 
-    element: ClassVar[str]
     plain: ClassVar[tuple[str, ...]]
     """Fields whose unit is that of a length or an angle, as the coordinate is."""
     coordinate: Measured | None = None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.common_faults import components, other_quantity
-from kinetruss.model.coordinate_checks import measured_faults
+from kinetruss.model.coordinate_checks import measured_faults, sum_faults
 from kinetruss.model.drives import LengthDrive, coordinate_kinds, turns
 from kinetruss.model.inputs import PositionLoop
 from kinetruss.model.members import Active
@@ -141,7 +141,9 @@ def event_faults(model: Model, events: Any, path: tuple[Any, ...] = ("events",))
 def event_rules(model: ModelData, events: Any, path: tuple[Any, ...]) -> Iterator[Fault]:
     """Events of coordinates that are none."""
     for name, event in events.items():
-        if event.coordinate is not None and not isinstance(event.coordinate, str):
+        if event.terms is not None:
+            yield from sum_faults(model, event.terms, (*path, name, "terms"))
+        elif event.coordinate is not None and not isinstance(event.coordinate, str):
             yield from measured_faults(model, event.coordinate, (*path, name, "coordinate"))
         elif event.coordinate is not None:
             place = (*path, name, "coordinate")

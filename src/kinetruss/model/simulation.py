@@ -269,16 +269,22 @@ Task = Annotated[Annotated[_Own, Tag("task")] | Annotated[Trajectory, Tag("traje
 _VALUE = {"anyOf": [{"type": "number"}, {"type": "string"}], "description": "m, of a force N; a number, or text with a unit"}
 
 
-def _is_angle(coordinate: Any) -> bool:
-    """Whether an event watches an angle; a text names a coordinate of a node."""
-    return isinstance(coordinate, Record) and turns(coordinate)
+WATCHED = ("length", "coordinate", "terms", "force")
+"""Fields of an event of which one says what it watches."""
+
+
+def _turned(coordinate: Any, terms: Any) -> bool:
+    """Whether an event watches an angle, or a sum that begins with one; a text names a coordinate of a node."""
+    first = coordinate if not terms else terms[0][0]
+    return isinstance(first, Record) and turns(first)
 
 
 class Event(Record):
     """The instant at which a length (of a member, m), a coordinate or a mean axial force (of a member, N) arrives at a value.
 
     length : of this member, m. coordinate : ``NODE.x``, m, or any other, given as the drive that would move it: the angle of a
-        hinge (rad, on every turn), a length, an offset. force : mean axial one of this member, N. Give one of them.
+        hinge (rad, on every turn), a length, an offset. terms : a sum of coordinates in its place, pairs of coordinate and
+        factor, as of a `Coupling`. force : mean axial one of this member, N. Give one of them.
     direction : from below (``rising``), from above (``falling``) or ``both``. A quantity that touches its value and turns back
         counts once; one that has this value at the start does not count. stop : end the run there; False only records the
         event.
@@ -286,6 +292,7 @@ class Event(Record):
 
     length: MemberName | None = None
     coordinate: Name | MeasuredCoordinate | None = None
+    terms: Annotated[tuple[tuple[MeasuredCoordinate, Number], ...], Field(min_length=1)] | None = None
     force: MemberName | None = None
     value: Annotated[float, WithJsonSchema(_VALUE)]
     direction: Literal["rising", "falling", "both"] = "both"
@@ -294,12 +301,12 @@ class Event(Record):
     @field_validator("value", mode="plain")
     @classmethod
     def _in_its_unit(cls, value: Any, info: ValidationInfo) -> float:
-        angle = _is_angle(info.data.get("coordinate"))
+        angle = _turned(info.data.get("coordinate"), info.data.get("terms"))
         return parse(value, "force" if info.data.get("force") is not None else "angle" if angle else "length")
 
     @model_validator(mode="after")
     def _one_quantity(self) -> Event:
-        given = [name for name in ("length", "coordinate", "force") if getattr(self, name) is not None]
+        given = [name for name in WATCHED if getattr(self, name) is not None]
         if len(given) != 1:
             has = f"has {' and '.join(given)}" if given else "watches nothing"
             raise ValueError(f"{has}. Give one of length (a member), coordinate (NODE.x) or force (a member).")
@@ -308,4 +315,4 @@ class Event(Record):
     @property
     def unit(self) -> str:
         """SI unit of the quantity, and of `value`: m, rad or N."""
-        return "N" if self.force is not None else "rad" if _is_angle(self.coordinate) else "m"
+        return "N" if self.force is not None else "rad" if _turned(self.coordinate, self.terms) else "m"

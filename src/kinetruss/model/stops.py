@@ -17,7 +17,7 @@ class Stop(ForceElement):
 
     (K. H. Hunt, F. R. E. Crossley, J. Appl. Mech. 42 (1975) 440, eq. 8). At a small speed v of impact the coefficient of
     restitution is 1 - 2/3 damping v. A simulation reports every beginning (away from the gap) and end of contact as an event
-    ``NAME.lower`` or ``NAME.upper``; not of stops on a sum of coordinates.
+    ``NAME.lower`` or ``NAME.upper``.
 
     lower, upper : values of the coordinate where contact begins, m or rad; give one of them or both. In the model the
     coordinate must lie between them. stiffness : k, N/m^n or N m/rad^n. damping : s/m or s/rad. exponent : n; 1.5 is Hertz's

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import Table, instant, quantity
+from kinetruss.display.ranks import largest, largest_first, place_of_largest
 from kinetruss.display.tables import Column, measured, mixed, seconds, words
 from kinetruss.errors import InputError
 from kinetruss.io.values import resolved
@@ -178,7 +179,7 @@ def compare(
             continue
         if not names and not any(np.nan_to_num(one.values).any() for group in groups for one in group):
             continue
-        chosen = [group if members else [max(group, key=_size)] for group in groups]
+        chosen = [group if members else [largest(group, _size)] for group in groups]
         order = list(dict.fromkeys(one.of for group in chosen for one in group)) if members else [None]
         for of in order:
             for run, label, group in zip(runs, labels, chosen, strict=True):
@@ -231,7 +232,7 @@ def _size(curve: Curve) -> float:
 
 
 def _largest(values: Any, time: Any) -> tuple[float, float]:
-    at = int(np.nanargmax(np.abs(values)))
+    at = place_of_largest(np.abs(values))
     return float(values[at]), float(time[at])
 
 
@@ -373,7 +374,7 @@ def _both(name: str, pair: Sequence[dict[str, NDArray[np.float64]]]) -> list[Bot
                 ratio=abs(second / first) if abs(first) > ROUND_OFF * largest else None,
             )
         )
-    return sorted(rows, key=lambda row: -row.difference)
+    return largest_first(rows, lambda row: row.difference)
 
 
 def _beside_entries(found: Sequence[Both]) -> list[Entry]:

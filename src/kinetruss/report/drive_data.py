@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators
+from kinetruss.display.ranks import largest_first, place_of_largest
 from kinetruss.model import turns
 from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.report.run_data import entry, peak, pose_at
@@ -32,7 +33,7 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
             drive, push, rate = run.model.all_drives[name], forces.whole["drive_force"].values[:, k], rates[:, k]
             if (getattr(drive, "bar", name) if drive.kind == "length" else name, case) in elsewhere or np.isnan(push).all():
                 continue
-            at = int(np.nanargmax(np.abs(push)))
+            at = place_of_largest(np.abs(push))
             found.append(
                 {
                     "drive": name,
@@ -61,7 +62,7 @@ def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
             continue
         time, push, value = (forces.whole[name].values for name in ("time", f"{kind}_force", f"{kind}_value"))
         for k, name in enumerate(map(str, forces.whole[kind].values)):
-            at = int(np.argmax(np.abs(push[:, k])))
+            at = place_of_largest(np.abs(push[:, k]))
             found.append(
                 {
                     kind: name,
@@ -84,7 +85,7 @@ def _largest_results(run: RunResult, kind: str) -> list[dict[str, Any]]:
             along = values.transpose("time", kind, ...).values
             size = np.linalg.norm(along, axis=2) if along.ndim == 3 else np.abs(along)
             for k, name in enumerate(map(str, forces.whole[kind].values)):
-                at = int(np.argmax(size[:, k]))
+                at = place_of_largest(size[:, k])
                 load = size[at, k] if along.ndim == 3 else along[at, k]
                 words = {"what": values.attrs["long_name"], "unit": values.attrs["units"], "load_case": case}
                 found.append({kind: name, **words, "load": float(load), "time": float(forces.whole["time"].values[at])})
@@ -181,7 +182,7 @@ def trains(run: RunResult) -> list[dict[str, Any]]:
 def limits(run: RunResult) -> list[dict[str, Any]]:
     """Largest demands on the drives compared with their limits, over all load cases, worst first."""
     rows = demands(run.demand)
-    return [entry(row) for row in sorted(rows, key=lambda row: -row.utilisation if row.checked else math.inf)]
+    return [entry(row) for row in largest_first(rows, lambda row: row.utilisation if row.checked else -math.inf)]
 
 
 def exceeded(run: RunResult) -> list[dict[str, Any]]:
@@ -192,7 +193,7 @@ def exceeded(run: RunResult) -> list[dict[str, Any]]:
         if demand.data.sizes["time"] and "limit" in demand.data
         for one in actuators.exceeded(demand)
     ]
-    every.sort(key=lambda one: -one["value"] / one["limit"])
+    every = largest_first(every, lambda one: one["value"] / one["limit"])
     # strokes are exceeded by a few percent, torques by multiples: show the worst of each quantity first
     first = {one["quantity"]: k for k, one in reversed(list(enumerate(every)))}
     return [every[k] for k in sorted(range(len(every)), key=lambda k: (first[every[k]["quantity"]] != k, k))]

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss import strength
 from kinetruss.display import instant, quantity
+from kinetruss.display.ranks import largest, largest_first
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 
@@ -256,9 +257,9 @@ def _governing_rows(run: RunResult, record: Mapping[str, Any]) -> list[Mapping[s
             found.setdefault(row["rule"], row)
     drives = [row for row in record["limits"] if row["utilisation"] is not None and _sample_of(run, row) is not None]
     if drives:
-        found["drive"] = max(drives, key=lambda row: float(row["utilisation"]))
+        found["drive"] = largest(drives, lambda row: float(row["utilisation"]))
     shares = ((row, float(row["utilisation"])) for row in found.values())
-    return [row for row, _ in sorted(shares, key=lambda pair: -pair[1] if np.isfinite(pair[1]) else -1.0)]
+    return [row for row, _ in largest_first(shares, lambda pair: pair[1] if np.isfinite(pair[1]) else 1.0)]
 
 
 def _of_row(run: RunResult, row: Mapping[str, Any]) -> list[Subject]:

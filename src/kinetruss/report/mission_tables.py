@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Table, quantity
+from kinetruss.display.ranks import largest_first
 from kinetruss.display.tables import Column, measured, mixed, seconds, words
 from kinetruss.errors import one_line
 from kinetruss.report.run_data import entry, governing, plain
@@ -132,11 +133,11 @@ def mission_tables(run: MissionRun, record: Record, limits: Rows, findings: Mapp
     of = run.extremes
     units = dict(zip(map(str, of["quantity"].values), map(str, of["unit"].values), strict=True)) if "unit" in of else {}
     extremes = [one | {"unit": units[one["quantity"]]} for one in record["extremes"]]
-    held = sorted((one for one in limits if one["utilisation"] is not None), key=lambda one: -rank_of(one["utilisation"]))
+    held = largest_first((one for one in limits if one["utilisation"] is not None), lambda one: rank_of(one["utilisation"]))
     free = [one for one in limits if one["utilisation"] is None]
-    pairs = sorted(
+    pairs = largest_first(
         (one | {"finding": one_line(findings.get(one["label"], ""), LONGEST)} for one in record["pairs"]),
-        key=lambda one: -rank_of(one["utilisation"]),
+        lambda one: rank_of(one["utilisation"]),
     )
     station = measured("station", "position", "m")
     return {
@@ -182,7 +183,7 @@ def _limits(what: str, rows: Rows, caption: str, *more: Column) -> Table:
 def _largest(what: str, of: str, rows: Rows, caption: str, *more: Column) -> Table:
     """The largest values of each quantity; of many rows the largest of every quantity."""
     found: dict[str, list[Record]] = {}
-    for row in sorted(rows, key=lambda row: -rank_of(row["value"])):
+    for row in largest_first(rows, lambda row: rank_of(row["value"])):
         if rank_of(row["value"]) > 0:
             found.setdefault(row[of], []).append(row)
     order = [row | {"place": -place} for name in sorted(found) for place, row in enumerate(found[name])]

@@ -15,6 +15,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure as Canvas
 
 from kinetruss.display import COLOURS, scale
+from kinetruss.display.ranks import largest_first, order_of
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
 from kinetruss.report.comparisons import run_labels
@@ -176,7 +177,7 @@ def _panel_of_result(result: Result, name: str) -> Panel | None:
     moving = np.ptp(np.nan_to_num(values), axis=0) > 0 if name == "position" else size > 0
     if not moving.any():
         return None
-    chosen = sorted(np.argsort(-np.where(moving, size, -1))[: min(CURVES, int(moving.sum()))])
+    chosen = sorted(order_of(np.where(moving, size, -1))[: min(CURVES, int(moving.sum()))])
     own = list(units_of(array))
     # of drives with other units, those of the first
     chosen = [k for k in chosen if own[k] == own[chosen[0]]]
@@ -315,7 +316,7 @@ def _largest(found: list[Curve], runs: int) -> list[Curve]:
     most = max(1, MOST // runs)
     if len(found) <= most:
         return found
-    ranked = sorted(found, key=lambda one: -float(abs(one.values).max(initial=0)))[:most]
+    ranked = largest_first(found, lambda one: float(abs(one.values).max(initial=0)))[:most]
     return [one for one in found if one in ranked]
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display.ranks import largest_first, place_of_largest
 from kinetruss.mechanics import compile
 from kinetruss.model import LengthDrive
 from kinetruss.model.bracing import CHORD
@@ -77,7 +78,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
         for i, member in enumerate(map(str, forces.whole["member"].values)):
             if isinstance(members[member], Brace):
                 continue
-            at = int(np.argmax(np.abs(values[:, i])))
+            at = place_of_largest(np.abs(values[:, i]))
             share = math.nan if static is None else float(values[at, i] - static[at, i])
             when = float(forces.whole["time"].values[at])
             found.append(
@@ -91,7 +92,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
                     "unique": member not in unsure,
                 }
             )
-    return sorted(found, key=lambda entry: -abs(entry["force"]))[:count]
+    return largest_first(found, lambda entry: abs(entry["force"]))[:count]
 
 
 def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
@@ -108,7 +109,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
             continue
         time, values = data["time"].values, middle_forces(run.model, forces)
         still = None if forces.static is None else middle_forces(run.model, forces.static)
-        low, high = values.argmin(axis=0), values.argmax(axis=0)
+        low, high = place_of_largest(-values, axis=0), place_of_largest(values, axis=0)
         unsure = set(data.attrs.get("not_unique", []))
         entries = []
         for k, name in enumerate(map(str, data["member"].values)):
@@ -127,7 +128,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
                     "unique": name not in unsure,
                 }
             )
-        found[case] = sorted(entries, key=lambda entry: -max(-entry["least"], entry["largest"]))
+        found[case] = largest_first(entries, lambda entry: max(-entry["least"], entry["largest"]))
     return found
 
 
@@ -146,7 +147,7 @@ def reactions(run: RunResult) -> list[dict[str, Any]]:
         for k, name in enumerate(map(str, data["support"].values)):
             values = data["reaction"].values[:, k]
             size = np.linalg.norm(np.nan_to_num(values), axis=1)
-            at = int(size.argmax())
+            at = place_of_largest(size)
             entry = {
                 "support": name,
                 "load_case": case,
@@ -193,7 +194,7 @@ def skins(run: RunResult) -> list[dict[str, Any]]:
         for case, result in _deformed(run).items():
             data = elements(run.model, result, name)["von_mises"]
             stress = data.max([one for one in data.dims if one not in ("time", "element")]).transpose("element", ...)
-            at = np.unravel_index(int(np.nanargmax(stress.values)), stress.shape)
+            at = np.unravel_index(place_of_largest(stress.values), stress.shape)
             entry = {
                 "part": name,
                 "load_case": case,
@@ -204,7 +205,7 @@ def skins(run: RunResult) -> list[dict[str, Any]]:
                 "yield_strength": None if material is None else getattr(material, "yield_strength", None),
             }
             found.append(entry)
-    return sorted(found, key=lambda one: -one["von_mises"])
+    return largest_first(found, lambda one: one["von_mises"])
 
 
 def _deformed(run: RunResult) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import instant
+from kinetruss.display.ranks import largest_first, order_of
 from kinetruss.report.pictures.specs import Bars, Drawing, Figure, Histories, Panel
 from kinetruss.report.pictures.stands import drawing, shown_at
 from kinetruss.report.run_data import worst
@@ -167,7 +168,7 @@ def drive_kinds(model: Model) -> dict[str, str]:
 def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
     """Lengths of the members whose length changes most."""
     length = data["length"].values
-    order = np.argsort(-np.ptp(length, axis=0))[:CURVES]
+    order = order_of(np.ptp(length, axis=0))[:CURVES]
     return {str(data["member"].values[k]): length[:, k] for k in order}
 
 
@@ -177,7 +178,7 @@ def _forces(forces: Forces) -> Histories | None:
     values = data["member_force"].values
     if not values.shape[1]:
         return None
-    order = np.argsort(-np.max(np.abs(values), axis=0))[: CURVES - 1]
+    order = order_of(np.max(np.abs(values), axis=0))[: CURVES - 1]
     names = [str(data["member"].values[k]) for k in order]
     lines = {name: values[:, k] for name, k in zip(names, order, strict=True)}
     still: dict[str, NDArray[np.float64]] = {}
@@ -236,7 +237,7 @@ def _utilisation(run: RunResult) -> Iterator[Figure]:
     for row in run.verdict.table() if run.verdict is not None else ():
         if row.unit == "Pa" and np.isfinite(row.value) and (row.part not in stressed or stressed[row.part].value < row.value):
             stressed[row.part] = row
-    ranked = sorted(stressed.values(), key=lambda row: -row.value)
+    ranked = largest_first(stressed.values(), lambda row: row.value)
     highest = ranked[:BARS]
     if highest:
         notes = tuple(f"{_when(run, row.time)}{'' if row.checked else ', no yield strength'}" for row in highest)

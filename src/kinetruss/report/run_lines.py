@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import number, quantity
+from kinetruss.display.ranks import place_of_largest
 from kinetruss.model.runs import FLEXIBLE
 from kinetruss.report.run_data import peak
 from kinetruss.runs.doubts import moment, poses_of
@@ -110,7 +111,7 @@ def _case(run: RunResult, found: Result) -> dict[str, Any]:
     if shift is not None and shift.size:
         seen = [str(name) in run.model.nodes for name in data["node"].values]
         size = np.where(seen, np.linalg.norm(shift, axis=2), 0.0)
-        i, k = np.unravel_index(int(size.argmax()), size.shape)
+        i, k = np.unravel_index(place_of_largest(size), size.shape)
         fields["displacement"] = {
             "node": str(data["node"].values[k]),
             "size": float(size[i, k]),
@@ -143,7 +144,7 @@ def _elastic(found: Result) -> dict[str, Any]:
 
 def _largest(values: Any) -> dict[str, Any]:
     """The entry (time, name) of the largest size."""
-    i, k = np.unravel_index(int(np.abs(values.values).argmax()), values.shape)
+    i, k = np.unravel_index(place_of_largest(np.abs(values.values)), values.shape)
     return {
         "of": str(values[values.dims[1]].values[k]),
         "value": float(values.values[i, k]),

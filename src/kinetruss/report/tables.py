@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from kinetruss.display import Table, margin, number, quantity
+from kinetruss.display.ranks import largest_first
 from kinetruss.display.tables import MOST, Column, Of, bar, drawn, measured, mixed, seconds, span_bar, together, words
 from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.results.wide_tables import exceeds
@@ -159,7 +160,7 @@ def still_forces(cases: Mapping[str, Rows]) -> Table:
     ]
     for row in rows:
         row["worst"] = max((row[case] for case in cases), key=abs)
-    rows.sort(key=lambda row: -abs(row["worst"]))
+    rows = largest_first(rows, lambda row: abs(row["worst"]))
     ends = (min(0.0, *(row["worst"] for row in rows)), max(0.0, *(row["worst"] for row in rows)))
     single = len(cases) == 1
     columns = [
@@ -210,7 +211,7 @@ def elements(kind: str, rows: Rows) -> Table:
         return Table(columns, rows, f"{kind.capitalize()} (largest values of the motion)", most=MOST)
     units = {True: ("N m", "rad"), False: ("N", "m")}
     found = [row | dict(zip(("unit", "of"), units[row["angle"]], strict=True)) for row in rows if row["load"]]
-    found.sort(key=lambda row: -abs(row["load"]))
+    found = largest_first(found, lambda row: abs(row["load"]))
     columns = [
         words(kind),
         mixed("force or moment", "load"),

@@ -10,12 +10,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from kinetruss.display import Table, instant, margin, number, quantity
+from kinetruss.display.ranks import levels
 from kinetruss.mechanics import cached
 from kinetruss.results.arrays import Column, variable
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    from kinetruss.elements.element import Results
     from kinetruss.kernels.compiled.record import Floats
     from kinetruss.mechanics import System
     from kinetruss.results.arrays import Columns
@@ -149,13 +151,16 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     most = {part: most_used(values) for part, values in of.items()}
     infinite = {row.part for row in rows if math.isinf(row.utilisation)}
 
-    def worst_first(row: Row) -> tuple[bool, float, str, bool]:
-        beyond = math.isinf(row.utilisation)
-        used = most[row.part] if beyond else row.utilisation if row.checked else 0.0
-        # rows of one part stay together where one of them is infinite
-        return not row.checked, -used, row.part if row.part in infinite and used == most[row.part] else "", beyond
+    used = [most[row.part] if math.isinf(row.utilisation) else row.utilisation if row.checked else 0.0 for row in rows]
+    level = levels(used)
 
-    return sorted(rows, key=worst_first)
+    def worst_first(k: int) -> tuple[bool, int, str, bool]:
+        row = rows[k]
+        # rows of one part stay together where one of them is infinite
+        together = row.part in infinite and used[k] == most[row.part]
+        return not row.checked, level[k], row.part if together else "", math.isinf(row.utilisation)
+
+    return [rows[k] for k in sorted(range(len(rows)), key=worst_first)]
 
 
 def most_used(values: Iterable[float]) -> float:
@@ -275,8 +280,20 @@ def other_columns(
     """Variables of the elements that are not on coordinates, along x, v (times, n, 3) and t (times,); without v at rest."""
     from kinetruss.mechanics.elements import element_results
 
+    return _columns(system, per, element_results(system, x, v, t))
+
+
+def displaced_columns(system: System, x: Floats, u: Floats) -> tuple[dict[str, Column], dict[str, list[str]]]:
+    """The same with small displacements u from x, both (n, 3), as far as kinds of elements have them; and their axes."""
+    from kinetruss.mechanics.elements import displaced_results
+
+    results = displaced_results(system, x, u)
+    return _columns(system, (), results), {one.kind: list(one.names) for one in results}
+
+
+def _columns(system: System, per: tuple[str, ...], results: Iterable[Results]) -> dict[str, Column]:
     found = {}
-    for one in element_results(system, x, v, t):
+    for one in results:
         for name, (values, unit, words) in one.values.items():
             vectors = values.ndim == 3
             values = values[..., : system.dim] if vectors else values

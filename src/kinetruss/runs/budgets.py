@@ -10,6 +10,7 @@ import xarray as xr
 
 from kinetruss import dynamics, kinematics, strength
 from kinetruss.display import Table, number, quantity
+from kinetruss.display.ranks import order_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.io import set_values
 from kinetruss.kinematics.motions import Course, motion_of, path_of, sweep_path
@@ -105,7 +106,7 @@ class Budget(Result):
             share = np.abs(data["share"].values[i]) if data["worst_case"].values[i] > ROUND_OFF else np.zeros(0)
             first = [
                 f"{data['parameter'].values[k]} {quantity(share[k] / share.sum(), '%')}"
-                for k in np.argsort(-share, kind="stable")[:3]
+                for k in order_of(share)[:3]
                 if share[k] > ROUND_OFF
             ]
             rows.append((str(name), *(_shown(float(data[key].values[i]), str(unit)) for key in keys), ", ".join(first)))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from kinetruss.display import counted, instant, number
+from kinetruss.display.ranks import largest
 from kinetruss.mechanics import not_unique_note
 
 if TYPE_CHECKING:
@@ -110,7 +111,7 @@ def energy_balance(run: Ran) -> dict[str, Any] | None:
     still, exchanged = _stands_still(run), _exchanged(run)
     moving = [forces for forces in run.forces.values() if forces.whole.sizes["time"] and "energy_balance" in forces.whole]
     found = [_balance(forces, exchanged, still) for forces in moving]
-    return max(found, key=lambda entry: float(entry["relative"]), default=None)
+    return largest(found, lambda entry: float(entry["relative"])) if found else None
 
 
 def _exchanged(run: Ran) -> float:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from kinetruss import actuators
 from kinetruss.actuators.demand_summary import QUANTITIES
+from kinetruss.display.ranks import place_of_largest
 from kinetruss.model import Model, turns
 from kinetruss.results import Forces, Row, variable
 from kinetruss.runs.joining import DemandAccumulator
@@ -61,7 +62,7 @@ class PairDrives:
     def _plain(self, t: NDArray[np.float64], force: NDArray[np.float64], rate: NDArray[np.float64]) -> None:
         held = np.where(np.abs(rate).max(axis=1, keepdims=True) < STILL, np.abs(force), 0.0)
         for k, values in ((0, np.abs(force)), (1, np.abs(rate)), (2, np.abs(force * rate)), (5, held)):
-            at = values.argmax(axis=0)
+            at = place_of_largest(values, axis=0)
             most = values[at, np.arange(values.shape[1])]
             new = (most > self.value[:, k]) | np.isnan(self.time[:, k])
             self.value[new, k], self.time[new, k] = most[new], t[at][new]

@@ -12,6 +12,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.display import counted
+from kinetruss.display.ranks import place_of_largest
 from kinetruss.errors import InputError, StoreError
 from kinetruss.model import Model, Run
 from kinetruss.model.runs import MISSION
@@ -156,7 +157,7 @@ class MissionRun(RunResult):
     def governing(self) -> int | None:
         """Number of the pair with the highest utilisation; None where nothing was checked."""
         values = self.pairs["utilisation"].values
-        return None if not len(values) or np.isnan(values).all() else int(np.nanargmax(values))
+        return None if not len(values) or np.isnan(values).all() else place_of_largest(values)
 
 
 class Envelope:

@@ -29,7 +29,7 @@ from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes, reactions, support_axes
-from kinetruss.results.wide_tables import coordinate_axes, element_columns, force_units
+from kinetruss.results.wide_tables import coordinate_axes, displaced_columns, element_columns, force_units
 from kinetruss.statics.refinement import NOTHING, accuracy_note
 from kinetruss.statics.small_displacements import (
     Solved,
@@ -304,6 +304,8 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
     }
     coords |= coordinate_axes(system) | force_units(system, *coordinate_axes(system))[1]
     data |= element_columns(system, (), on_coordinates)
+    displaced, axes = displaced_columns(system, x, solved.displacement.reshape(-1, 3))
+    data, coords = data | displaced, coords | axes
     return xr.Dataset(data, coords=coords)
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.display.ranks import place_of_largest
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.results import Forces
 from kinetruss.strength.beam_stresses import beams, known_positions
@@ -88,7 +89,7 @@ def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArr
 
 
 def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    at = np.argmax(values, axis=-1)
+    at = np.asarray(place_of_largest(values, axis=-1))
     return np.take_along_axis(values, at[..., None], axis=-1)[..., 0], xi[at]
 
 

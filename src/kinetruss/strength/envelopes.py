@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from kinetruss.display.ranks import place_of_largest
 from kinetruss.kernels.sections.envelope import BEAM_COLUMN, BUCKLING, COLUMNS, YIELD, Kept, Rules, envelope
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.model import Model
@@ -76,14 +77,14 @@ class Gathering:
                 row[:] = math.inf, *[math.nan] * (COLUMNS - 1)
                 continue
             score = value[:, i, 0] if math.isnan(limit[0, i, 0]) else used[:, i, 0]
-            at = int(np.argmax(score))
+            at = place_of_largest(score)
             if score[at] > row[0]:
                 row[:] = score[at], value[at, i, 0], limit[at, i, 0], times[at], place[at, i, 0], pair, 0.0
         for i, (name, member) in enumerate(zip(names, members, strict=True)):
             for column, rule in enumerate((YIELD, BUCKLING, BEAM_COLUMN)):
                 if np.isnan(used[:, i, column]).all():
                     continue
-                at = int(np.nanargmax(used[:, i, column]))
+                at = place_of_largest(used[:, i, column])
                 if used[at, i, column] > self.top[0]:
                     own = self._parts[name] if rule == YIELD else self._members[member]
                     self.top[:] = used[at, i, column], own, rule, times[at]
@@ -96,7 +97,7 @@ class Gathering:
             for k, name in enumerate(beam_parts(model)):
                 if np.isnan(values[:, k]).all():
                     continue
-                at, own = int(np.nanargmax(values[:, k])), self._beams[name]
+                at, own = place_of_largest(values[:, k]), self._beams[name]
                 limit = float(allowed[k]) if what == "stress" else math.nan
                 score = values[at, k] if math.isnan(limit) else values[at, k] / limit
                 if score > row[own, 0]:

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from kinetruss.display import counted
+from kinetruss.display.ranks import largest, largest_first
 from kinetruss.results.wide_tables import NOT_CHECKED
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ class Finding:
         """The check of the highest utilisation, of a member before one of a drive; None if nothing was checked."""
         # an infinite one follows the finite one of its part that says by how much
         most = [row for rows in (self.members, self.drives) for row in rows[:1] if row.checked]
-        return max(most, key=lambda row: row.utilisation, default=None)
+        return largest(most, lambda row: row.utilisation) if most else None
 
     @property
     def kind(self) -> Literal["member", "drive"]:
@@ -57,7 +58,7 @@ class Finding:
     def over(self) -> tuple[Row, ...]:
         """The worst check of each part and drive beyond a limit."""
         first = [{row.part: row for row in reversed(rows) if row.status == "exceeded"} for rows in (self.members, self.drives)]
-        return tuple(sorted((row for one in first for row in one.values()), key=lambda row: -row.utilisation))
+        return tuple(largest_first((row for one in first for row in one.values()), lambda row: row.utilisation))
 
     @cached_property
     def unchecked(self) -> dict[str, tuple[str, ...]]:
@@ -177,7 +178,7 @@ def find(
     rows = [] if verdict is None or "utilisation" not in verdict.arrays else verdict.table()  # a run's, before its end
     if verdict is not None and not verdict.status.ok:
         partial = partial or verdict.status.value.rstrip(".")
-    several = [rows, sorted(drives, key=_worst_first)]
+    several = [rows, largest_first(drives, lambda row: row.utilisation if row.checked else -math.inf)]
     members, others = several if timed else ([replace(row, time=math.nan) for row in some] for some in several)
     return Finding(
         members=tuple(members),
@@ -186,10 +187,6 @@ def find(
         partial=partial,
         doubts=tuple(doubts),
     )
-
-
-def _worst_first(row: Row) -> float:
-    return -row.utilisation if row.checked else math.inf
 
 
 def demands(demand: Mapping[str, Demand]) -> list[Row]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from kinetruss.display.ranks import place_of_largest
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
@@ -288,7 +289,7 @@ def _cases(forces: Forces | Mapping[str, Forces] | Iterable[Forces]) -> list[tup
 def _worst(data: Columns, case: int, poses: NDArray[Any] | None, safety: float) -> NDArray[np.void]:
     """The records (parts, rules) of one load case at their worst instants; poses : names of the samples."""
     every = _score(data)
-    at = np.argmax(every, axis=0)
+    at = place_of_largest(every, axis=0)
     part, rule = np.ogrid[: at.shape[0], : at.shape[1]]
     found = np.full(at.shape, NOTHING)
     found["score"], found["case"] = every[at, part, rule], case

@@ -11,13 +11,15 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 NODE_AT, PARAMETER, CONSTANT, ADD, SUBTRACT, MULTIPLY, DIVIDE, ROOT, ANGLE_OF, SINE, COSINE = range(11)
-TWO = (ADD, SUBTRACT, MULTIPLY, DIVIDE, ANGLE_OF)
+ABOVE, EXPONENTIAL, LOGARITHM, TANH, CHOICE = range(11, 16)
+"""Operations of laws (kernels.coordinates.node_laws) besides; coordinates, which need second rates and series, have none."""
+TWO = (ADD, SUBTRACT, MULTIPLY, DIVIDE, ANGLE_OF, ABOVE)
 """Operations on two others."""
 
 
 class Operation(NamedTuple):
     """op : what is done. a, b : with which earlier operations, or the flat coordinate of a node, or a parameter. number : of a
-    constant. c : of an angle, the square of its radius; of a sine its cosine, of a cosine its sine.
+    constant. c : of an angle, the square of its radius; of a sine its cosine, of a cosine its sine; of a choice the other.
     """
 
     op: int
@@ -50,6 +52,12 @@ class Scalar:
     def __neg__(self) -> Scalar:
         return self * -1.0
 
+    def __rsub__(self, other: Any) -> Scalar:
+        return self.program.made(SUBTRACT, other, self)
+
+    def __rtruediv__(self, other: Any) -> Scalar:
+        return self.program.made(DIVIDE, other, self)
+
     __radd__, __rmul__ = __add__, __mul__
 
 
@@ -62,6 +70,10 @@ _FOLDED: dict[int, Callable[[float, float], float]] = {
     ROOT: lambda a, _: math.sqrt(a),
     ANGLE_OF: math.atan2,
     COSINE: lambda a, _: math.cos(a),
+    ABOVE: lambda a, p: a**p if a > 0.0 else 0.0,
+    EXPONENTIAL: lambda a, _: math.exp(a),
+    LOGARITHM: lambda a, _: math.log(a),
+    TANH: lambda a, _: math.tanh(a),
 }
 
 
@@ -98,12 +110,13 @@ class Program:
         self.parameters += 1
         return Scalar(self, self._put(Operation(PARAMETER, self.parameters - 1)))
 
-    def _scalar(self, value: Any) -> Scalar:
+    def scalar(self, value: Any) -> Scalar:
+        """A number of the program, or a constant."""
         return value if isinstance(value, Scalar) else self.number(value)
 
     def made(self, op: int, a: Any, b: Any) -> Scalar:
         """The result of an operation; of constants a constant, and what 0 and 1 leave as it is stays."""
-        left, right = self._scalar(a), self._scalar(b)
+        left, right = self.scalar(a), self.scalar(b)
         p, q = left.constant, right.constant
         if p is not None and q is not None:
             return self.number(_FOLDED[op](p, q))
@@ -121,6 +134,13 @@ class Program:
         if op == COSINE:
             return Scalar(self, self._cosine(left.index))
         return Scalar(self, self._put(Operation(op, left.index, right.index)))
+
+    def choice(self, a: Any, b: Any, c: Any) -> Scalar:
+        """b where a > 0, else c."""
+        of, then, other = self.scalar(a), self.scalar(b), self.scalar(c)
+        if of.constant is not None:
+            return then if of.constant > 0.0 else other
+        return Scalar(self, self._put(Operation(CHOICE, of.index, then.index, c=other.index)))
 
     def _cosine(self, a: int) -> int:
         """A cosine, behind the sine that its series needs, and that needs its own."""
@@ -144,8 +164,15 @@ class Program:
             seen |= new
             ones = [self.operations[j] for j in new]
             found |= {one.a for one in ones if one.op == NODE_AT}
-            new = {j for one in ones if one.op > CONSTANT for j in ((one.a, one.b) if one.op in TWO else (one.a,))} - seen
+            new = {j for one in ones if one.op > CONSTANT for j in operands(one)} - seen
         return sorted(found)
+
+
+def operands(one: Operation) -> tuple[int, ...]:
+    """The operations on which one depends."""
+    if one.op == CHOICE:
+        return one.a, one.b, one.c
+    return (one.a, one.b) if one.op in TWO else (one.a,)
 
 
 def dot(a: Vector, b: Vector) -> Any:
@@ -185,9 +212,40 @@ def cosine(a: Scalar) -> Scalar:
     return a.program.made(COSINE, a, 0.0)
 
 
+def above(a: Scalar, power: Any = 1.0) -> Scalar:
+    """max(a, 0)^power."""
+    return a.program.made(ABOVE, a, power)
+
+
+def exponential(a: Scalar) -> Scalar:
+    """exp(a)."""
+    return a.program.made(EXPONENTIAL, a, 0.0)
+
+
+def logarithm(a: Scalar) -> Scalar:
+    """Natural logarithm."""
+    return a.program.made(LOGARITHM, a, 0.0)
+
+
+def tanh(a: Scalar) -> Scalar:
+    """tanh(a)."""
+    return a.program.made(TANH, a, 0.0)
+
+
+def choice(a: Scalar, b: Any, c: Any) -> Scalar:
+    """b where a > 0, else c. Both are computed: where one is not taken it must still be a number."""
+    return a.program.choice(a, b, c)
+
+
 def size(a: Vector) -> Scalar:
     """Length of a vector."""
     return root(dot(a, a))
+
+
+def speed(v: Vector) -> Scalar:
+    """Length of a velocity, which may be 0: then its derivatives are 0 too."""
+    square = dot(v, v)
+    return choice(square, root(choice(square, square, 1.0)), 0.0)
 
 
 def unit(a: Vector) -> Vector:

@@ -22,17 +22,22 @@ from kinetruss.kernels.compiled.jit import kernel_entry
 from kinetruss.kernels.coordinates import forms
 from kinetruss.kernels.coordinates.forms import FORMS, Form
 from kinetruss.kernels.coordinates.programs import (
+    ABOVE,
     ADD,
     ANGLE_OF,
+    CHOICE,
     CONSTANT,
     COSINE,
     DIVIDE,
+    EXPONENTIAL,
+    LOGARITHM,
     MULTIPLY,
     NODE_AT,
     PARAMETER,
     ROOT,
     SINE,
     SUBTRACT,
+    TANH,
     Operation,
     Program,
 )
@@ -76,8 +81,13 @@ def _compiled(kind: int, order: int, signature: Any) -> int:
     name = f"{form.make.__name__}_{('value', 'gradient', 'rates', 'second')[order + 1]}"
     # machine code is kept by the name, which says what the text is: it depends on this file, on `programs` and on `forms`
     name += "_" + hashlib.sha256(text(form, name, order).encode()).hexdigest()[:12]
-    made: dict[str, Any] = {"math": math, "__name__": forms.__name__}
-    exec(compile(text(form, name, order), forms.__file__, "exec"), made)  # noqa: S102
+    return compiled(name, text(form, name, order), signature, forms)
+
+
+def compiled(name: str, source: str, signature: Any, module: Any) -> int:
+    """The address of the function of a name in a text, as of a module; the name says what the text is."""
+    made: dict[str, Any] = {"math": math, "__name__": module.__name__}
+    exec(compile(source, module.__file__, "exec"), made)  # noqa: S102
     function: Callable[..., Any] = made[name]
     return int(kernel_entry(signature)(function).address)
 
@@ -87,28 +97,42 @@ def text(form: Form, name: str, order: int) -> str:
     program = Program()
     nodes = [program.node(i, 3) for i in range(form.nodes)]
     value = form.make(nodes, [program.parameter() for _ in range(6)])
-    lines = _Lines(program.operations, max(order, 0))
+    lines = Lines(program.operations, max(order, 0), _read, "data[{}]", first=1)
     lines.forward()
     if order < 0:
         lines.add(f"return data[0] * {lines.of(value.index, 0)}")
     else:
-        lines.backward(value.index)
+        lines.backward(value.index, "data[0]", range(12))
     given = ["at", "data", *_STATE[: max(order, 0) + 1], *(["out"] if order >= 0 else [])]
     head = [f"n{i} = at[{i}]" for i in range(form.nodes)]
     return "\n    ".join([f"def {name}({', '.join(given)}):", *head, *lines.text]) + "\n"
 
 
-class _Lines:
-    """Lines of code for the coefficients 0 to `order` of operations, and backwards of their adjoints."""
+def _read(a: int, k: int) -> str:
+    """Coefficient k of a flat coordinate of the nodes."""
+    read = f"{_STATE[k]}[n{a // 3} + {a % 3}]"
+    return f"0.5 * {read}" if k == 2 else read
 
-    def __init__(self, operations: list[Operation], order: int) -> None:
+
+class Lines:
+    """Lines of code for the coefficients 0 to `order` of operations, and backwards of their adjoints.
+
+    read : the code of coefficient k of coordinate a. parameter : that of a parameter, of whose number `first` more is put in.
+    """
+
+    def __init__(
+        self, operations: list[Operation], order: int, read: Callable[[int, int], str], parameter: str, *, first: int
+    ) -> None:
         self.operations, self.order = operations, order
+        self._read, self._parameter, self._first = read, parameter, first
         self.text: list[str] = []
         self._known: dict[tuple[int, int], str] = {}
         self._adjoint: dict[tuple[int, int], str] = {}
+        self._slope: dict[int, tuple[str, str]] = {}
         self._count = 0
 
     def add(self, line: str) -> None:
+        """Append a line."""
         self.text.append(line)
 
     def named(self, expression: str) -> str:
@@ -131,27 +155,41 @@ class _Lines:
     def _coefficient(self, j: int, one: Operation, k: int) -> str:
         a, b = one.a, one.b
         if one.op == NODE_AT:
-            read = f"{_STATE[k]}[n{a // 3} + {a % 3}]"
-            return f"0.5 * {read}" if k == 2 else read
+            return self._read(a, k)
         if one.op == PARAMETER:
-            return f"data[{a + 1}]" if k == 0 else ""
+            return self._parameter.format(a + self._first) if k == 0 else ""
         if one.op == CONSTANT:
             return repr(one.number) if k == 0 else ""
         if one.op in (ADD, SUBTRACT):
             return _sum([self.of(a, k)], [self.of(b, k)]) if one.op == SUBTRACT else _sum([self.of(a, k), self.of(b, k)])
         if one.op == MULTIPLY:
             return _sum(self._product(a, b, k))
+        if one.op == CHOICE:
+            then, other = self.of(b, k), self.of(one.c, k)
+            return f"({then or 0.0} if {self.of(a, 0)} > 0.0 else {other or 0.0})" if then or other else ""
         if k == 0:
             x = self.of(a, 0)
             if one.op == DIVIDE:
                 return f"{x} / {self.of(b, 0)}"
             angle = f"math.atan2({x}, {self.of(b, 0)})" if one.op == ANGLE_OF else ""
-            return {ROOT: f"math.sqrt({x})", SINE: f"math.sin({x})", COSINE: f"math.cos({x})", ANGLE_OF: angle}[one.op]
+            above = f"({x} ** {self.of(b, 0)} if {x} > 0.0 else 0.0)" if one.op == ABOVE else ""
+            return {
+                ROOT: f"math.sqrt({x})",
+                SINE: f"math.sin({x})",
+                COSINE: f"math.cos({x})",
+                ANGLE_OF: angle,
+                ABOVE: above,
+                EXPONENTIAL: f"math.exp({x})",
+                LOGARITHM: f"math.log({x})",
+                TANH: f"math.tanh({x})",
+            }[one.op]
         return self._later(j, one, k)
 
     def _later(self, j: int, one: Operation, k: int) -> str:
         """Coefficients above 0 of what is no polynomial."""
         a, b, c = one.a, one.b, one.c
+        if one.op in _OF_LAWS:
+            return _times(self._slopes(j, one)[0], self.of(a, k)) if k == 1 else _no_second(one)
         if one.op == DIVIDE:
             # c b = a
             total = _sum([self.of(a, k)], [_times(self.of(j, i), self.of(b, k - i)) for i in range(k)])
@@ -171,6 +209,21 @@ class _Lines:
         parts = [_scaled(i / k, _times(self.of(a, i), self.of(c, k - i))) for i in range(1, k + 1)]
         return _sum(parts) if one.op == SINE else _sum([], parts)
 
+    def _slopes(self, j: int, one: Operation) -> tuple[str, str]:
+        """First and second derivative by its operand of an operation of laws."""
+        if j not in self._slope:
+            x, y = self.of(one.a, 0), self.of(j, 0)
+            if one.op == ABOVE:
+                p = self.of(one.b, 0)
+                first = f"({p} * {x} ** ({p} - 1.0) if {x} > 0.0 else 0.0)"
+                second = f"({p} * ({p} - 1.0) * {x} ** ({p} - 2.0) if {x} > 0.0 else 0.0)"
+            elif one.op == TANH:
+                first, second = f"1.0 - {y} * {y}", f"-2.0 * {y} * (1.0 - {y} * {y})"
+            else:
+                first, second = (y, y) if one.op == EXPONENTIAL else (f"1.0 / {x}", f"-1.0 / ({x} * {x})")
+            self._slope[j] = self.named(first), self.named(second) if self.order else ""
+        return self._slope[j]
+
     def _product(self, a: int, b: int, k: int) -> list[str]:
         """The terms of coefficient k of a product."""
         return [_times(self.of(a, i), self.of(b, k - i)) for i in range(k + 1)]
@@ -189,18 +242,18 @@ class _Lines:
         if total:
             self._adjoint[j, k] = total if total.isidentifier() else self.named(total)
 
-    def backward(self, last: int) -> None:
-        """The gradient of factor times the last operation, with its coefficients, into out."""
-        self._adjoint[last, 0] = self.named("data[0]")
+    def backward(self, last: int, factor: str, places: range) -> None:
+        """The gradient of factor times an operation by the coordinates at places, with its coefficients, into out."""
+        self._adjoint[last, 0] = self.named(factor)
         for j in range(len(self.operations) - 1, -1, -1):
             one = self.operations[j]
             if one.op > CONSTANT and any(self.adjoint(j, k) for k in range(self.order + 1)):
                 self._back(j, one)
         for k in range(self.order + 1):
             written = {one.a: self.adjoint(j, k) for j, one in enumerate(self.operations) if one.op == NODE_AT}
-            for place in range(12):
+            for i, place in enumerate(places):
                 found = written.get(place, "") or "0.0"
-                self.add(f"out[{12 * k + place}] = {f'2.0 * {found}' if k == 2 else found}")
+                self.add(f"out[{len(places) * k + i}] = {f'2.0 * {found}' if k == 2 else found}")
 
     def _back(self, j: int, one: Operation) -> None:
         a, b, orders = one.a, one.b, range(self.order + 1)
@@ -213,6 +266,16 @@ class _Lines:
             for k in orders:
                 self._pass(a, k, [_times(own[i], self.of(b, k - i)) for i in range(k + 1)])
                 self._pass(b, k, [_times(own[i], self.of(a, k - i)) for i in range(k + 1)])
+        elif one.op == CHOICE:
+            for k in orders:
+                if own[k]:
+                    self._pass(b, k, [f"({own[k]} if {self.of(a, 0)} > 0.0 else 0.0)"])
+                    self._pass(one.c, k, [f"(0.0 if {self.of(a, 0)} > 0.0 else {own[k]})"])
+        elif one.op in _OF_LAWS:
+            first, second = self._slopes(j, one)
+            bent = _times(second, self.of(a, 1))
+            for k in orders:
+                self._pass(a, k, [_times(own[k], first), *([_times(own[0], bent)] if k == 1 else [])])
         elif one.op in (SINE, COSINE):
             for k in orders:
                 parts = [_times(own[i], self.of(one.c, k - i)) for i in range(k + 1)]
@@ -238,6 +301,13 @@ class _Lines:
                 continue
             self._pass(a, k, [_times(quotient[i], self.of(b, k - i)) for i in range(k + 1)])
             self._pass(b, k, [], [_times(quotient[i], self.of(a, k - i)) for i in range(k + 1)])
+
+
+_OF_LAWS = (ABOVE, EXPONENTIAL, LOGARITHM, TANH)
+
+
+def _no_second(one: Operation) -> str:
+    raise NotImplementedError(f"operation {one.op} is one of laws: it has no second rates")
 
 
 def _times(a: str, b: str) -> str:

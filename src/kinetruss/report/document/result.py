@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, counted, element, instant, number, quantity
+from kinetruss.display.ranks import largest
 from kinetruss.report.drive_data import exceeded
 from kinetruss.report.tables import cased, is_over, is_single, not_checked, share_of, used_of
 from kinetruss.runs import MissionRun
@@ -168,7 +169,7 @@ def _largest(record: Mapping[str, Any]) -> str:
         return f"Largest member force: {quantity(abs(one['force']), 'N')} ({kind}, {one['member']})."
     loads = [one for one in record["drive_loads"] if one["load"]]
     if loads:
-        most = max(loads, key=lambda one: abs(one["load"]))
+        most = largest(loads, lambda one: abs(one["load"]))
         return f"Largest load of a drive: {quantity(abs(most['load']), most['unit'])} ({most['drive']})."
     for one in record.get("skins", [])[:1]:
         return f"Highest stress: {quantity(one['von_mises'], 'Pa')} (von Mises, {one['part']})."

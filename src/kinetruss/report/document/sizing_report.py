@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from kinetruss import runs
 from kinetruss.design.sizing_result import drive_table, group_tables
 from kinetruss.display import Markup, element, quantity
+from kinetruss.display.ranks import largest
 from kinetruss.errors import InputError
 from kinetruss.model import Model, TitleBlock
 from kinetruss.report.document.frame import framed
@@ -112,7 +113,7 @@ def governing_run(record: Record) -> RunResult:
     found = [runs.run(model, name) for name in record["runs"] or model.runs]
     if not found:
         raise InputError("The sized model has no runs. Give it one, and size it again.")
-    return max(found, key=lambda run: -1.0 if run.finding.governing is None else run.finding.governing.utilisation)
+    return largest(found, lambda run: -1.0 if run.finding.governing is None else run.finding.governing.utilisation)
 
 
 def _model(record: Record) -> Model:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss import runs
 from kinetruss.display import Markup, Table, element, instant, quantity
+from kinetruss.display.ranks import largest_first
 from kinetruss.display.tables import Column, measured
 from kinetruss.errors import KinetrussError
 from kinetruss.report.document.places import sample_of
@@ -39,7 +40,7 @@ def worked(run: RunResult) -> list[Sheet]:
     found += [sheet for row, case in governing_demands(run) if (sheet := demand_sheet(run, row, case)) is not None]
     for sheet in found:
         sheet.timed = run.good > 1
-    return sorted(found, key=lambda sheet: -sheet.rank)
+    return largest_first(found, lambda sheet: sheet.rank)
 
 
 def governing_rows(run: RunResult) -> Iterator[Row]:
@@ -250,7 +251,7 @@ class Pairs:
 def worked_pairs(pairs: Pairs, given: Mapping[str, Any]) -> list[Sheet]:
     """The calculations, worst first. given : rows of members and drives with the labels of their pairs (`lined`)."""
     found = list(_sheets(pairs, given))
-    return sorted(found, key=lambda sheet: -sheet.rank)
+    return largest_first(found, lambda sheet: sheet.rank)
 
 
 def _sheets(pairs: Pairs, given: Mapping[str, Any]) -> Iterator[Sheet]:
@@ -277,7 +278,7 @@ def _of_pair(sheet: Sheet, pair: RunResult, label: str) -> Sheet:
 def governing_trains(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """The worst demand on a motor, the worst one of an instant, and the worst stroke, over all pairs."""
     held = [row for row in rows if row["utilisation"] is not None and float(row["utilisation"]) > NEGLIGIBLE]
-    held.sort(key=lambda row: -float(row["utilisation"]))
+    held = largest_first(held, lambda row: float(row["utilisation"]))
     kinds = (held, [row for row in held if row["rule"] in CHAINED], [row for row in held if row["rule"] == "stroke"])
     return list({(row["part"], row["rule"]): row for kind in kinds for row in kind[:1]}.values())
 

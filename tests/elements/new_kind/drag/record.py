@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from kinetruss.model.record import Area, Density, PositiveNumber, Record, Stiffness
+from kinetruss.model.drives import ElementRecord
+from kinetruss.model.record import Area, Density, PositiveNumber, Stiffness
 from kinetruss.model.references import NodeName
 
 
-class Drag(Record):
+class Drag(ElementRecord):
     """Resistance of a fluid at rest to a node: density coefficient area/2 times the square of its speed; and elastic bedding.
 
     node : on which it acts. area : of the front. coefficient : of drag. density : of the fluid, by default of air. bedding :
