@@ -13,6 +13,7 @@ from kinetruss.dynamics.instants import Instant, Rod, instant_of, turning
 from kinetruss.errors import InputError
 from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, ends_of, measure_gradients
 from kinetruss.model import CoordinateDrive, Model, nearest
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -204,6 +205,7 @@ class FreeBody:
         return max(abs(equation.residual) for body in self.bodies for equation in body.equations)
 
 
+@one_thread
 def free_body(
     model: Model,
     motion: Motion,

@@ -30,6 +30,7 @@ from kinetruss.model.beam_checks import spin_note
 from kinetruss.model.beam_frames import line_advice
 from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
 from kinetruss.results.wide_tables import drive_unit
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -135,6 +136,7 @@ BENT = (
 )
 
 
+@one_thread
 def follow(
     model: Model,
     trajectory: Any,
