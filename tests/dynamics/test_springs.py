@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -360,3 +362,36 @@ def test_a_run_keeps_the_springs(tmp_path):
     forces = next(iter(kt.run(model, "turn", tmp_path / "out").forces.values()))
     assert forces.spring_force.values[-1] == pytest.approx([-STIFFNESS * 1.0], abs=1e-9)
     assert forces.drive_force.values[0] == pytest.approx([STIFFNESS * 0.5], abs=1e-9)
+
+
+SLIDING, RUB, SLIP = 2.0, 400.0, 1e-3
+
+
+@pytest.mark.parametrize("method", [kt.EnergyMomentum, kt.GeneralizedAlpha], ids=lambda one: one.__name__)
+@pytest.mark.parametrize("step", [1e-3, 3e-4, 1e-4, 2e-5])
+@pytest.mark.parametrize("speed", [1.0, 1.05, 1.111, 0.37])
+def test_dry_friction_brings_a_mass_to_rest(method, step, speed):
+    """m v' = -F tanh(v/s): v falls by F t/m, then s m/F sets how it dies away, and the way is m/F (v^2/2 + (pi s)^2/12).
+
+    Friction is damping of F/s at rest, here up to 100 times as stiff as the step. The midpoint rule, which would reverse a
+    velocity in place of damping it, ends the run there; what it gives before is right.
+    """
+    model = kt.Model(
+        nodes={"O": (-1, 0), "P": kt.Node(at=(0, 0), mass=SLIDING)},
+        fixed={"O": "xy", "P": "y"},
+        bars={"eye": kt.Bar(ends=("O", "P"), kind="free")},
+        velocities={"P": (speed, 0.0)},
+        springs={"rub": kt.Spring(coordinate=kt.CoordinateDrive(node="P", axis="x"), friction=RUB, slip=SLIP)},
+    )
+    run = kt.dynamics.simulate(model, 0.0125, samples=26, method=method(step=step), raise_on_failure=False)
+    v, change = run.motion.velocity.sel(node="P").values[:, 0], RUB / SLIDING * step
+    slides = np.maximum(speed - RUB / SLIDING * run.time.values, 0.0)
+    assert v == pytest.approx(slides[: len(v)], abs=0.5 * change)
+    assert run.time.values[-1] >= speed * SLIDING / RUB - step - 5e-4  # between samples
+    if method is kt.EnergyMomentum and step > 2e-4 and run.status is not kt.Status.COMPLETED:
+        assert "too long" in run.message
+        return
+    assert run.status is kt.Status.COMPLETED
+    way = SLIDING / RUB * (speed**2 / 2.0 + (math.pi * SLIP) ** 2 / 12.0)
+    assert run.motion.position.sel(node="P").values[-1, 0] == pytest.approx(way, abs=0.15 * change * step)
+    assert abs(v[-1]) < 2e-3 * change

@@ -66,6 +66,45 @@ def test_a_weight_rests_on_a_stop_by_its_force_over_the_stiffness():
     assert found.data.stop_force.values == pytest.approx([-MASS * 9.81], rel=1e-12)
 
 
+# One-sided laws that begin to act at a gap, or just there: the body has no stiffness before, and all of it behind.
+ONE_SIDED = {
+    "stop": lambda gap, k: runner(9.81, 0.0, upper=gap, stiffness=k),
+    "cable": lambda gap, k: runner(9.81, 0.0).with_(
+        stops={}, bars={"eye": kt.Bar(ends=("O", "P"), kind="cable", stiffness=k, natural_length=1.0 + gap)}
+    ),
+    "play": lambda gap, k: runner(9.81, 0.0).with_(
+        stops={}, springs={"wall": kt.Spring(coordinate=REACH, stiffness=k, play=max(gap, 1e-30))}
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", ONE_SIDED)
+@pytest.mark.parametrize("stiffness", [1e2, 1e4, 1e6, 1e8, 1e10])
+@pytest.mark.parametrize("gap", [0.0, 1e-16, 1e-12, 1e-8, 1e-4, 0.3])
+def test_a_weight_rests_on_what_it_only_just_touches(kind, stiffness, gap):
+    model = ONE_SIDED[kind](gap, stiffness).with_(velocities={})
+    found = kt.statics.equilibrium(model)
+    force = MASS * 9.81
+    # places have 16 digits of the size of the structure
+    assert float(found.position.sel(node="P")[0]) == pytest.approx(gap + force / stiffness, rel=1e-9, abs=4e-16)
+    assert found.stable
+
+
+def test_a_weight_on_a_stop_at_an_angle_that_it_has_to_round_off():
+    """The angle is that of atan2, not of the model; the arm is pushed with m g cos(angle) times its length."""
+    angle = math.atan2(0.6, 0.8)
+    arm = kt.Model(
+        nodes={"O": (0, 0), "G": (1, 0), "P": kt.Node(at=(0.8, 0.6), mass=MASS)},
+        fixed=["O", "G"],
+        bars={"arm": kt.Bar(ends=("O", "P"), mass=0.0)},
+        gravity=(0, -9.81),
+    )
+    hinge, k = kt.HingeDrive(axis="O", start="G", end="P"), 5e9
+    for lower in (math.nextafter(angle, 0.0), angle, math.nextafter(angle, 1.0)):
+        found = kt.statics.equilibrium(arm.with_(stops={"rest": kt.Stop(coordinate=hinge, lower=lower, stiffness=k)}))
+        assert found.data.stop_force.values == pytest.approx([MASS * 9.81 * 0.8], rel=1e-6)
+
+
 def test_a_hinge_between_two_stops_stays_between_them():
     """A pendulum with stops on both sides of its lowest place, in three engines' terms: value and force of the stop."""
     hinge = kt.HingeDrive(axis="O", start="G", end="P")

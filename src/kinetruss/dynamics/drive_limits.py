@@ -17,11 +17,13 @@ from kinetruss.kinematics.redundant import LEAST
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion
 from kinetruss.results.records import MOTORS_UNCHECKED, check_samples
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
+@one_thread
 def inverse_along(
     model: Model,
     targets: Any,
@@ -90,6 +92,7 @@ class LimitsKept:
         return f"{len(over)} of {len(self.uses)} limits are not kept: {'; '.join(over[:6])}."
 
 
+@one_thread
 def limits_kept(
     model: Model,
     motion: Motion,
@@ -199,6 +202,7 @@ class _Share:
     sample: int
 
 
+@one_thread
 def quickest(
     model: Model,
     motion: Motion,

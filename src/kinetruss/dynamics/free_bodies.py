@@ -14,6 +14,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import DRIVEN, RANK_TOLERANCE, RIGID, System, ends_of, measure_gradients
 from kinetruss.model import CoordinateDrive, Model, nearest
 from kinetruss.results.user_parts import held_forces
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -205,6 +206,7 @@ class FreeBody:
         return max(abs(equation.residual) for body in self.bodies for equation in body.equations)
 
 
+@one_thread
 def free_body(
     model: Model,
     motion: Motion,

@@ -16,6 +16,7 @@ from kinetruss.mechanics import ELASTIC, FREE, System
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.model import CoordinateDrive, Model
 from kinetruss.results.user_parts import held_forces
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -91,6 +92,7 @@ class LabelledSystem:
         return float(np.abs(self.solution).max(initial=0.0))
 
 
+@one_thread
 def newton_euler(
     model: Model,
     motion: Motion,

@@ -29,6 +29,7 @@ from kinetruss.model import Model, nearest
 from kinetruss.results import Column, Result, provenance, variable
 from kinetruss.results.user_parts import part_axes
 from kinetruss.results.wide_tables import force_units
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -135,6 +136,7 @@ MASSLESS = 1e-13
 """Eigenvalues of the reduced mass with unit diagonal below this fraction of the largest count as zero."""
 
 
+@one_thread
 def linearise(
     model: Model,
     state: Any = None,

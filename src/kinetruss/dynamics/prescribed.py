@@ -39,6 +39,7 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -187,6 +188,7 @@ def with_friction_of(loads: Loads, nodes: NDArray[np.int64], forces: NDArray[np.
 # Forces of all members, reactions and drives along a given motion.
 
 
+@one_thread
 def inverse(model: Model, motion: Motion, load_case: str | None = None, *, static: bool = True) -> Forces:
     """Inverse dynamics: the forces of all members, supports and drives along a motion.
 

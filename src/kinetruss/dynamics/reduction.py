@@ -35,6 +35,7 @@ from kinetruss.mechanics.rows import Derivatives, row_derivatives
 from kinetruss.model import Model
 from kinetruss.results import variable
 from kinetruss.results.user_parts import part_axes, users
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -193,6 +194,7 @@ class _Bearing:
 # The equations of motion in chosen degrees of freedom, at one state, in numbers.
 
 
+@one_thread
 def reduced_equations(
     model: Model,
     dofs: str | Iterable[str] | None = None,

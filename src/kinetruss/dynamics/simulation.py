@@ -18,11 +18,13 @@ from kinetruss.kinematics.turns import refined
 from kinetruss.mechanics.elements import refuse_turns
 from kinetruss.model import Model
 from kinetruss.results import Simulation, Status
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
+@one_thread
 def simulate(
     model: Model,
     t_end: float | str | None = None,
@@ -208,6 +210,7 @@ class Prepared:
         return self._works.setdefault(t_end, stepper_for(self.problem, t_end))
 
 
+@one_thread
 def prepare(model: Model, t_end: float, **options: Any) -> Prepared:
     """Set up a simulation of at most t_end (s) that can be run many times without the cost of records.
 

@@ -15,6 +15,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics.arguments import number_of
 from kinetruss.model import nearest
 from kinetruss.results import variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -72,6 +73,7 @@ def _rows_of(A: Floats, B: Floats, least: float) -> Floats:
 Cost = float | Mapping[str, float]
 
 
+@one_thread
 def feedback(
     lin: Linearisation,
     *,

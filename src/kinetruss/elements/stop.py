@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 LOWER, UPPER, STIFFNESS, EXPONENT, DAMPING = range(5)
 """Numbers of a stop; both ends as distances from the value in the model."""
+ROUND_OFF = 1e-14
+"""How far beyond its stop a coordinate of the model may be, m or rad: it touches where its nodes are only written down so."""
 
 
 @kernel_bare
@@ -56,7 +58,7 @@ def stops(system: System) -> Part:
         for end, sign in (("lower", 1.0), ("upper", -1.0)):
             if (value := ends[end]) is None:
                 continue
-            if sign * (here[k] - value) < 0.0:
+            if sign * (here[k] - value) < -ROUND_OFF * max(1.0, abs(value)):
                 raise InputError(
                     f"stops.{name}.{end}: the coordinate is {here[k]:.6g} in the model, beyond the stop at {value:.6g}. "
                     "Move the nodes or the stop."

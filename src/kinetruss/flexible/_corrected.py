@@ -21,6 +21,7 @@ from kinetruss.mechanics.rows import factors_of
 from kinetruss.model import Model, Spline, nearest
 from kinetruss.results import Forces, Result, provenance, variable
 from kinetruss.results.wide_tables import unit_along
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -52,6 +53,7 @@ class Corrected(Result):
         return Spline(times=tuple((t - t[0]).tolist()), values=values)
 
 
+@one_thread
 def corrected(
     model: Model,
     forces: Forces,

@@ -17,6 +17,7 @@ from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model, nearest
 from kinetruss.results import Forces, Result, provenance, variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -31,6 +32,7 @@ class ActiveDamping(Result):
     """Poles of an elastic structure with collocated feedback in its members, over gains."""
 
 
+@one_thread
 def active_damping(
     model: Model,
     forces: Forces,

@@ -13,6 +13,7 @@ from kinetruss.flexible._structure import Softness, instants_of, modes_of, refus
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,6 +31,7 @@ class Frequencies(Result):
     """Natural frequencies and modes along a motion."""
 
 
+@one_thread
 def frequencies(
     model: Model,
     forces: Forces,

@@ -17,6 +17,7 @@ from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.arguments import number_of
 from kinetruss.model import Bar, Free, Model
 from kinetruss.results import Simulation
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,6 +28,7 @@ TABLE = 4001
 """Instants at which the trajectory is tabulated; in between, cubics with the same rates."""
 
 
+@one_thread
 def simulate(
     model: Model,
     trajectory: Any,

@@ -17,6 +17,7 @@ from kinetruss.mechanics.arguments import number_of
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -37,6 +38,7 @@ class Vibration(Result):
     """Displacements and member forces of the elastic structure, and what they differ from the rigid answer."""
 
 
+@one_thread
 def vibration(
     model: Model,
     forces: Forces,

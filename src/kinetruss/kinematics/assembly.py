@@ -21,6 +21,7 @@ from kinetruss.mechanics.positions import row_values
 from kinetruss.mechanics.rows import matching
 from kinetruss.model import Model
 from kinetruss.results import variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -260,6 +261,7 @@ CLOSED = 1e-8
 """Tolerance of a row as a fraction of its length."""
 
 
+@one_thread
 def assembly_modes(model: Model, lengths: Mapping[str, float] | None = None, *, most: int = 1000) -> xr.Dataset:
     """All configurations that a structure can have with given drives, not only the one that is connected to its start.
 

@@ -10,8 +10,10 @@ from kinetruss.io import MAX_SIZE, check as data_faults, placed, read
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.mobility import afloat, beam_deformations, mobility_at
 from kinetruss.model import Model, in_python, loads_along_beams, plausibility
+from kinetruss.threads import one_thread
 
 
+@one_thread
 def check(model: Model | str | Path, *, max_size: int = MAX_SIZE) -> list[Fault]:
     """All faults of a model at once, each with its mend; an empty list where there are none.
 

@@ -17,11 +17,13 @@ from kinetruss.mechanics.rows import null_basis
 from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.results import Motion, variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+@one_thread
 def freedoms(
     model: Model,
     motion: Motion,
@@ -167,6 +169,7 @@ def _dataset(
 # Conditioning along a motion: singular values of the whole Jacobian at every sample.
 
 
+@one_thread
 def conditioning(
     model: Model, motion: Motion, *, of: str | Iterable[str] | None = None, wrt: str | Iterable[str] | None = None
 ) -> xr.Dataset:

@@ -30,11 +30,13 @@ from kinetruss.mechanics.positions import drive_values
 from kinetruss.model import TARGETS, Combined, Coordinates, Docking, Model, moved_by, nearest, target_faults
 from kinetruss.results import Motion, variable
 from kinetruss.results.wide_tables import drive_unit, unit_along
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
+@one_thread
 def inverse(
     model: Model,
     targets: Any,
@@ -261,6 +263,7 @@ def _stack(columns: list[Any]) -> Histories:
 # Single poses: the drives that meet a task, or come nearest to it.
 
 
+@one_thread
 def reach(
     model: Model, targets: Any, values: Mapping[str, ArrayLike] | None = None, *, onward: bool = False, starts: int = STARTS
 ) -> xr.Dataset:

@@ -32,6 +32,7 @@ from kinetruss.mechanics.transfer import contradicted, flat_positions, transfers
 from kinetruss.model import Model
 from kinetruss.results import Motion, variable
 from kinetruss.results.user_parts import part_axes, users
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -164,6 +165,7 @@ def _completed(system: System, by: list[Coordinate]) -> list[Coordinate]:
 # First- and second-order geometric transfer functions: derivatives of nodes and lengths by chosen degrees of freedom.
 
 
+@one_thread
 def transfer_functions(
     model: Model, dofs: str | Iterable[str] | None = None, position: ArrayLike | None = None, *, free: Iterable[str] = ()
 ) -> xr.Dataset:

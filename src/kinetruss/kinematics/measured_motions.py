@@ -15,6 +15,7 @@ from kinetruss.kinematics.smoothing import LEAST_ROWS, Smooth, savitzky_golay, s
 from kinetruss.mechanics import ByIdentity
 from kinetruss.model import Measured
 from kinetruss.results import Result, variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -116,6 +117,7 @@ class _Column(NamedTuple):
     misfit: tuple[str, ...]
 
 
+@one_thread
 def measured(record: Measured) -> Smoothed:
     """Smooth a measured record, estimate its noise, find its outliers, and give rates and accelerations with standard errors.
 

@@ -31,6 +31,7 @@ from kinetruss.model.beam_frames import line_advice
 from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes
 from kinetruss.results.wide_tables import drive_unit
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -134,6 +135,7 @@ BENT = (
 )
 
 
+@one_thread
 def follow(
     model: Model,
     trajectory: Any,

@@ -20,6 +20,7 @@ from kinetruss.model import Body, Frame, Model, nearest
 from kinetruss.model.bodies import barycentric, placed
 from kinetruss.model.data import ModelData
 from kinetruss.results import Column, Motion, variable
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -93,6 +94,7 @@ class Carried(NamedTuple):
     at_start: Array
 
 
+@one_thread
 def pose(
     model: Model,
     motion: Motion,

@@ -18,6 +18,7 @@ from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.mobility import underdriven
 from kinetruss.mechanics.positions import row_values, shortest
 from kinetruss.model import Model
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -79,6 +80,7 @@ def out_of_reach(system: System, path: Path, k: int, x: NDArray[np.float64]) -> 
 # One configuration from prescribed lengths.
 
 
+@one_thread
 def assemble(model: Model, lengths: Mapping[str, float] | None = None) -> NDArray[np.float64]:
     """Node positions for prescribed lengths, reached from the model's own configuration.
 

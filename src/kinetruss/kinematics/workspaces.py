@@ -34,6 +34,7 @@ from kinetruss.mechanics.positions import drive_values
 from kinetruss.model import Active, Coordinates, Model, Positioning, nearest
 from kinetruss.results import variable
 from kinetruss.results.wide_tables import drive_unit
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -181,6 +182,7 @@ class _Found:
     singular: set[Cell] = field(default_factory=set)
 
 
+@one_thread
 def workspace(
     model: Model,
     point: Any,

@@ -21,6 +21,7 @@ from kinetruss.mechanics.system import System, compile
 from kinetruss.model import CoordinateDrive, Model
 from kinetruss.model.beam_checks import SPIN
 from kinetruss.model.beam_frames import line_advice
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -301,6 +302,7 @@ class Mobility:
         return [self_stress_text(self.system, state, self.row_names) for state in self.self_stress_states[:most]]
 
 
+@one_thread
 def mobility(model: Model, position: NDArray[np.float64] | None = None) -> Mobility:
     """Degrees of freedom, mechanisms and states of self-stress of a model.
 

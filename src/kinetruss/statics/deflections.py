@@ -24,6 +24,7 @@ from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.results import Forces, Motion, Result, provenance, variable
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.small_displacements import flexibility, loads_at, solve, stiff_rows
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -33,6 +34,7 @@ class Deflection(Result):
     """Displacements and strain energy of elastic members along a motion."""
 
 
+@one_thread
 def deflection(model: Model, forces: Forces) -> Deflection:
     """Displacements of all nodes, elongations and strain energy that the forces of a motion cause in elastic members.
 
@@ -213,6 +215,7 @@ def _keys(system: System) -> list[tuple[int, int, int]]:
 # Stiffness of a platform by its drives.
 
 
+@one_thread
 def platform_stiffness(
     model: Model,
     platform: str | Sequence[str],

@@ -27,6 +27,7 @@ from kinetruss.results.wide_tables import element_axes, element_columns, force_u
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
 from kinetruss.statics.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -46,6 +47,7 @@ class Equilibrium(Result):
         return list(self.data.attrs["ways_out"])
 
 
+@one_thread
 def equilibrium(
     model: Model,
     start: Equilibrium | ArrayLike | None = None,

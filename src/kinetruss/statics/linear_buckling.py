@@ -21,6 +21,7 @@ from kinetruss.statics.large_displacements import must_begin
 from kinetruss.statics.paths import scaled_force, without
 from kinetruss.statics.saddle_point import Saddle, rows_of
 from kinetruss.statics.search import SearchResult, find_equilibrium
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -30,6 +31,7 @@ class Buckling(Result):
     """Load factors and modes of linear buckling."""
 
 
+@one_thread
 def buckling(
     model: Model,
     load: str | Mapping[str, float],

@@ -42,6 +42,7 @@ from kinetruss.statics.small_displacements import (
     stiff_rows,
     weight_word,
 )
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -131,6 +132,7 @@ class Linear(Result):
     """Displacements, forces and reactions of an elastic truss under small displacements."""
 
 
+@one_thread
 def linear(
     model: Model,
     position: ArrayLike | None = None,

@@ -22,6 +22,7 @@ from kinetruss.statics.arc import Point, Road
 from kinetruss.statics.large_displacements import forces_of, must_begin
 from kinetruss.statics.saddle_point import LOOKED_AT, modes, rows_of
 from kinetruss.statics.search import find_equilibrium
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -73,6 +74,7 @@ class _Event:
     mode: NDArray[np.float64]
 
 
+@one_thread
 def path(
     model: Model,
     load: str | Mapping[str, float],

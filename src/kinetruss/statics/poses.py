@@ -26,6 +26,7 @@ from kinetruss.results import Forces, Motion, Result, Status, variable
 from kinetruss.statics.refinement import accuracy_note
 from kinetruss.statics.saddle_point import weakest_block
 from kinetruss.statics.small_displacements import Weight, loads_at, weight_word
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -37,6 +38,7 @@ SAME = 4 * EPS
 """Relative difference up to which a value counts as that of the model."""
 
 
+@one_thread
 def at_poses(
     model: Model,
     poses: Any,

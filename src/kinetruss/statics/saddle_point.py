@@ -1,6 +1,6 @@
 """Saddle-point systems of equilibrium with rigid rows, and stability from their inertia.
 
-    [[K/s + shift, J^T], [J, 0]] [dx, dN/s] = [g/s, -phi],    s = largest entry of K
+    [[(K + shift)/s, J^T], [J, 0]] [dx, dN/s] = [g/s, -phi],    s = largest entry of K
 
 Redundant rows are left out of the matrix and get their forces afterwards: N = N0 + S z with the states of self-stress S and z
 that minimises sum w N^2, as in inverse dynamics.
@@ -93,23 +93,23 @@ def weakest_block(system: System, plan: Any, x: NDArray[np.float64]) -> float:
 
 
 class Saddle:
-    """Factors of a saddle-point matrix of K (f, f) and J (rows, f)."""
+    """Factors of a saddle-point matrix of K (f, f), N/m, with a shift (N/m) on its diagonal, and J (rows, f)."""
 
     def __init__(self, K: Any, J: Any, rows: Rows, shift: float = 0.0) -> None:
         self.rows, self.all = rows, J.shape[0]
         J = J[rows.kept] if len(rows.redundant) else J
         held, self.count = J.shape
-        self.size = float(np.abs(K.data).max(initial=0.0)) or 1.0
+        self.size = max(float(np.abs(K.data).max(initial=0.0)), shift) or 1.0
         relax = np.concatenate([np.zeros(self.count), np.full(held, rows.relax)])
         if held + self.count <= DENSE:
             full = np.zeros((held + self.count,) * 2)
-            full[: self.count, : self.count] = K.toarray() / self.size + shift * np.eye(self.count)
+            full[: self.count, : self.count] = (K.toarray() + shift * np.eye(self.count)) / self.size
             full[self.count :, : self.count] = J.toarray()
             full[: self.count, self.count :] = full[self.count :, : self.count].T
             self.matrix: Any = full
             self._solve = dense_solver(full - np.diag(relax))
             return
-        top = K / self.size + shift * eye_array(self.count)
+        top = (K + shift * eye_array(self.count)) / self.size
         self.matrix = csc_array(block_array([[top, J.T], [J, None]])) if held else csc_array(top)
         self._solve = sparse_solver(csc_array(self.matrix - diags_array(relax)) if held else self.matrix)
 

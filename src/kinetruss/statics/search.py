@@ -326,13 +326,17 @@ class _Walk:
     def _step(
         self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any, left: float, shift: float
     ) -> tuple[NDArray[np.float64] | None, float]:
-        """The next positions, and the shift with which the energy decreases; None if it does with no shift."""
+        """The next positions, and the shift (N/m) with which the energy decreases; None if it does with no shift."""
         free = self.system.free
         K = self.balance.stiffness(x, N)[free][:, free]
         g = self._left(x, N, J)
         still = np.zeros(J.shape[0])
         shift, fresh = shift if left >= NEAR else 0.0, len(self.rows.kept) <= DENSE
-        while shift <= 1e12:
+        scale = force_scale(self.balance, x, N)
+        # a body without contact has no stiffness at all: then what takes a step of the longest length
+        stiff = max(float(np.abs(K.data).max(initial=0.0)), scale / self.limit)
+        noise = ROUND_OFF * scale * float(np.abs(x).max())
+        while shift <= 1e12 * stiff:
             p, _ = Saddle(K, J, self.rows, shift).solve(g, still)
             if not (fresh or np.all(np.isfinite(p))) and self.choose(x):
                 fresh = True
@@ -351,10 +355,15 @@ class _Walk:
                     fresh = True
                     continue
                 fall = -self.balance.energy_change(x, y)
-                if off <= CLOSED * self.limit and (fall >= 1e-4 * part * (g @ p) or (left < NEAR and part == 1.0)):
-                    return y, 0.0 if shift < 1e-9 else 0.1 * shift
-            shift = max(10 * shift, 1e-9)
+                falls = fall >= 1e-4 * part * (g @ p) or (left < NEAR and part == 1.0)
+                if off <= CLOSED * self.limit and (falls or (g @ p < CLEAR * noise and self._balances(y, left))):
+                    return y, 0.0 if shift < 1e-9 * stiff else 0.1 * shift
+            shift = max(10 * shift, 1e-9 * stiff)
         return None, shift
+
+    def _balances(self, y: NDArray[np.float64], left: float) -> bool:
+        """True if less than a residual is left at y: where the fall of the energy is lost in round-off of the positions."""
+        return self.residual(y, *row_force(self.balance, y, self.rows)) < left
 
     def _left(self, x: NDArray[np.float64], N: NDArray[np.float64], J: Any) -> NDArray[np.float64]:
         g = self.balance.applied(x)[self.system.free]

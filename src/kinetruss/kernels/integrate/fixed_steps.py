@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Record, record
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
@@ -219,6 +222,78 @@ def solve_step(eq: Equations, ws: Workspace, user: int, control: Control, memory
             return True
         last = change
     return False
+
+
+HALVINGS = 16
+"""Times that a correction is halved."""
+RINGING, AT_REST = 0.05, 1e-3
+"""Largest mean velocity in parts of that at the end, and smallest velocity at the end in parts of the change foreseen, of a
+coordinate that swings to and fro where it should come to rest."""
+
+
+@kernel_bare
+def _rings(free: I1, step: Step, first: F1) -> bool:
+    """True where a coordinate leaves a step as fast as it came, backwards, and its acceleration is not that foreseen: the
+    midpoint rule does not damp what is stiffer than its step, it reverses it.
+    """
+    for i in range(free.size):
+        j = free[i]
+        end, foreseen = abs(step.v1[j]), step.c * abs(first[j])
+        turned = abs(step.ve[j]) < RINGING * end and step.c * abs(step.a[j] - first[j]) > end
+        if turned and end > AT_REST * foreseen:
+            return True
+    return False
+
+
+@kernel_late(allocates=True)
+def solve_damped(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, step: Step) -> int:
+    """`solve_step` where full corrections do not converge: with as much of each as makes the next one smaller. 1 if it does.
+
+    Friction that is all there at a small rate has a slope within it only; a correction from outside leads past it, over and
+    over. What is compared are corrections with the same matrix (the natural test of monotonicity: Deuflhard, Newton Methods for
+    Nonlinear Problems, 2004, section 3.3).
+    """
+    free, midpoint, t_e = eq.free, control.method == m.MIDPOINT, step.t_1
+    hold_end(eq, ws, step)
+    if midpoint:
+        t_e -= 0.5 * step.h
+        prepare_rows(eq, ws, t_e, step.xe, step.ve)
+    last, half = math.inf, 0.5 if midpoint else 1.0
+    way, way_N, first = np.zeros(step.a.size), np.zeros(step.N.size), np.zeros(step.a.size)
+    for i in range(free.size):
+        first[free[i]] = step.a[free[i]]
+    for turn in range(MOST):
+        memory.pivot = _lacking(eq, ws, user, step, t_e, midpoint)
+        tangent_factor(eq, ws, control, step.xe, step.ve, step.N, half * step.s, half * step.c)
+        tangent_solve(eq, control, step.f, step.gap, step.da, step.dN)
+        for i in range(free.size):
+            way[free[i]] = step.da[free[i]]
+        for k in range(way_N.size):
+            way_N[k] = step.dN[k]
+        # all of the correction
+        change, share = change_by(free, step), 1.0
+        memory.newtons += 1
+        if not change < math.inf:
+            return 0
+        if converged(control, turn, change, last):
+            _place(free, step, midpoint)
+            return 0 if midpoint and _rings(free, step, first) else 1
+        for _ in range(HALVINGS):
+            _lacking(eq, ws, user, step, t_e, midpoint)
+            tangent_solve(eq, control, step.f, step.gap, step.da, step.dN)
+            left = 0.0
+            for i in range(free.size):
+                left = larger(left, abs(step.da[free[i]]) * step.s)
+            if left <= (1.0 - 0.25 * share) * change:
+                break
+            # half of it is taken back
+            share *= 0.5
+            for i in range(free.size):
+                step.a[free[i]] -= share * way[free[i]]
+            for k in range(way_N.size):
+                step.N[k] -= share * way_N[k]
+        last = change
+    return 0
 
 
 # One step of RATTLE: leapfrog whose row forces keep positions and velocities on the constraints.

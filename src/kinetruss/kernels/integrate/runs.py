@@ -14,7 +14,7 @@ from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.dop853_step import begin_step, target
-from kinetruss.kernels.integrate.fixed_steps import Step, new_step, rattle_step, solve_step
+from kinetruss.kernels.integrate.fixed_steps import Step, new_step, rattle_step, solve_damped, solve_step
 from kinetruss.kernels.integrate.machine import proceed
 from kinetruss.kernels.integrate.radau_matrices import new_matrices
 from kinetruss.kernels.integrate.radau_step import ASIDE, new_stages, radau_step
@@ -325,6 +325,10 @@ def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Mem
     else:
         _bases(free, control, memory, step)
         good = solve_step(eq, ws, user, control, memory, step)
+        if not good and control.place.size > 0 and not memory.pivot < NEAR * memory.pivot_most:
+            _begin(free, memory, work.x, step)
+            _bases(free, control, memory, step)
+            good = solve_damped(eq, ws, user, control, memory, step) == 1
         good = good and _goes_on(free, memory, step)
     if good:
         memory.carried = 0
