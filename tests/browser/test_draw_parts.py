@@ -53,7 +53,7 @@ def the_same_in_python(clamped: list[str]) -> kt.Model:
 
 def compare(state: dict, model: kt.Model) -> None:
     """The forces of a page are those of the model in equilibrium, and its supports hold all weight and load."""
-    rest = np.array(statics.equilibrium(model).data["position"].values)
+    rest = np.array(statics.equilibrium(model).whole["position"].values)
     motion = kinematics.from_arrays(model, [0.0], rest[None], 0 * rest[None], 0 * rest[None])
     wanted = dynamics.inverse(model, motion, static=False).arrays
     names = [str(name) for name in wanted["member"].values]

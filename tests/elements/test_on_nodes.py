@@ -5,12 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import kinetruss as kt
+from kinetruss.dynamics import singular_starts
+from kinetruss.elements import kinds
 from kinetruss.elements.on_nodes import (
     NodeElements,
     Part,
     arrays_of,
     balance,
     changes,
+    element,
     energy,
     force,
     histories,
@@ -177,3 +181,27 @@ def test_values_and_their_changes_are_those_of_the_expressions(case):
         w = v.reshape(-1, 3)
         rate = [d[k] @ (w[one[1]] - w[one[0]]) / np.linalg.norm(d[k]) for k, one in enumerate(part.nodes)]
         assert moved[:, 1] == pytest.approx(rate)
+
+
+def test_what_feeds_is_no_growth_of_energy_and_has_an_equilibrium(monkeypatch):
+    """A thrust along x that follows from no energy: it speeds a mass up, a spring holds it."""
+    law = NodeLaw(force=lambda _t, _nodes, _rates, numbers: [(numbers[0], 0.0, 0.0)])
+
+    def thrusters(system):
+        return Part("thruster", ("one",), law, [[system.node_index("P")]], np.array([[30.0]]), feeds=True, grounded=True)
+
+    every = (*kinds.ELEMENTS, element(thrusters))
+    for module in (kinds, singular_starts):
+        monkeypatch.setattr(module, "ELEMENTS", every)
+    model = kt.Model(
+        nodes={"O": (0, 0), "P": kt.Node(at=(1, 0), mass=2.0)},
+        fixed={"O": "xy", "P": "y"},
+        bars={"guide": kt.Bar(ends=("O", "P"), kind="free")},
+    )
+    run = kt.dynamics.simulate(model, 1.0, samples=3)
+    assert run.motion.velocity.sel(node="P", axis="x").values[-1] == pytest.approx(15.0, rel=1e-9)
+    assert run.forces.dissipation.values[-1] == pytest.approx(-450.0, rel=1e-9)
+    assert "less what elements give" in run.forces.data.dissipation.attrs["long_name"]
+    coordinate = kt.CoordinateDrive(node="P", axis="x")
+    held = model.with_(springs={"s": kt.Spring(coordinate=coordinate, stiffness=600.0)})
+    assert kt.statics.equilibrium(held).position.sel(node="P", axis="x").item() == pytest.approx(1.05, rel=1e-9)

@@ -29,7 +29,7 @@ from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, Noda
 from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import System, cached
-from kinetruss.mechanics.elements import named_motions, refuse_turns
+from kinetruss.mechanics.elements import fed, named_motions, refuse_turns
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.rotating_base import ROTATION
@@ -373,7 +373,8 @@ def _power(
     power -= (solved["rest"][:, held] * v[:, held]).sum(axis=1)
     time = ("time",)
     resists = system.damping.any() or any(one.loses(record) for one, record in present(system)) or "bearing" in solved
-    lost = {"dissipation": variable(time, energy[:, 2], "W", "power that dampers and friction take")} if resists else {}
+    words = f"power that dampers and friction take{', less what elements give' * fed(system)}"
+    lost = {"dissipation": variable(time, energy[:, 2], "W", words)} if resists else {}
     return lost | {
         "energy": variable(time, energy[:, 0], "J", "kinetic and potential energy"),
         "energy_rate": variable(time, energy[:, 1], "W", "rate of kinetic and potential energy"),

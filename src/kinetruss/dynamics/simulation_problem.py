@@ -18,6 +18,7 @@ from kinetruss.kernels.structure.equations import (
 )
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System
+from kinetruss.mechanics.elements import fed
 from kinetruss.model import (
     GivenForce,
 )
@@ -74,9 +75,9 @@ class Problem:
 
     @property
     def isolated(self) -> bool:
-        """True if nothing supplies energy: no moving drive or support, no given force, no user force."""
+        """True if nothing supplies energy: no moving drive or support, no given force, no user force, no element that feeds."""
         in_time = len(self.eq.force_kind) or len(self.eq.load) or len(self.eq.motion_kind)
-        return not (self.user.given or in_time)
+        return not (self.user.given or in_time or fed(self.system))
 
     @property
     def solver(self) -> str:

@@ -21,6 +21,10 @@ class Results(NamedTuple):
     values: Mapping[str, tuple[NDArray[np.float64], str, str]]
 
 
+def _never(record: Any) -> bool:  # noqa: ARG001
+    return False
+
+
 def _no_switches(system: Any) -> Mapping[str, Any]:  # noqa: ARG001
     return MappingProxyType({})
 
@@ -29,7 +33,7 @@ class Element(NamedTuple):
     """table : the record of all elements of this kind in a system, or None. coordinates (rows, w) of its record, flat, -1 for
     none: those of an element, or of an edge, of which many elements consist. kernels : by column of the table of kinds
     (kernels.structure.element_table), interface and kernel. without_series : why a system has no power series of these forces,
-    or None. loses : whether elements of its record take energy.
+    or None. loses : whether elements of its record take energy; feeds : whether they may give some that they do not store.
 
     With positions and velocities (n, 3), as sparse matrices (3 n, 3 n): tangents : K and C, minus the derivatives of the forces
     by x and by v. geometric : the stiffness of the forces that small displacements u from x add, for critical loads; None where
@@ -53,4 +57,5 @@ class Element(NamedTuple):
     fields: Callable[[Any], dict[str, NDArray[Any]] | None] | None = None
     linear_results: Callable[[Any, Any, Any, Any], Results] | None = None
     switches: Callable[[Any], Mapping[str, Any]] = _no_switches
+    feeds: Callable[[Any], bool] = _never
     name: str = ""

@@ -52,9 +52,9 @@ _energy, _gradient, _curvature, _values, _slopes = (caller(one) for one in (ENER
 
 class Part(NamedTuple):
     """The elements of one kind, a word, in a system: their names and law; nodes, by index, of each; numbers (..., elements, k),
-    which may be complex, and copies. loses : whether the law's force takes energy. grounded : the law depends on places or
-    velocities against the ground. says : what the force on the first node is. switches : events by name where the law changes
-    its form, for simulations to tell.
+    which may be complex, and copies. loses : whether the law's force takes energy; feeds : whether it may give some. grounded :
+    the law depends on places or velocities against the ground. says : what the force on the first node is. switches : events by
+    name where the law changes its form, for simulations to tell.
     """
 
     kind: str
@@ -63,6 +63,7 @@ class Part(NamedTuple):
     nodes: Sequence[Sequence[int]]
     numbers: Any
     loses: bool = True
+    feeds: bool = False
     grounded: bool = False
     says: str = "force on the first node"
     switches: Mapping[str, Any] = MappingProxyType({})
@@ -70,13 +71,14 @@ class Part(NamedTuple):
 
 @record
 class NodeElements(Record):
-    """longest : most coordinates of an element. grounded, loses : 1 if so. law (k, 5) addresses. Nodes of element k, flat:
-    at[ptr[k]:ptr[k + 1]]. numbers (k, w).
+    """longest : most coordinates of an element. grounded, loses, feeds : 1 if so. law (k, 5) addresses. numbers (k, w). Nodes
+    of element k, flat: at[ptr[k]:ptr[k + 1]].
     """
 
     longest: I0
     grounded: I0
     loses: I0
+    feeds: I0
     ptr: I1
     at: I1
     law: I2
@@ -401,6 +403,7 @@ def element(part_of: Callable[[Any], Part | None]) -> Element:
         fields=fields,
         linear_results=linear_results,
         switches=switches,
+        feeds=lambda s: bool(s.feeds),
         name=part_of.__module__.rpartition(".")[2],
     )
 
@@ -426,6 +429,7 @@ def arrays_of(one: Part) -> dict[str, Any]:
         "longest": 3 * max(counts),
         "grounded": int(one.grounded),
         "loses": int(one.loses and one.law.force is not None),
+        "feeds": int(one.feeds),
         "ptr": np.cumsum([0, *counts]),
         "at": 3 * np.concatenate([np.asarray(nodes, np.int64) for nodes in one.nodes]),
         "law": np.array([addresses(one.law.energy, one.law.force, count, width) for count in counts], np.int64),

@@ -16,6 +16,7 @@ from kinetruss.kinematics.motions import Course, instants, motion_of
 from kinetruss.kinematics.own_motion import OWN, lengths_of, misfits
 from kinetruss.kinematics.turns import refuse_uncounted
 from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.arguments import refuse_without_inner
 from kinetruss.mechanics.positions import drive_values
 from kinetruss.model import Model
 from kinetruss.results import Motion, Status
@@ -81,6 +82,7 @@ def _with_uncounted(system: System, motion: Motion) -> Motion:
 
 
 def _full(system: System, count: int, values: ArrayLike, name: str) -> NDArray[np.float64]:
+    refuse_without_inner(system, values, name)
     full = np.zeros((count, len(system.nodes), 3))
     full[:, :, : system.dim] = array_of(values, name, {"times": count, "n_nodes": system.nodes, "dim": system.dim})
     return full.reshape(count, -1)

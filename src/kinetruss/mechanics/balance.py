@@ -14,7 +14,7 @@ from kinetruss.errors import InputError, ModelError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics.arrangement import rearrange
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.elements import element_energy, element_forces, named_laws
+from kinetruss.mechanics.elements import element_change, element_forces, named_laws
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents, turning_inertia
 from kinetruss.mechanics.measures import measure_gradients, measure_hessian, measured
@@ -114,7 +114,7 @@ class Balance:
         (_, L0, u0), (_, L1, u1) = ends_of(system, x), ends_of(system, y)
         # strain energy
         change = float(np.sum(bar_laws(system, L1).energy - bar_laws(system, L0).energy))
-        change += element_energy(system, y) - element_energy(system, x)
+        change += element_change(system, x, y)
         # work of loads that keep their direction, and of given thrusts
         change -= float(self.force @ (y - x).reshape(-1)) + float(self.push @ (L1 - L0))
         if np.any(self.torque):

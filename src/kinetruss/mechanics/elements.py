@@ -99,6 +99,27 @@ def element_energy(system: System, x: NDArray[np.float64]) -> float:
     return float(sum(one.kernels[ENERGY][1](record, place) for one, record in present(system)))
 
 
+def fed(system: System) -> bool:
+    """True if some elements may give energy that they do not store."""
+    return any(one.feeds(record) for one, record in present(system))
+
+
+def element_change(system: System, x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
+    """Work against the elements of all kinds from x to y, (n, 3), J: their energy, and of those that give some the work of
+    their forces along the straight line, by the trapezoidal rule.
+    """
+    change = element_energy(system, y) - element_energy(system, x)
+    for one, record in present(system):
+        if one.feeds(record):
+            places = [np.ascontiguousarray(z, float).reshape(-1) for z in (x, y)]
+            force = np.zeros(x.size)
+            for place in places:
+                one.kernels[FORCE][1](record, 0.0, place, np.zeros(x.size), force)
+            before, after = (one.kernels[ENERGY][1](record, place) for place in places)
+            change -= 0.5 * float(force @ (places[1] - places[0])) + after - before
+    return change
+
+
 def element_tangents(
     system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None, *, rows: bool = True
 ) -> tuple[Any, Any]:

@@ -35,16 +35,20 @@ def simulation_record(run: RunResult) -> dict[str, Any] | None:
     }
 
 
+NOTHING = 1e-9
+"""Power that elements give, as a fraction of the largest that they take: round-off."""
+
+
 def _energy(found: Simulation) -> dict[str, float]:
     """Energy at start and end, its largest change, and the largest kinetic energy, J; the largest powers that drives and loads
-    feed, and that dampers and friction take, W.
+    feed, and that dampers and friction take, W; of elements that feed what they give.
     """
     energy, kinetic = found.whole["energy"].values, found.whole["kinetic_energy"].values
     most = float(kinetic.max())
     change = float(np.abs(energy - energy[0]).max())
     powers = found.forces.whole
-    known = (powers[name].values if name in powers else np.zeros(1) for name in ("power", "dissipation"))
-    fed, taken = (float(np.nanmax(np.abs(one), initial=0.0)) for one in known)
+    power, lost = (powers[name].values if name in powers else np.zeros(1) for name in ("power", "dissipation"))
+    fed, taken, given = (float(np.nanmax(one, initial=0.0)) for one in (np.abs(power), lost, -lost))
     return {
         "start": float(energy[0]),
         "end": float(energy[-1]),
@@ -52,6 +56,7 @@ def _energy(found: Simulation) -> dict[str, float]:
         "largest_kinetic": most,
         "fed": fed,
         "dissipation": taken,
+        **({"given": given} if given > NOTHING * float(np.nanmax(np.abs(lost), initial=0.0)) else {}),
     }
 
 

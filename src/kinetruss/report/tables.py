@@ -455,6 +455,7 @@ def _change(energy: dict[str, float]) -> str:
         return f"nothing moves; changes by at most {quantity(change, 'J')}"
     sources = [
         *([f"drives and loads feed or take up to {quantity(energy['fed'], 'W')}"] if energy["fed"] else []),
+        *([f"elements give up to {quantity(energy['given'], 'W')}"] if energy.get("given") else []),
         *([f"dampers and friction take up to {quantity(energy['dissipation'], 'W')}"] if energy["dissipation"] else []),
     ]
     if sources:
