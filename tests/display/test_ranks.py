@@ -59,3 +59,9 @@ def test_members_that_carry_the_same_stand_in_the_order_of_the_model(order):
     rows = kt.strength.check(model, kt.runs.forces_at_rest(model)).table()
     of = [row.part for row in rows if row.rule == rows[0].rule]
     assert of == list(order)
+
+
+def test_sizes_of_several_numbers_count_one_after_the_other():
+    sizes = {"a": (0, 5.0), "b": (1, 2.0), "c": (1, 2.0 + 1e-12), "d": (1, float("nan")), "e": (1, 3.0)}
+    assert largest_first(sizes, sizes.__getitem__) == ["e", "b", "c", "d", "a"]
+    assert largest_first([], sizes.__getitem__) == []

@@ -45,17 +45,21 @@ def order_of(values: Iterable[float]) -> list[int]:
     return sorted(range(len(found)), key=found.__getitem__)
 
 
-def largest_first(rows: Iterable[T], size: Callable[[T], float]) -> list[T]:
-    """Rows from the largest to the smallest size.
+def largest_first(rows: Iterable[T], size: Callable[[T], float | tuple[float, ...]]) -> list[T]:
+    """Rows from the largest to the smallest size; of sizes that are tuples the first numbers count before the next ones.
 
     >>> largest_first(["strut", "tie", "post"], {"strut": 1.0, "tie": 2.0, "post": 2.0000000001}.get)
     ['tie', 'post', 'strut']
+    >>> largest_first(["tie", "strut", "post"], {"tie": (False, 3.0), "strut": (True, 1.0), "post": (True, 2.0)}.get)
+    ['post', 'strut', 'tie']
     """
     every = list(rows)
-    return [every[k] for k in order_of(map(size, every))]
+    sizes = [one if isinstance(one, tuple) else (one,) for one in map(size, every)]
+    ranks = list(zip(*map(levels, zip(*sizes, strict=True)), strict=True))
+    return [every[k] for k in sorted(range(len(every)), key=ranks.__getitem__)]
 
 
-def largest(rows: Iterable[T], size: Callable[[T], float]) -> T:
+def largest(rows: Iterable[T], size: Callable[[T], float | tuple[float, ...]]) -> T:
     """The first of the rows of the largest size; there must be one."""
     return largest_first(rows, size)[0]
 
