@@ -65,13 +65,12 @@ def reactions(system: System, per: tuple[str, ...], x: Floats, force: Floats) ->
     dim = system.dim
     if len(names) == len(at):
         return {"reaction": variable((*per, "support", "axis"), force[..., :dim], "N", "support force on the structure")}
-    place = np.array([system.node_index(name) for name in system.supports], np.int64)
-    centre = np.array([system.node_index(name) for name in names], np.int64)
-    total = np.zeros((*force.shape[:-2], len(names), 3))
-    moment = np.zeros_like(total)
-    for k, of in enumerate(at):
-        total[..., of, :] += force[..., k, :]
-        moment[..., of, :] += np.cross(x[..., place[k], :] - x[..., centre[of], :], force[..., k, :])
+    place, centre, sums = _held(system)
+    total = sums @ force
+    arm = x[..., place, :] - x[..., centre, :]
+    # r x F; of a few vectors numpy.cross takes several times as long
+    turned = np.stack([arm[..., i] * force[..., j] - arm[..., j] * force[..., i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=-1)
+    moment = sums @ turned
     words = "moment of a support on the structure, about its node"
     return {
         "reaction": variable((*per, "support", "axis"), total[..., :dim], "N", "support force on the structure"),
@@ -176,6 +175,17 @@ def marked(system: System, data: xr.Dataset, position: xr.DataArray) -> xr.Datas
 def _turns(system: System) -> int:
     """Rotations about the axes of space: one in the plane, three in space."""
     return 1 if system.dim == 2 else 3
+
+
+@cached()
+def _held(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
+    """The nodes that supports hold, those to which they belong, and how what acts on the former adds up to that on the user's
+    supports (supports, held).
+    """
+    names, at = _supports(system)
+    place = np.array([system.node_index(name) for name in system.supports], np.int64)
+    centre = np.array([system.node_index(names[of]) for of in at], np.int64)
+    return place, centre, (np.array(at)[None] == np.arange(len(names))[:, None]).astype(float)
 
 
 @cached()
