@@ -145,7 +145,9 @@ def _pair(system: System, bars: Bars, t: int, which: int, i: int, place: int, ke
 
 
 def _opposite(t: int, end: int, which: int, first: bool, key: tuple[str, str], here: Instants) -> NDArray[np.float64]:
-    push = here.amounts[key][:, None] * term_weights(here.system, t, here.x, end)[0][:, 1 + which]
+    if (name := f"term {t} {end}") not in here.found:  # the forces on both nodes of an axis
+        here.found[name] = term_weights(here.system, t, here.x, end)[0]
+    push = here.amounts[key][:, None] * here.found[name][:, 1 + which]
     return np.stack([-push, push] if first else [push, -push], axis=1)
 
 
