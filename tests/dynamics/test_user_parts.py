@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.results.user_parts import held_forces, marked
+from kinetruss.results.user_parts import completed, held_forces, marked, users
 
 STEEL = kt.Material(E=210e9, density=7850, poisson=0.3)
 
@@ -98,6 +99,17 @@ def test_a_change_of_the_user_is_kept():
     moved = motion.with_(data=motion.data.assign(position=motion.position + 1.0))
     np.testing.assert_array_equal(moved.position, motion.position + 1.0)
     np.testing.assert_array_equal(moved.whole["position"].values[:, 3:], motion.whole["position"].values[:, 3:])
+
+
+def test_inner_parts_between_those_of_the_user_keep_their_values():
+    values = np.arange(4.0)
+    whole = xr.Dataset(
+        {"mass": ("node", values)}, coords={"node": list("abcd"), "inner_node": ("node", [False, True, False, True])}
+    )
+    own = users(whole)
+    assert own.mass.values.tolist() == [0.0, 2.0] and list(own.node.values) == ["a", "c"]
+    back = completed(own.assign(mass=own.mass * 10), whole)
+    assert back.mass.values.tolist() == [0.0, 1.0, 20.0, 3.0]
 
 
 def test_instants_that_a_result_lacks_are_refused():

@@ -13,10 +13,11 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_array, csr_array
+from scipy.sparse import csr_array
 
 from kinetruss.elements.caching import cached
 from kinetruss.elements.element import Element, Results
+from kinetruss.elements.scalars import assembled
 from kinetruss.kernels.compiled.calls import caller
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I0, I1, I2, Floats, Ints, Record, record
@@ -325,10 +326,7 @@ def tangents(
     made = np.empty((2, count, width, width))
     place, rate = (np.ascontiguousarray(y, float).reshape(-1) for y in (x, np.zeros(x.size) if v is None else v))
     blocks(record, t, place, rate, *made)
-    columns, rows = np.repeat(places, width, axis=1).reshape(-1), np.tile(places, (1, width)).reshape(-1)
-    own = (rows >= 0) & (columns >= 0)
-    at, shape = (rows[own], columns[own]), (x.size, x.size)
-    K, C = (csr_array(coo_array((one.reshape(-1)[own], at), shape=shape)) for one in made)
+    K, C = (assembled(places, one.swapaxes(1, 2), x.size) for one in made)
     return K, C
 
 

@@ -427,11 +427,16 @@ def tangents(
         resistance = np.zeros((count, 3))
         slopes(record, place, rate, resistance)
     blocks(record, places, place, rate, resistance, *made)
+    K, C = (assembled(places, one, x.size) for one in made)
+    return K, C
+
+
+def assembled(places: NDArray[np.int64], blocks: NDArray[np.float64], size: int) -> csr_array:
+    """The sum (size, size) of blocks (elements, w, w) at flat coordinates (elements, w), of which -1 stands for none."""
+    width = places.shape[1]
     rows, columns = np.repeat(places, width, axis=1).reshape(-1), np.tile(places, (1, width)).reshape(-1)
     own = (rows >= 0) & (columns >= 0)
-    at, shape = (rows[own], columns[own]), (x.size, x.size)
-    K, C = (csr_array(coo_array((one.reshape(-1)[own], at), shape=shape)) for one in made)
-    return K, C
+    return csr_array(coo_array((blocks.reshape(-1)[own], (rows[own], columns[own])), shape=(size, size)))
 
 
 def geometric(system: System, record: Scalars, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:

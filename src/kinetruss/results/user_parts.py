@@ -129,8 +129,8 @@ def completed(given: xr.Dataset, whole: xr.Dataset) -> xr.Dataset:
     ------
     InputError : it has instants that `whole` lacks, so that where the inner parts are is not known.
     """
-    marks = [mark for mark in MARKS.values() if mark in whole.coords and mark not in given.coords]
-    if not marks:
+    inner = [axis for axis, mark in MARKS.items() if mark in whole.coords and mark not in given.coords]
+    if not inner:
         return given
     cut = [axis for axis in whole.indexes if axis in given.coords and axis not in (*MARKS, "support")]
     kept = {axis: given[axis].values for axis in cut if not whole.indexes[axis].equals(given.indexes.get(axis))}
@@ -139,12 +139,13 @@ def completed(given: xr.Dataset, whole: xr.Dataset) -> xr.Dataset:
     except KeyError as error:
         message = f"The data have {error.args[0]}, which the result does not have: its inner parts, which represent beams, "
         raise InputError(f"{message}bodies and hubs, are not known there. Give instants of the result.") from None
+    own = {axis: np.flatnonzero(~whole[MARKS[axis]].values) for axis in inner}
     for name, one in given.variables.items():
         if name in found.indexes:
             continue
         if name in found.variables and found[name].sizes != one.sizes:
             values = np.array(found[name].values)
-            values[tuple(slice(size) for size in one.shape)] = one.values
+            values[np.ix_(*(own.get(str(axis), np.arange(found.sizes[axis])) for axis in one.dims))] = one.values
             one = found.variables[name].copy(data=values)
         found = found.assign_coords({name: one}) if name in given.coords else found.assign({name: one})
     return found.drop_vars([name for name in found.data_vars if name not in given and HELD not in found[name].dims])

@@ -307,7 +307,8 @@ _OF_LAWS = (ABOVE, EXPONENTIAL, LOGARITHM, TANH)
 
 
 def _no_second(one: Operation) -> str:
-    raise NotImplementedError(f"operation {one.op} is one of laws: it has no second rates")
+    # never called: second rates are those of coordinates, whose expressions have no operations of laws
+    raise AssertionError(f"operation {one.op} is one of laws: it has no second rates")
 
 
 def _times(a: str, b: str) -> str:

@@ -195,7 +195,8 @@ def evaluate(tape: Tape, X: F2, P: F2, T: F2, out: F2) -> None:
 def tape_of(program: Program, tasks: int) -> Tape:
     """The tape of a program; `tasks` of its results are of tasks."""
     if any(one.op > COSINE for one in program.operations):
-        raise NotImplementedError("a program of series has operations of laws, which have none")
+        # never so: elements with laws on nodes say that they have no series (Element.without_series)
+        raise AssertionError("a program of series has operations of laws, which have none")
     op, a, b, number, c = zip(*program.operations, strict=True)
     out, period = zip(*((value.index, period) for value, period in program.results), strict=True)
     return Tape.of({"tasks": tasks, "op": op, "a": a, "b": b, "c": c, "number": number, "out": out, "period": period})
