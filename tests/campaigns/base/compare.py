@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "94b83080178fa5411196bbf58848631d7b999b22"
+BASE = "2c162b106930a776a9bb7a43b31ab4b502a40d3a"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60

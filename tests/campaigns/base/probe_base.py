@@ -24,13 +24,13 @@ from models import Case
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.linear_state import moving_forces
 from kinetruss.dynamics.prescribed import apply_loads as left_over
+from kinetruss.elements.continua_matrices import continua_stiffness
 from kinetruss.kernels.solve import kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import GREEN, System, compile, jacobian, measured
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.elements import beam_losses, continua_stiffness, strain_balance
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
 from kinetruss.mechanics.rows import row_derivatives
@@ -94,10 +94,15 @@ class Question:
         if s.continua is not None:
             K = abs(continua_stiffness(s.continua, self.x)).max(axis=1).toarray().reshape(-1, 3).max(axis=1)
             found += K * self.reach + s.continua.lump * float(weight.max())
-        stiffness, rest, damping, friction, _, _, preload = np.abs(s.spring_law).T
-        turn = 2.0 * np.pi + self.reach
-        sprung = stiffness * (rest + turn) + damping * self.pace + friction + preload
-        found += float(sprung.sum() + np.abs(s.spring_table[:, 1]).sum()) * self.steep()
+        own, turn = list(s.model.springs.values()), 2.0 * np.pi + self.reach
+        starts = s.measure_start[len(s.measure_start) - len(own) :]
+        sprung = [
+            one.stiffness * (abs(here if one.rest is None else one.rest) + turn)
+            + one.damping * self.pace + one.friction + abs(one.preload)
+            for one, here in zip(own, starts, strict=True)
+        ]  # fmt: skip
+        table = sum(abs(force) for one in own for _, force in one.table or ())
+        found += float(sum(sprung) + table) * self.steep()
         return np.repeat(found, 3)
 
     def steep(self) -> float:
@@ -276,9 +281,6 @@ class Inverse:
         x, v, a = (np.ascontiguousarray(y.reshape(1, -1)) for y in (q.x, q.v, q.a))
         out = np.zeros((1, 3))
         energies(structure_of(s), nodal_loads(l), States(x, v, a), out)
-        if s.continua is not None:
-            out[:, :2] += strain_balance(s.continua, x, v)
-            out[:, 2] += beam_losses(s.continua, x, v)
         power = float(q.size() @ np.abs(q.v).reshape(-1)) * 3
         return Part(out[0], (("energy", "rate", "lost"),), np.array([q.energy_size(mass), power, power]) + 1e-300)
 

@@ -99,14 +99,6 @@ def _shifted(model: kt.Model) -> kt.Model:
         return model  # what is given beside the nodes fits to them alone
 
 
-def _all_of(result):
-    """The data of a result with its inner parts, and the forces of all supported nodes as reactions, as BASE has them."""
-    whole = getattr(result, "whole", result.data)
-    if "held_force" not in whole:
-        return whole
-    return whole.drop_dims("support").rename(held_force="reaction", held="support")
-
-
 def _data(data: Any, *names: str, last: bool = False) -> Found:
     """Variables of a dataset by their coordinates; `last`: of the last sample."""
     for name in names:
@@ -130,14 +122,15 @@ def mobility(model: kt.Model, case: Case) -> Found:
 def follow(model: kt.Model, case: Case) -> Found:
     """A motion of all drives."""
     motion = kt.kinematics.follow(model, case.trajectory, samples=5)
-    yield from _data(_all_of(motion), "position", "velocity", "acceleration", "length")
+    yield from _data(motion.whole, "position", "velocity", "acceleration", "length")
 
 
 def inverse(model: kt.Model, case: Case) -> Found:
     """The forces of that motion, moving and at rest."""
     forces = kt.dynamics.inverse(model, kt.kinematics.follow(model, case.trajectory, samples=5), case.load_case)
-    yield from _data(_all_of(forces), "member_force", "end_force", "drive_force", "reaction", "energy", "energy_rate")
-    for name, value, places in _data(_all_of(forces.static), "member_force", "reaction") if forces.static else ():
+    names = "member_force", "end_force", "drive_force", "reaction", "held_force", "energy", "energy_rate"
+    yield from _data(forces.whole, *names)
+    for name, value, places in _data(forces.static.whole, "member_force", "reaction", "held_force") if forces.static else ():
         yield f"static {name}", value, places
 
 
@@ -158,7 +151,7 @@ def linear(model: kt.Model, case: Case) -> Found:
     _stands(model)
     found = kt.statics.linear(model, load_case=case.load_case)
     yield "errors", [found.data.attrs["force_error"], found.data.attrs["displacement_error"]], (("force", "displacement"),)
-    yield from _data(_all_of(found), "member_force", "displacement", "reaction")
+    yield from _data(found.whole, "member_force", "displacement", "reaction", "held_force")
 
 
 def equilibrium(model: kt.Model, case: Case) -> Found:
@@ -166,14 +159,14 @@ def equilibrium(model: kt.Model, case: Case) -> Found:
     if case.name != "library":
         _stands(model)
     found = kt.statics.equilibrium(model, load_case=case.load_case, max_steps=200)
-    yield from _data(_all_of(found), "position", "member_force", "reaction", "drive_force")
+    yield from _data(found.whole, "position", "member_force", "reaction", "held_force", "drive_force")
 
 
 def buckling(model: kt.Model, case: Case) -> Found:
     """The least factors of all loads at which a structure at rest buckles."""
     _stands(model)
     found = kt.statics.buckling(model, dict.fromkeys(model.loads, 1.0), modes=2)
-    yield from _data(_all_of(found), "load_factor", "member_force_of_load")
+    yield from _data(found.whole, "load_factor", "member_force_of_load")
 
 
 def linearise(model: kt.Model, case: Case) -> Found:
@@ -192,8 +185,8 @@ def simulate(model: kt.Model, case: Case) -> Found:
     tasks = case.tasks | dict(list(fed.items())[:2])
     run = kt.dynamics.simulate(model, T_END, samples=3, method=method, tasks=tasks, trajectory=case.trajectory,
                                load_case=case.load_case)  # fmt: skip
-    yield from _data(_all_of(run.motion), "position", "velocity", "acceleration", last=True)
-    yield from _data(_all_of(run.forces), "member_force", "drive_force", "reaction", last=True)
+    yield from _data(run.motion.whole, "position", "velocity", "acceleration", last=True)
+    yield from _data(run.forces.whole, "member_force", "drive_force", "reaction", "held_force", last=True)
     yield from _data(run.data, "energy", last=True)
 
 
@@ -214,8 +207,8 @@ def beams(model: kt.Model, case: Case) -> Found:
 def flexible(model: kt.Model, case: Case) -> Found:
     """The end of a short run of elastic members on a prescribed motion."""
     run = kt.flexible.simulate(model, case.trajectory, T_END, samples=3, load_case=case.load_case)
-    yield from _data(_all_of(run.motion), "position", "velocity", last=True)
-    yield from _data(_all_of(run.forces), "member_force", "drive_force", last=True)
+    yield from _data(run.motion.whole, "position", "velocity", last=True)
+    yield from _data(run.forces.whole, "member_force", "drive_force", last=True)
 
 
 def drive(model: kt.Model, case: Case) -> Found:
@@ -226,7 +219,7 @@ def drive(model: kt.Model, case: Case) -> Found:
         train = kt.actuators.train_of(model, name)
         load = (0.3 if case.number % 2 else -0.2) * (50.0 if train.screw is not None else 0.05)
         found = kt.actuators.simulate_drive(train, kt.StepInput(voltage=4.0), load=load, duration=0.05, samples=6)
-        for key, value, places in _data(_all_of(found), "current", "motor_speed", "thrust", "drive_torque", "length", "angle"):
+        for key, value, places in _data(found.data, "current", "motor_speed", "thrust", "drive_torque", "length", "angle"):
             yield f"{name} {key}", value, places
 
 
