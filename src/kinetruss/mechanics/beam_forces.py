@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements.beams import MODES, BeamElements, hermite, hermite_slopes, mode_rates
+from kinetruss.elements.beam_matrices import mode_forces, mode_gradients, mode_rates, mode_values
+from kinetruss.elements.beams import MODES, BeamElements, hermite, hermite_slopes
 from kinetruss.elements.caching import cached
 from kinetruss.model.bracing import CHORD
 
@@ -29,7 +30,7 @@ class BeamCurves:
     """The curves of k beams at g places each.
 
     member (k,) indices of their chords among the members; nodes (k, v) of both ends; along (k, g, v) coefficients of these
-    nodes that give the axis, by Hermite's polynomials as in `BeamElements.fields`; across (k, g, v) the same of local axis 2.
+    nodes that give the axis, by Hermite's polynomials as in `BeamElements.along`; across (k, g, v) the same of local axis 2.
     """
 
     member: NDArray[np.int64]
@@ -53,7 +54,7 @@ def beam_curves(system: System) -> BeamCurves | None:
     xi = np.linspace(0.0, 1.0, (PIECES if len(beams.names) <= MANY else FEW) + 1)
     across = (1 - xi)[:, None] * beams.axes[:, None, 1] + xi[:, None] * beams.ends[:, None, 1]
     member = np.array([index[f"{name}{CHORD}"] for name in beams.names], np.int64)
-    return BeamCurves(member=member, nodes=beams.nodes, along=beams.fields(xi), across=across)
+    return BeamCurves(member=member, nodes=beams.nodes, along=beams.along(xi), across=across)
 
 
 # Forces and moments at the ends and along beams, in closed form from the deformation modes and the load along the beam.
@@ -78,15 +79,12 @@ def beam_forces(
     found: BeamElements, x: NDArray[np.float64], x0: NDArray[np.float64], linear: bool = False
 ) -> dict[str, NDArray[np.float64]]:
     """Stress of each mode (times, k), N m, at positions x (times, n, 3). linear : to first order in x - x0."""
-    i, j = np.triu_indices(found.nodes.shape[1], 1)
-    p, q = found.nodes[:, i], found.nodes[:, j]
-    d0 = x0[q] - x0[p]
-    u = (x - x0)[:, q] - (x - x0)[:, p]
-    # change of the squared distances
-    change = 2 * np.einsum("kwc,tkwc->tkw", d0, u)
-    if not linear:
-        change = change + np.einsum("tkwc,tkwc->tkw", u, u)
-    stress = np.einsum("ks,ksw,tkw->tks", found.rigidity, found.modes, change)
+    if linear:
+        moved = (x - x0).reshape(len(x), -1)
+        values = (mode_gradients(found, x0) @ moved.T).T.reshape(len(x), *found.rigidity.shape)
+    else:
+        values = mode_values(found, x)
+    stress = found.rigidity * values
     return {name: stress[..., s] for s, name in enumerate(MODES[found.axes.shape[1]])}
 
 
@@ -116,7 +114,7 @@ def section_forces(
     frame = _frames(found, x0[None] if linear else x)
     frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
     # load along the beam in its axes as a cubic: coefficients c_m of xi^m
-    read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
+    read = np.einsum("kgv,tkvc->tkgc", found.along(POINTS), load[:, found.nodes]) * found.line[:, None, None]
     q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
     place = x0[None] if linear else x
     ends = _by_nodes(found, stress, place, load, frame, loads)
@@ -179,12 +177,9 @@ def _by_nodes(
     """Forces and moments of both ends on beams, (times, k, 2, 3), in their axes `frame`: forces sum S B of the stresses (times,
     k, modes) at positions x, less what mass times load, m/s^2, and loads along beams put on the same nodes.
     """
-    v = found.nodes.shape[1]
-    i, j = np.triu_indices(v, 1)
-    at = x[:, found.nodes]
-    pair = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
-    nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
-    nodal += np.einsum("tkwc,wv->tkvc", pair, np.eye(v)[j] - np.eye(v)[i])
+    v, at = found.nodes.shape[1], x[:, found.nodes]
+    nodal = mode_forces(found, np.broadcast_to(x, (len(stress), *x.shape[1:])), stress)
+    nodal -= np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
     for one, history in loads:
         push = np.einsum("tac,ta->tc", frame[:, one.beam], history) if one.turns else history
         nodal[:, one.beam] -= found.shares(*one[:-1])[:, None] * push[:, None]

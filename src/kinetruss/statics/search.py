@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from kinetruss.elements.beam_matrices import mode_gradients, mode_stiffness, mode_values
 from kinetruss.elements.continua_matrices import continua_stiffness, densities, squared_changes
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
@@ -195,6 +196,28 @@ def find_equilibrium(
     return SearchResult(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
 
 
+def _stresses(found: Continua, x: NDArray[np.float64], moved: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Force densities of edges and forces of the modes of beams at x, and what small displacements from x add to them."""
+    made = []
+    if found.patches:
+        p, q = found.ends
+        # squared lengths change by 2 d . (u_q - u_p)
+        change = 2 * np.einsum("ec,ec->e", x[q] - x[p], moved[q] - moved[p])
+        made.append(densities(found, squared_changes(found, x) + change))
+    if (beams := found.beams) is not None:
+        change = (mode_gradients(beams, x) @ moved.reshape(-1)).reshape(beams.rigidity.shape)
+        made.append(beams.rigidity * (mode_values(beams, x[None])[0] + change))
+    return made
+
+
+def _of_stresses(found: Continua, x: NDArray[np.float64], stresses: list[NDArray[np.float64]]) -> Any:
+    """The stiffness of such stresses at x, (3 n, 3 n)."""
+    parts = [continua_stiffness(found, x, stresses[0], material=False)] if found.patches else []
+    if found.beams is not None:
+        parts.append(mode_stiffness(found.beams, x, stresses[-1]))
+    return sum(parts[1:], parts[0])
+
+
 class _Walk:
     """The descent: its constants, and the number of steps so far."""
 
@@ -267,10 +290,10 @@ class _Walk:
         system, span = self.system, float(np.ptp(x, axis=0).max()) or 1.0
         free, found = system.free, cast("Continua", system.continua)
         N, J = row_force(self.balance, x, self.rows)
-        q = here = densities(found, squared_changes(found, x))
+        stress = here = _stresses(found, x, np.zeros_like(x))
         for _ in range(NEWTON):
-            # tangent at x, with the geometric part of the predicted densities q in place of those at x
-            K = self.balance.stiffness(x, N) + continua_stiffness(found, x, q - here, material=False)
+            # tangent at x, with the geometric part of the predicted stresses in place of those at x
+            K = self.balance.stiffness(x, N) + _of_stresses(found, x, [a - b for a, b in zip(stress, here, strict=True)])
             g = self.balance.applied(x)[free] - J.T @ N
             p, dN = Saddle(K[free][:, free], J, self.rows).solve(g, np.zeros(J.shape[0]))
             if not np.all(np.isfinite(p)):
@@ -282,12 +305,9 @@ class _Walk:
             turned = np.linalg.norm(moved[system.q] - moved[system.p], axis=1) / ends_of(system, x)[1]
             part = min(1.0, LARGEST_TURN / max(float(turned.max(initial=0.0)), 1e-300))
             moved = part * moved
-            d = x[found.q] - x[found.p]
-            # change of the squared lengths to first order: 2 d . (u_q - u_p)
-            change = 2 * np.einsum("ec,ec->e", d, moved[found.q] - moved[found.p])
-            q = densities(found, squared_changes(found, x) + change)
+            stress = _stresses(found, x, moved)
             x, off = projected(system, x + moved, self.wanted, span, rows=self.rows)
-            here = densities(found, squared_changes(found, x))
+            here = _stresses(found, x, np.zeros_like(x))
             self.steps += 1
             if not off <= CLOSED * span:
                 return None

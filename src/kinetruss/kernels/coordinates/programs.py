@@ -47,6 +47,9 @@ class Scalar:
     def __truediv__(self, other: Any) -> Scalar:
         return self.program.made(DIVIDE, self, other)
 
+    def __rsub__(self, other: Any) -> Scalar:
+        return self.program.made(SUBTRACT, other, self)
+
     def __neg__(self) -> Scalar:
         return self * -1.0
 

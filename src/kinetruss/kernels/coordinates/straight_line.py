@@ -74,10 +74,15 @@ def _compiled(kind: int, order: int, signature: Any) -> int:
     """The address of the compiled text of a kind; order : of the rates of the gradient, -1 for the value."""
     form = FORMS[kind]
     name = f"{form.make.__name__}_{('value', 'gradient', 'rates', 'second')[order + 1]}"
-    # machine code is kept by the name, which says what the text is: it depends on this file, on `programs` and on `forms`
-    name += "_" + hashlib.sha256(text(form, name, order).encode()).hexdigest()[:12]
-    made: dict[str, Any] = {"math": math, "__name__": forms.__name__}
-    exec(compile(text(form, name, order), forms.__file__, "exec"), made)  # noqa: S102
+    return address_of(name, lambda own: text(form, own, order), signature, forms)
+
+
+def address_of(name: str, made_text: Callable[[str], str], signature: Any, module: Any) -> int:
+    """The address of a compiled text, which is made from the name of its function; module : from whose file it follows."""
+    # machine code is kept by the name, which says what the text is: it depends on this file, on `programs` and on the module
+    name += "_" + hashlib.sha256(made_text(name).encode()).hexdigest()[:12]
+    made: dict[str, Any] = {"math": math, "__name__": module.__name__}
+    exec(compile(made_text(name), module.__file__, "exec"), made)  # noqa: S102
     function: Callable[..., Any] = made[name]
     return int(kernel_entry(signature)(function).address)
 
@@ -87,18 +92,22 @@ def text(form: Form, name: str, order: int) -> str:
     program = Program()
     nodes = [program.node(i, 3) for i in range(form.nodes)]
     value = form.make(nodes, [program.parameter() for _ in range(6)])
-    lines = _Lines(program.operations, max(order, 0))
+    lines = Lines(program.operations, max(order, 0))
     lines.forward()
     if order < 0:
         lines.add(f"return data[0] * {lines.of(value.index, 0)}")
     else:
-        lines.backward(value.index)
+        lines.backward({value.index: "data[0]"})
+        for k in range(order + 1):
+            for place in range(12):
+                found = lines.gradient(place, k) or "0.0"
+                lines.add(f"out[{12 * k + place}] = {f'2.0 * {found}' if k == 2 else found}")
     given = ["at", "data", *_STATE[: max(order, 0) + 1], *(["out"] if order >= 0 else [])]
     head = [f"n{i} = at[{i}]" for i in range(form.nodes)]
     return "\n    ".join([f"def {name}({', '.join(given)}):", *head, *lines.text]) + "\n"
 
 
-class _Lines:
+class Lines:
     """Lines of code for the coefficients 0 to `order` of operations, and backwards of their adjoints."""
 
     def __init__(self, operations: list[Operation], order: int) -> None:
@@ -109,6 +118,7 @@ class _Lines:
         self._count = 0
 
     def add(self, line: str) -> None:
+        """Add a line."""
         self.text.append(line)
 
     def named(self, expression: str) -> str:
@@ -189,18 +199,19 @@ class _Lines:
         if total:
             self._adjoint[j, k] = total if total.isidentifier() else self.named(total)
 
-    def backward(self, last: int) -> None:
-        """The gradient of factor times the last operation, with its coefficients, into out."""
-        self._adjoint[last, 0] = self.named("data[0]")
+    def backward(self, factors: dict[int, str]) -> None:
+        """The adjoints of the sum of some operations times constant factors."""
+        for j, factor in factors.items():
+            self._adjoint[j, 0] = self.named(factor)
         for j in range(len(self.operations) - 1, -1, -1):
             one = self.operations[j]
             if one.op > CONSTANT and any(self.adjoint(j, k) for k in range(self.order + 1)):
                 self._back(j, one)
-        for k in range(self.order + 1):
-            written = {one.a: self.adjoint(j, k) for j, one in enumerate(self.operations) if one.op == NODE_AT}
-            for place in range(12):
-                found = written.get(place, "") or "0.0"
-                self.add(f"out[{12 * k + place}] = {f'2.0 * {found}' if k == 2 else found}")
+
+    def gradient(self, place: int, k: int) -> str:
+        """Coefficient k of the derivative by a coordinate, after `backward`; empty if it is zero."""
+        read = [j for j, one in enumerate(self.operations) if one.op == NODE_AT and one.a == place]
+        return self.adjoint(read[0], k) if read else ""
 
     def _back(self, j: int, one: Operation) -> None:
         a, b, orders = one.a, one.b, range(self.order + 1)
