@@ -29,12 +29,9 @@ def mode_values(found: BeamElements, x: Floats) -> NDArray[np.float64]:
 
 def mode_gradients(found: BeamElements, x: Floats) -> csr_array:
     """B (beams x modes, 3 n), 1/m, at positions x (n, 3)."""
-    from kinetruss.elements.beam_kernels import coordinates, gradients
+    from kinetruss.elements.beam_kernels import coordinates
 
-    at = coordinates(found.record)
-    k, s = found.rigidity.shape
-    values = np.empty((k, s, at.shape[1]))
-    gradients(found.record, _flat(x), values)
+    at, values, (k, s) = coordinates(found.record), _gradients(found, x), found.rigidity.shape
     rows = np.repeat(np.arange(k * s), at.shape[1])
     columns = np.broadcast_to(at[:, None], values.shape).reshape(-1)
     return csr_array(coo_array((values.reshape(-1), (rows, columns)), shape=(k * s, x.size)))
@@ -42,21 +39,32 @@ def mode_gradients(found: BeamElements, x: Floats) -> csr_array:
 
 def mode_rates(found: BeamElements, x: Floats, v: Floats) -> NDArray[np.float64]:
     """Rates of the modes (times, k, s), 1/s, at x, v (times, n, 3); or x (1, n, 3)."""
-    places = np.broadcast_to(x, v.shape)
-    return np.array([mode_gradients(found, x) @ _flat(v) for x, v in zip(places, v, strict=True)]).reshape(
-        len(v), *found.rigidity.shape
-    )
+    places, rates = np.broadcast_to(x, v.shape), v[:, found.nodes].reshape(len(v), len(found.nodes), -1)
+    return np.array([np.vecdot(_gradients(found, x), v[:, None]) for x, v in zip(places, rates, strict=True)])
 
 
 def mode_forces(found: BeamElements, x: Floats, forces: Floats) -> NDArray[np.float64]:
     """sum S_s B_s of mode forces (times, k, s), N m, by beam: (times, k, v, 3), N, at positions x (times, n, 3)."""
+    own = [np.einsum("ks,ksw->kw", S, _gradients(found, place)) for place, S in zip(x, forces, strict=True)]
+    return np.array(own).reshape(len(forces), *found.nodes.shape, 3)
+
+
+def _gradients(found: BeamElements, x: Floats) -> NDArray[np.float64]:
+    """Gradients (k, s, 3 v) of the modes by the nodes of their beams."""
     from kinetruss.elements.beam_kernels import gradients
 
-    k, v = found.nodes.shape
-    values, out = np.empty((*found.rigidity.shape, 3 * v)), np.empty((len(forces), k, v, 3))
-    for i, own in enumerate(forces):
-        gradients(found.record, _flat(x[i]), values)
-        out[i] = np.einsum("ks,ksw->kw", own, values).reshape(k, v, 3)
+    values = np.empty((*found.rigidity.shape, 3 * found.nodes.shape[1]))
+    gradients(found.record, _flat(x), values)
+    return values
+
+
+def _blocks(found: BeamElements, x: Floats, forces: Floats, rigidity: Floats) -> NDArray[np.float64]:
+    """Tangents (k, 3 v, 3 v) of each beam, as elements.beam_kernels.blocks."""
+    from kinetruss.elements.beam_kernels import blocks
+
+    w = 3 * found.nodes.shape[1]
+    out = np.empty((len(found.nodes), w, w))
+    blocks(found.record, _flat(x), np.ascontiguousarray(forces, float), np.ascontiguousarray(rigidity, float), out)
     return out
 
 
@@ -65,15 +73,11 @@ def beam_stiffness(found: BeamElements, x: Floats, forces: Floats = None, rigidi
 
     By default those of the beams at x: their tangent stiffness.
     """
-    from kinetruss.elements.beam_kernels import blocks, coordinates
-
-    S = found.rigidity * mode_values(found, x[None])[0] if forces is None else np.ascontiguousarray(forces, float)
-    R = found.rigidity if rigidity is None else np.ascontiguousarray(rigidity, float)
-    at = coordinates(found.record)
-    out = np.empty((*at.shape, at.shape[1]))
-    blocks(found.record, _flat(x), S, R, out)
-    rows, columns = (np.broadcast_to(one, out.shape).reshape(-1) for one in (at[:, :, None], at[:, None, :]))
-    return csr_array(coo_array((out.reshape(-1), (rows, columns)), shape=(x.size, x.size)))
+    S = found.rigidity * mode_values(found, x[None])[0] if forces is None else forces
+    blocks = _blocks(found, x, S, found.rigidity if rigidity is None else rigidity)
+    row, column, place = found.pattern
+    begin = np.searchsorted(row, np.arange(x.size + 1))
+    return csr_array((np.bincount(place, blocks.reshape(-1), len(row)), column, begin), shape=(x.size, x.size))
 
 
 def mode_stiffness(found: BeamElements, x: Floats, forces: Floats) -> csr_array:
@@ -122,12 +126,10 @@ def tangents(
 
 def _by_beam(found: BeamElements, x: Floats, forces: Floats, v: Floats) -> csr_array:
     """(sum S_s H_s) v of each beam as a row, (k, 3 n)."""
-    from kinetruss.elements.beam_kernels import blocks, coordinates
+    from kinetruss.elements.beam_kernels import coordinates
 
     at = coordinates(found.record)
-    out = np.empty((*at.shape, at.shape[1]))
-    blocks(found.record, _flat(x), forces, np.zeros(found.rigidity.shape), out)
-    values = np.einsum("kij,kj->ki", out, v[at])
+    values = np.einsum("kij,kj->ki", _blocks(found, x, forces, np.zeros(found.rigidity.shape)), v[at])
     rows = np.repeat(np.arange(len(at)), at.shape[1])
     return csr_array(coo_array((values.reshape(-1), (rows, at.reshape(-1))), shape=(len(at), v.size)))
 

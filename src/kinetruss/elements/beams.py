@@ -86,6 +86,14 @@ class BeamElements:
             "damping": self.damping,
         }
 
+    @cached_property
+    def pattern(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+        """Rows and columns of what beams put into a matrix of all coordinates, and for each entry of their blocks which it is."""
+        at = (3 * self.nodes[:, :, None] + np.arange(3)).reshape(len(self.nodes), -1)
+        every = at.max() + 1
+        found, place = np.unique(at[:, :, None] * every + at[:, None, :], return_inverse=True)
+        return found // every, found % every, place.reshape(-1)
+
     def mass(self) -> Array:
         """Masses (k, v, v) between nodes, kg."""
         xi, weight = _gauss()

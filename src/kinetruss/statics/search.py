@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from kinetruss.elements.beam_matrices import mode_gradients, mode_stiffness, mode_values
+from kinetruss.elements.beam_matrices import mode_rates, mode_stiffness, mode_values
 from kinetruss.elements.continua_matrices import continua_stiffness, densities, squared_changes
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
@@ -196,17 +196,21 @@ def find_equilibrium(
     return SearchResult(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
 
 
-def _stresses(found: Continua, x: NDArray[np.float64], moved: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+def _stresses(found: Continua, x: NDArray[np.float64], moved: NDArray[np.float64] | None = None) -> list[NDArray[np.float64]]:
     """Force densities of edges and forces of the modes of beams at x, and what small displacements from x add to them."""
     made = []
     if found.patches:
-        p, q = found.ends
-        # squared lengths change by 2 d . (u_q - u_p)
-        change = 2 * np.einsum("ec,ec->e", x[q] - x[p], moved[q] - moved[p])
-        made.append(densities(found, squared_changes(found, x) + change))
+        change = squared_changes(found, x)
+        if moved is not None:
+            p, q = found.ends
+            # squared lengths change by 2 d . (u_q - u_p)
+            change += 2 * np.einsum("ec,ec->e", x[q] - x[p], moved[q] - moved[p])
+        made.append(densities(found, change))
     if (beams := found.beams) is not None:
-        change = (mode_gradients(beams, x) @ moved.reshape(-1)).reshape(beams.rigidity.shape)
-        made.append(beams.rigidity * (mode_values(beams, x[None])[0] + change))
+        values = mode_values(beams, x[None])[0]
+        if moved is not None:
+            values += mode_rates(beams, x[None], moved[None])[0]
+        made.append(beams.rigidity * values)
     return made
 
 
@@ -290,7 +294,8 @@ class _Walk:
         system, span = self.system, float(np.ptp(x, axis=0).max()) or 1.0
         free, found = system.free, cast("Continua", system.continua)
         N, J = row_force(self.balance, x, self.rows)
-        stress = here = _stresses(found, x, np.zeros_like(x))
+        stress = here = _stresses(found, x)
+        close: tuple[NDArray[np.float64], float] | None = None
         for _ in range(NEWTON):
             # tangent at x, with the geometric part of the predicted stresses in place of those at x
             K = self.balance.stiffness(x, N) + _of_stresses(found, x, [a - b for a, b in zip(stress, here, strict=True)])
@@ -307,14 +312,20 @@ class _Walk:
             moved = part * moved
             stress = _stresses(found, x, moved)
             x, off = projected(system, x + moved, self.wanted, span, rows=self.rows)
-            here = _stresses(found, x, np.zeros_like(x))
+            here = _stresses(found, x)
             self.steps += 1
             if not off <= CLOSED * span:
                 return None
             best, J = row_force(self.balance, x, self.rows)
             left = self.residual(x, best, J)
-            if left <= self.tolerance or left <= self.floor(x, best):
+            if left <= self.tolerance:
                 return x
+            if close is not None:
+                return x if left < close[1] else close[0]
+            # round-off of positions is an upper bound: where a residual comes near it, one step more takes it far below
+            if left <= 0.1 * (floor := self.floor(x, best)):
+                return x
+            close = (x, left) if left <= floor else None
             N = N + part * dN
         return None
 
