@@ -31,7 +31,8 @@ class BeamTable(Record):
 
     at (k, v) flat nodes: origin and axes of the first frame, then of the second; start (k, 3 v) their places without stress, m;
     axes (k, 2 dim dim) coefficients, 1/m, of the nodes of both frames, from their origins, in the local axes 1, 2 (, 3);
-    data (k, 3) : length, m, and shares of bending in the slope about 3 and 2; rigidity (k, s) N m; damping (k,) s.
+    data (k, 5) : length, m, shares of bending in the slope about 3 and 2, E I3/(G J), E I2/(G J); rigidity (k, s) N m; damping
+    (k,) s.
     """
 
     law: I1

@@ -81,16 +81,16 @@ class BeamElements:
             "at": 3 * self.nodes,
             "start": self.start.reshape(*lead, count, 3 * v),
             "axes": both.reshape(*lead, count, -1),
-            "data": np.concatenate([self.length[..., None], self.bending], axis=-1),
+            "data": np.concatenate([self.length[..., None], self.bending, self._over_torsion()], axis=-1),
             "rigidity": self.rigidity,
             "damping": self.damping,
         }
 
     @cached_property
     def pattern(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-        """Rows and columns of what beams put into a matrix of all coordinates, and for each entry of their blocks which it is."""
+        """Rows and columns of what beams put into a matrix of all coordinates; which of them each entry of their blocks is."""
         at = (3 * self.nodes[:, :, None] + np.arange(3)).reshape(len(self.nodes), -1)
-        every = at.max() + 1
+        every = int(at.max()) + 1
         found, place = np.unique(at[:, :, None] * every + at[:, None, :], return_inverse=True)
         return found // every, found % every, place.reshape(-1)
 
@@ -129,6 +129,12 @@ class BeamElements:
             ..., None, 0, :
         ]
         return np.asarray(straight + slopes)
+
+    def _over_torsion(self) -> Array:
+        """E I3/(G J) and E I2/(G J), (k, 2); 0 in the plane."""
+        if self.rigidity.shape[-1] == len(MODES[2]):
+            return np.zeros_like(self.bending)
+        return np.asarray(self.rigidity[..., [1, 3]] / self.rigidity[..., 5:])
 
     @property
     def _bent(self) -> Array:

@@ -149,17 +149,17 @@ def section_forces(
 
 
 def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the rotations (times, k) of both ends from the chord; 0 of
-    beams that keep their shape, whose stresses are given.
+    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the slopes (times, k) of both ends from the chord, and how far
+    sections lean against the axis; 0 of beams that keep their shape, whose stresses are given.
     """
     stress = beam_forces(found, x, x0, linear)
     EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
-    # rotations from the chord, f_p and f_q
+    # slopes from the chord, f_p and f_q, and the rest of the rotation of sections
     none = np.zeros(stress["axial"].shape)
     slope = {}
-    for axis, EI in ((2, EI2), (3, EI3)):
+    for axis, EI, b in ((2, EI2, found.bending[:, 1]), (3, EI3, found.bending[:, 0])):
         D, S = (stress.get(f"{name}{axis}", none) / EI for name in "DS")
-        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D)
+        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D), 0.5 * (1 / b - 1) * S / 3
     if v is not None and found.damping.any():
         lag = found.damping[:, None] * found.rigidity * mode_rates(found, x0[None] if linear else x, v)
         stress = {name: own + lag[..., s] for s, (name, own) in enumerate(stress.items())}
@@ -167,7 +167,7 @@ def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: F
     if given is not None:
         stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
         bent = np.isnan(given[..., 0]).astype(float)
-    turned = {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}
+    turned = {axis: tuple(bent * one for one in own) for axis, own in slope.items()}
     return np.stack(list(stress.values()), axis=-1), turned
 
 
@@ -193,16 +193,16 @@ def _by_nodes(
 
 
 def _on_the_curve(l: Floats, xi: Floats, slope: Floats, push: Floats, force: Floats, moment: Floats) -> tuple[Floats, Floats]:
-    """Section forces of the chord, of the deflected axis in the axes of its sections; slope : rotations of the ends from the
-    chord about 2 and 3, (times, k) each; push (times, k, 3) : force on the first end.
+    """Section forces of the chord, of the deflected axis in the axes of its sections; slope : those of the ends from the chord
+    about 2 and 3, and the rest of the rotation of sections, (times, k) each; push (times, k, 3) : force on the first end.
     """
     _, h2, _, h4 = hermite(xi)
     _, g2, _, g4 = hermite_slopes(xi)
-    (p2, q2), (p3, q3) = ([f[..., None] for f in slope[axis]] for axis in (2, 3))
+    (p2, q2, t2), (p3, q3, t3) = ([f[..., None] for f in slope[axis]] for axis in (2, 3))
     # w_2 rises with a rotation about 3, w_3 falls with one about 2
     w2, w3 = l * (h2 * p3 + h4 * q3), -l * (h2 * p2 + h4 * q2)
     at = np.stack([np.zeros_like(w2), w2, w3], axis=-1)
-    turned = _turned(g2 * p3 + g4 * q3, -(g2 * p2 + g4 * q2))
+    turned = _turned(g2 * p3 + g4 * q3 + t3, -(g2 * p2 + g4 * q2 + t2))
     moment = moment + np.cross(at, np.broadcast_to(push[:, :, None], at.shape))
     along, about = (np.einsum("tksac,tksc->tksa", turned, one) for one in (force, moment))
     return along, about

@@ -13,8 +13,9 @@ deformations depend on scalar products, each bilinear in the positions of nodes:
    they have in common.
 3. sigma is bending by a part b = 1/(1 + Phi), Phi = 12 E I/(G A_s l0^2), and shear by the rest (Timoshenko's beam under
    end forces): S = b sigma (1 - psi^2/60), and the section leans by t = (1 - b) sigma/2 against the axis.
-4. D = psi + S x psi/2 is the mean curvature times l0: of the rotation psi eta/2 - 3 S (1 - eta^2)/4 from the frame half way,
-   -1 < eta < 1, Legendre's polynomials 1 and 2.
+4. D = psi + S x psi/2 + c (0, psi_3, -psi_2) is the mean curvature times l0: of the rotation psi eta/2 - 3 S (1 - eta^2)/4
+   from the frame half way, -1 < eta < 1, Legendre's polynomials 1 and 2; and where bending is stiffer about one axis, twist
+   that grows along a bent beam as its moment does (G J k_1' = (E I_2 - E I_3) k_2 k_3), half of which bending gives up.
 5. An arc is longer than its chord by 1/mean(cos) = q = 1 + g + 7 g^2/10, g = D^2/24 + S^2/40, so that the elongation of the
    axis is e = q |l|/l0 cos(t) - 1 and the shear q |l|/l0 sin(t).
 
@@ -39,7 +40,9 @@ PLANE, SPACE = 4, 7
 """Numbers of scalar products: E, a3, s3, 1 - C (, a2, s1, s2)."""
 _REALS: Any = types.CPointer(types.float64)  # type: ignore[no-untyped-call]
 VALUE = types.void(_REALS, _REALS, _REALS)
-"""z, data, out: the deformations e, D3, S3 (, D2, S2, D1) of scalar products z into out. data : l0, b3, b2."""
+"""z, data, out: the deformations e, D3, S3 (, D2, S2, D1) of scalar products z into out. data : l0, b3, and in space b2,
+E I3/(G J), E I2/(G J).
+"""
 PULL = types.void(_REALS, _REALS, _REALS, _REALS)
 """z, data, force, out: the derivatives of the sum of deformations times force by z into out."""
 RATES = types.void(_REALS, _REALS, _REALS, _REALS, _REALS)
@@ -51,9 +54,11 @@ _INVERSE_SINE = (1.0, 1 / 3, 2 / 15, 2 / 35, 8 / 315, 8 / 693, 16 / 3003, 16 / 6
 
 
 def deformations(z: Any, ratios: Any) -> tuple[Any, ...]:
-    """e, D3, S3, D2, S2, D1 of scalar products (E, a3, s3, 1 - C, a2, s1, s2), 0 where the plane has none; ratios : b3, b2."""
+    """e, D3, S3, D2, S2, D1 of scalar products (E, a3, s3, 1 - C, a2, s1, s2), 0 where the plane has none; ratios : b3, b2,
+    E I3/(G J), E I2/(G J).
+    """
     E, a3, s3, less, a2, s1, s2 = z
-    b3, b2 = ratios
+    b3, b2, r3, r2 = ratios
     stretch = root(1.0 + 2.0 * E)
     over = _over_sine(less)
     p1, p2, p3 = s1 * over, s2 * over, s3 * over
@@ -63,7 +68,8 @@ def deformations(z: Any, ratios: Any) -> tuple[Any, ...]:
     sigma2 = 2.0 * h2 * (1.0 + 0.125 * (p1 * p1 + p2 * p2)) + p3 * (0.25 * p2 * h3 - p1 / 3.0)
     S3, S2 = b3 * sigma3 * (1.0 - p3 * p3 / 60.0), b2 * sigma2 * (1.0 - p2 * p2 / 60.0)
     t3, t2 = 0.5 * (1.0 - b3) * sigma3, 0.5 * (1.0 - b2) * sigma2
-    D1, D2, D3 = p1 + 0.5 * (S2 * p3 - S3 * p2), p2 + 0.5 * S3 * p1, p3 - 0.5 * S2 * p1
+    grown = (r3 - r2) * p2 * p3 / (24.0 + r2 * p3 * p3 + r3 * p2 * p2)
+    D1, D2, D3 = p1 + 0.5 * (S2 * p3 - S3 * p2), p2 + 0.5 * S3 * p1 + grown * p3, p3 - 0.5 * S2 * p1 - grown * p2
     g = (D2 * D2 + D3 * D3) / 24.0 + (S2 * S2 + S3 * S3) / 40.0
     more = g + 0.7 * g * g
     long = stretch * (1.0 + more)
@@ -102,11 +108,11 @@ def _text(name: str, kind: str, dim: int) -> str:
     """Source of one of the three functions."""
     program, count = Program(), PLANE if dim == 2 else SPACE
     z = [program.coordinate(i) for i in range(count)]
-    ratios = [program.parameter() for _ in range(dim - 1)]
-    zero = program.number(0.0)
-    made = deformations(
-        [*z, *(zero for _ in range(SPACE - count))], (ratios[0], ratios[1] if dim == 3 else program.number(1.0))
-    )
+    if dim == 2:
+        one, zero = program.number(1.0), program.number(0.0)
+        made = deformations([*z, zero, zero, zero], (program.parameter(), one, zero, zero))
+    else:
+        made = deformations(z, [program.parameter() for _ in range(4)])
     found = [one.index for one in made[: 3 if dim == 2 else 6]]
     lines = Lines(program.operations, 1 if kind == "rates" else 0)
     lines.forward()
