@@ -65,7 +65,7 @@ def package(tmp_path_factory):
         text.replace(FIELD, f'    drags: Table[Name, Drag] = ReadOnly()\n    """Nodes that a fluid resists."""\n{FIELD}', 1),
         "utf-8",
     )
-    text = kinds.read_text("utf-8").replace("import continua,", "import drag, continua,", 1)
+    text = kinds.read_text("utf-8").replace("import beam_kernels,", "import drag, beam_kernels,", 1)
     kinds.write_text(text.replace(')\n"""All kinds', f'{KIND})\n"""All kinds', 1), "utf-8")
     return folder
 

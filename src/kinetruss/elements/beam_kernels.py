@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.kernels.compiled.calls import caller
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Record, record
 from kinetruss.kernels.structure import element_table
 from kinetruss.kernels.structure.beam_law import PLANE, PULL, RATES, SPACE, VALUE
@@ -46,26 +46,44 @@ class BeamTable(Record):
 
 @kernel_bare
 def _take(at: I1, x: F1, out: F2) -> None:
-    """Positions or velocities of the nodes of a beam."""
-    for n in range(at.size):
-        for c in range(3):
-            out[n, c] = x[at[n] + c]
+    """Chord, and nodes of frames from their origins, of positions or velocities x: (v, 3), nothing at the second origin."""
+    half = at.size // 2
+    for c in range(3):
+        out[0, c] = x[at[half] + c] - x[at[0] + c]
+    for n in range(1, at.size):
+        if n != half:
+            o = at[0] if n < half else at[half]
+            for c in range(3):
+                out[n, c] = x[at[n] + c] - x[o + c]
+
+
+@kernel_inline
+def _moved(a: float, b: float, a0: float, b0: float) -> float:
+    """(a - b) - (a0 - b0) with the errors of both differences (Knuth): all digits of small displacements and of near nodes."""
+    d, d0 = a - b, a0 - b0
+    t, t0 = d - a, d0 - a0
+    return (d - d0) + (((a - (d - t)) - (b + t)) - ((a0 - (d0 - t0)) - (b0 + t0)))
 
 
 @kernel_bare
 def _from_start(at: I1, x: F1, start: F1, out: F2) -> None:
-    """Displacements of the nodes."""
-    for n in range(at.size):
-        for c in range(3):
-            out[n, c] = x[at[n] + c] - start[3 * n + c]
+    """How far these have changed from the start."""
+    half = at.size // 2
+    for c in range(3):
+        out[0, c] = _moved(x[at[half] + c], x[at[0] + c], start[3 * half + c], start[c])
+    for n in range(1, at.size):
+        if n != half:
+            o = 0 if n < half else half
+            for c in range(3):
+                out[n, c] = _moved(x[at[n] + c], x[at[o] + c], start[3 * n + c], start[3 * o + c])
 
 
 @kernel_bare
 def _vectors(axes: F1, half: int, y: F2, out: F2) -> None:
-    """Chord and axes of both ends from nodes y (2 half, 3)."""
+    """Chord and axes of both ends from the differences y (2 half, 3) of `_take`."""
     dim = half - 1
     for c in range(3):
-        out[0, c] = y[half, c] - y[0, c]
+        out[0, c] = y[0, c]
     # axis i of end e: sum of coefficients times the places from the origin
     for e in range(2):
         o = e * half
@@ -74,13 +92,13 @@ def _vectors(axes: F1, half: int, y: F2, out: F2) -> None:
             for c in range(3):
                 total = 0.0
                 for n in range(dim):
-                    total += axes[at + n] * (y[o + 1 + n, c] - y[o, c])
+                    total += axes[at + n] * y[o + 1 + n, c]
                 out[row, c] = total
 
 
 @kernel_bare
 def _onto_nodes(axes: F1, half: int, push: F2, factor: float, out: F2) -> None:
-    """factor times the transpose of `_vectors` on push into out (2 half, 3)."""
+    """factor times the transpose of `_vectors` and `_take` on push into out (2 half, 3)."""
     dim = half - 1
     for c in range(3):
         out[half, c] = factor * push[0, c]
@@ -314,8 +332,11 @@ def blocks(s: BeamTable, x: F1, S: F2, R: F2, out: Floats) -> None:
         # sum g_i d2z_i: its columns are the derivatives at unit nodes, three at a time
         for first in range(0, v, 3):
             for n in range(v):
+                o = 0 if n < half else half
                 for c in range(3):
-                    y[n, c] = 1.0 if n == first + c else 0.0
+                    y[n, c] = (1.0 if n == first + c else 0.0) - (1.0 if o == first + c else 0.0)
+            for c in range(3):
+                y[0, c] = (1.0 if half == first + c else 0.0) - (1.0 if first + c == 0 else 0.0)
             _vectors(s.axes[k], half, y, base)
             _onto_vectors(half - 1, s.data[k, 0], g, base, change)
             _onto_nodes(s.axes[k], half, change, 1.0, y)

@@ -322,10 +322,8 @@ class _Walk:
                 return x
             if close is not None:
                 return x if left < close[1] else close[0]
-            # round-off of positions is an upper bound: where a residual comes near it, one step more takes it far below
-            if left <= 0.1 * (floor := self.floor(x, best)):
-                return x
-            close = (x, left) if left <= floor else None
+            # round-off of positions is mostly left in stiff directions: one step more takes the others far below it
+            close = (x, left) if left <= self.floor(x, best) else None
             N = N + part * dN
         return None
 
