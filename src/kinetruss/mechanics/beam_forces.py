@@ -149,8 +149,8 @@ def section_forces(
 
 
 def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the slopes (times, k) of both ends from the chord, and the angle
-    by which sections lean against the axis; 0 of beams that keep their shape, whose stresses are given.
+    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the slopes (times, k) of both ends from the chord, and
+    how far sections lean against the axis; 0 of beams that keep their shape, whose stresses are given.
     """
     stress = beam_forces(found, x, x0, linear)
     EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
