@@ -55,8 +55,8 @@ def sheared() -> Any:
 
 
 def diamond(load: float) -> Any:
-    """A square frame of sides 1 on its corner, with hinges at top and bottom, where P = load E I pulls: how far these move apart
-    and the stiff corners at the sides move together, each from the middle. EA = 4.8e7 E I.
+    """A square frame of sides 1 on its corner, with hinges at top and bottom, where P = load E I pulls: how far these move away
+    from the middle, and the stiff corners at the sides towards it. EA = 4.8e7 E I.
     """
     # from a stiff corner, which does not turn, to the hinge at the top, with half of the load
     a = math.sqrt(0.5)
@@ -93,8 +93,8 @@ def turning_points(force: Callable[[float], float], *spans: tuple[float, float])
 
 
 class Lee:
-    """Lee's frame: a column and a beam of 120, on hinges at the far ends, loaded downwards on the beam at 24 from the corner, with
-    E = 720, A = 6, I = 2 (S. L. Lee, F. S. Manuel, E. C. Rossow, J. Eng. Mech. Div. ASCE 94 (1968) 521-545).
+    """Lee's frame: a column and a beam of 120, on hinges at the far ends, loaded downwards on the beam at 24 from the corner,
+    with E = 720, A = 6, I = 2 (S. L. Lee, F. S. Manuel, E. C. Rossow, J. Eng. Mech. Div. ASCE 94 (1968) 521-545).
     """
 
     EA, EI = 4320.0, 1440.0
@@ -125,29 +125,35 @@ class Lee:
         return float(y[3])
 
 
-def in_space(lengths: Sequence[float], turns: Sequence[Any], K: Any, EA: float, force: Any, start: Any, parts: int = 8) -> Any:
-    """Tip (3,) of a rod of straight pieces in space under a force at its tip, clamped at its start; turns : of each piece
-    against the one before it, matrices.
+class Legs:
+    """A rod of straight pieces in space, clamped at its start; turns : of each piece against the one before it, matrices; K :
+    G J, E I2, E I3.
     """
 
-    def rates(_: float, y: Any, tip: Any, push: Any) -> Any:
-        Q = y[3:].reshape(3, 3)
-        k = Q.T @ np.cross(tip - y[:3], push) / K
-        W = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
-        return np.concatenate([(1 + (Q.T @ push)[0] / EA) * Q[:, 0], (Q @ W).ravel()])
+    def __init__(self, lengths: Sequence[float], turns: Sequence[Any], K: Any, EA: float) -> None:
+        self.lengths, self.turns, self.K, self.EA = lengths, turns, K, EA
 
-    def gap(tip: Any, push: Any) -> Any:
+    def gap(self, tip: Any, push: Any) -> Any:
+        """Where the rod ends under a force that acts at `tip`, from there (3,)."""
+
+        def rates(_: float, y: Any) -> Any:
+            Q = y[3:].reshape(3, 3)
+            k = Q.T @ np.cross(tip - y[:3], push) / self.K
+            W = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+            return np.concatenate([(1 + (Q.T @ push)[0] / self.EA) * Q[:, 0], (Q @ W).ravel()])
+
         at, Q = np.zeros(3), np.eye(3)
-        for length, turn in zip(lengths, turns, strict=True):
-            state = np.concatenate([at, (Q @ turn).ravel()])
-            end = solve_ivp(rates, (0.0, length), state, args=(tip, push), **TIGHT).y[:, -1]
+        for length, turn in zip(self.lengths, self.turns, strict=True):
+            end = solve_ivp(rates, (0.0, length), np.concatenate([at, (Q @ turn).ravel()]), **TIGHT).y[:, -1]
             at, Q = end[:3], end[3:].reshape(3, 3)
         return at - tip
 
-    tip = np.array(start, float)
-    for part in np.linspace(1 / parts, 1.0, parts):
-        tip = root(gap, tip, args=(part * np.array(force, float),), tol=1e-12).x
-    return tip
+    def tip(self, force: Any, start: Any, parts: int = 8) -> Any:
+        """Where the tip is under a force, from where it is without one."""
+        tip = np.array(start, float)
+        for part in np.linspace(1 / parts, 1.0, parts):
+            tip = root(self.gap, tip, args=(part * np.array(force, float),), tol=1e-12).x
+        return tip
 
 
 STRIP = {"length": 0.508, "width": 12.377e-3, "thickness": 3.2024e-3, "E": 71.7e9, "poisson": 0.31}
@@ -160,8 +166,7 @@ def princeton(torsion: float, load: float, degrees: float) -> Any:
     K = np.array([E / 2.62 * torsion, E * b * h**3 / 12, E * h * b**3 / 12])
     angle, L = math.radians(degrees), STRIP["length"]
     push = [0.0, load * math.cos(angle), load * math.sin(angle)]
-    tip = in_space([L], [np.eye(3)], K, E * b * h, push, [L, 0.0, 0.0])
-    return tip[1:]
+    return Legs([L], [np.eye(3)], K, E * b * h).tip(push, [L, 0.0, 0.0])[1:]
 
 
 def right_angle(torsion: float) -> float:
@@ -172,9 +177,11 @@ def right_angle(torsion: float) -> float:
     K = np.array([G * torsion, E * 30 * 0.6**3 / 12, E * 0.6 * 30**3 / 12])
     corner = Rotation.from_rotvec([0, 0, -math.pi / 2]).as_matrix()
 
-    def stiffness(load: float) -> float:
-        side = 1e-7
-        tip = in_space([L, L], [np.eye(3), corner], K, E * 18.0, [load, 0.0, side], [L, -L, 0.0], 1)
-        return side / float(tip[2])
+    legs = Legs([L, L], [np.eye(3), corner], K, E * 18.0)
 
-    return float(brentq(stiffness, 0.5, 1.5, xtol=1e-9))
+    def back(load: float) -> float:
+        # moved aside, the tip is left there by its load where this is 0
+        push = np.array([load, 0.0, 0.0])
+        return float(legs.gap(legs.tip(push, [L, -L, 0.0], 1) + np.array([0.0, 0.0, 1e-3]), push)[2])
+
+    return float(brentq(back, 0.9, 1.2, xtol=1e-9))
