@@ -33,7 +33,7 @@ def heavy(count: int) -> Numbers:
 
 
 def column(count: int, strain: float) -> Numbers:
-    """Load at which a clamped-free column, P/EA about `strain`, loses its stiffness, over P of P (1 - P/EA) = pi^2 E I/(4 L^2)."""
+    """Load at which a clamped-free column loses its stiffness over P of P (1 - P/EA) = pi^2 E I/(4 L^2), P/EA near `strain`."""
     euler = math.pi**2 / 4
     EA = euler / strain
     exact = 0.5 * EA * (1 - math.sqrt(1 - 4 * strain))
@@ -85,7 +85,7 @@ def diamond(count: int, load: float) -> Numbers:
     """A square frame on its corner, hinged at top and bottom: how far top and sides move from the middle."""
     a, EI = math.sqrt(0.5), 1.0
     corners = {"B": (0.0, -a), "R": (a, 0.0), "T": (0.0, a), "L": (-a, 0.0)}
-    nodes, beams = dict(corners), {}
+    nodes, beams = dict(corners), dict[str, kt.Beam]()
     for one, two in (("R", "B"), ("R", "T"), ("L", "B"), ("L", "T")):
         p, q = (np.array(corners[name]) for name in (one, two))
         names = [one, *(f"{one}{two}{i}" for i in range(1, count)), two]
