@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, Tag, field_validator, model_validator
@@ -24,17 +24,13 @@ from kinetruss.model.references import MaterialName, SectionName
 
 
 class _Shape(Record):
-    """A section that is known by its dimensions.
-
-    shear_coefficient : shear area over area (5/6 of a rectangle, 0.9 of a solid circle); with it, beams are flexible in shear.
-    """
-
-    shear_coefficient: PositiveNumber | None = None
+    """A section that is known by its dimensions; what is here follows from them."""
 
     @property
     def shear_areas(self) -> tuple[float, float] | None:
         """(A2, A3) for shear forces along 2 and 3, m^2; None of sections that are not flexible in shear."""
-        found = None if self.shear_coefficient is None else self.shear_coefficient * self.area  # type: ignore[attr-defined]
+        given: Any = self
+        found = None if given.shear_coefficient is None else given.shear_coefficient * given.area
         return None if found is None else (found, found)
 
 
@@ -52,6 +48,7 @@ class Tube(_Shape):
     kind: Literal["tube"] = "tube"
     outer: PositiveLength
     inner: Length
+    shear_coefficient: PositiveNumber | None = None
 
     @model_validator(mode="after")
     def _hollow(self) -> Tube:
@@ -113,6 +110,7 @@ class Rod(_Shape):
 
     kind: Literal["rod"] = "rod"
     diameter: PositiveLength
+    shear_coefficient: PositiveNumber | None = None
 
     @property
     def area(self) -> float:
@@ -166,6 +164,7 @@ class Rectangle(_Shape):
     kind: Literal["rectangle"] = "rectangle"
     width: PositiveLength
     height: PositiveLength
+    shear_coefficient: PositiveNumber | None = None
 
     @property
     def area(self) -> float:

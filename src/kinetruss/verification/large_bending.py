@@ -74,7 +74,7 @@ def timoshenko(dim: int) -> Numbers:
 
 
 def sheared(count: int) -> Numbers:
-    """Tip of a cantilever with strains of some tenths, in shear too."""
+    """Tip of a cantilever that bends by 0.66 of its length, with shear strains of up to 6 %."""
     push = kt.NodalForce(node=f"N{count}", force=(-20.0, 60.0))
     model = kt.Model(**row(line(count), **_section(1e4, 25.0, A2=0.25, A3=0.25), loads={"P": push}))
     x, y = kt.statics.equilibrium(model).position.sel(node=f"N{count}")
