@@ -255,24 +255,15 @@ def balance(s: BeamTable, t: float, x: F1, v: F1, out: F1) -> None:  # noqa: ARG
 
 
 @kernel
-def deformations(s: BeamTable, x: F1, out: F2) -> None:
-    """Deformations of every beam at x (3 n,) into out (k, s)."""
-    y, now, change, base = np.empty((8, 3)), np.empty((7, 3)), np.empty((7, 3)), np.empty((7, 3))
-    z = np.empty(SPACE)
-    for k in range(s.at.shape[0]):
-        _state(s, k, x, y, now, change, base, z, out[k])
-
-
-@kernel
-def gradients(s: BeamTable, x: F1, out: Floats) -> None:
-    """Gradients (k, s, 3 v) of the deformations of every beam at x (3 n,) by its nodes into out."""
-    beams, v = s.at.shape
+def deformations(s: BeamTable, x: F1, out: F2, gradients: Floats) -> None:
+    """Deformations of every beam at x (3 n,) into out (k, s); into gradients (k, s, 3 v), if it has room, those by nodes."""
+    v = s.at.shape[1]
     half = v // 2
     y, now, change, base = np.empty((8, 3)), np.empty((7, 3)), np.empty((7, 3)), np.empty((7, 3))
-    z, g, m, unit = np.empty(SPACE), np.empty(SPACE), np.empty(6), np.zeros(6)
-    for k in range(beams):
-        _state(s, k, x, y, now, change, base, z, m)
-        for i in range(s.rigidity.shape[1]):
+    z, g, unit = np.empty(SPACE), np.empty(SPACE), np.zeros(6)
+    for k in range(s.at.shape[0]):
+        _state(s, k, x, y, now, change, base, z, out[k])
+        for i in range(min(s.rigidity.shape[1], gradients.size)):
             unit[i] = 1.0
             _pull(s.law[1], (z, s.data[k], unit, g))
             unit[i] = 0.0
@@ -280,27 +271,34 @@ def gradients(s: BeamTable, x: F1, out: Floats) -> None:
             _onto_nodes(s.axes[k], half, change, 1.0, y)
             for n in range(v):
                 for c in range(3):
-                    out[k, i, 3 * n + c] = y[n, c]
+                    gradients[k, i, 3 * n + c] = y[n, c]
 
 
 @kernel
-def blocks(s: BeamTable, x: F1, S: F2, R: F2, out: Floats) -> None:
+def blocks(s: BeamTable, x: F1, S: F2, R: F2, beta: float, gamma: float, out: Floats) -> None:
     """Tangents (k, 3 v, 3 v) of every beam at x (3 n,) into out: R (k, s) B^T B of the deformations' gradients B, and forces
-    S (k, s) of deformations times their second derivatives.
+    S (k, s) of deformations times their second derivatives; where S is empty beta K + gamma C of the beams at rest.
     """
     beams, v = s.at.shape
     modes, half = s.rigidity.shape[1], v // 2
     count, w = PLANE if modes == 3 else SPACE, 3 * v
     y, now, change, base = np.empty((8, 3)), np.empty((7, 3)), np.empty((7, 3)), np.empty((7, 3))
     z, m, unit, found = np.empty(SPACE), np.empty(6), np.zeros(SPACE), np.empty(2 * SPACE + 6)
+    force, stiff = np.empty(6), np.empty(6)
     J, H = np.empty((modes, count)), np.empty((count, count))
     B, BH, g = np.empty((count, w)), np.empty((count, w)), np.empty(SPACE)
     for k in range(beams):
         _state(s, k, x, y, now, change, base, z, m)
+        for i in range(modes):
+            if S.size == 0:
+                force[i] = beta * s.rigidity[k, i] * m[i]
+                stiff[i] = (beta + gamma * s.damping[k]) * s.rigidity[k, i]
+            else:
+                force[i], stiff[i] = S[k, i], R[k, i]
         # by z: first and second derivatives, a column at a time
         for j in range(count):
             unit[j] = 1.0
-            _rates(s.law[2], (z, s.data[k], S[k], unit, found))
+            _rates(s.law[2], (z, s.data[k], force, unit, found))
             for i in range(count):
                 H[i, j] = found[count + i]
             for i in range(modes):
@@ -316,7 +314,7 @@ def blocks(s: BeamTable, x: F1, S: F2, R: F2, out: Floats) -> None:
             g[i] = found[i]
             for j in range(count):
                 for a in range(modes):
-                    H[i, j] += R[k, a] * J[a, i] * J[a, j]
+                    H[i, j] += stiff[a] * J[a, i] * J[a, j]
         for i in range(count):
             for c in range(w):
                 total = 0.0
@@ -349,17 +347,10 @@ def blocks(s: BeamTable, x: F1, S: F2, R: F2, out: Floats) -> None:
 @kernel
 def tangent(s: BeamTable, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:  # noqa: ARG001
     """As kernels.structure.element_table.tangent; without what the rates add to K."""
-    beams, modes = s.rigidity.shape
     w = 3 * s.at.shape[1]
-    S, R, found = np.empty((beams, modes)), np.empty((beams, modes)), np.empty((beams, w, w))
-    deformations(s, x, S)
-    # beta (R + S d2m) + gamma b R in one
-    for k in range(beams):
-        for i in range(modes):
-            S[k, i] *= beta * s.rigidity[k, i]
-            R[k, i] = (beta + gamma * s.damping[k]) * s.rigidity[k, i]
-    blocks(s, x, S, R, found)
-    for k in range(beams):
+    own, found = np.empty((0, 0)), np.empty((s.at.shape[0], w, w))
+    blocks(s, x, own, own, beta, gamma, found)
+    for k in range(s.at.shape[0]):
         for i in range(w):
             for j in range(i + 1):
                 value[at[k, w * i + j]] += found[k, i, j]

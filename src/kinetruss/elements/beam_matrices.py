@@ -19,11 +19,15 @@ Floats = Any
 
 def mode_values(found: BeamElements, x: Floats) -> NDArray[np.float64]:
     """Deformations (times, k, s) at positions x (times, n, 3)."""
+    return np.array([_deformed(found, place, np.empty((0, 0, 0))) for place in x])
+
+
+def _deformed(found: BeamElements, x: Floats, gradients: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Deformations (k, s) at x (n, 3); into gradients (k, s, 3 v), if it has room, those by the nodes of each beam."""
     from kinetruss.elements.beam_kernels import deformations
 
-    out = np.empty((len(x), *found.rigidity.shape))
-    for i, place in enumerate(np.ascontiguousarray(x, float).reshape(len(x), -1)):
-        deformations(found.record, place, out[i])
+    out = np.empty(found.rigidity.shape)
+    deformations(found.record, _flat(x), out, gradients)
     return out
 
 
@@ -51,10 +55,8 @@ def mode_forces(found: BeamElements, x: Floats, forces: Floats) -> NDArray[np.fl
 
 def _gradients(found: BeamElements, x: Floats) -> NDArray[np.float64]:
     """Gradients (k, s, 3 v) of the modes by the nodes of their beams."""
-    from kinetruss.elements.beam_kernels import gradients
-
     values = np.empty((*found.rigidity.shape, 3 * found.nodes.shape[1]))
-    gradients(found.record, _flat(x), values)
+    _deformed(found, x, values)
     return values
 
 
@@ -64,17 +66,17 @@ def _blocks(found: BeamElements, x: Floats, forces: Floats, rigidity: Floats) ->
 
     w = 3 * found.nodes.shape[1]
     out = np.empty((len(found.nodes), w, w))
-    blocks(found.record, _flat(x), np.ascontiguousarray(forces, float), np.ascontiguousarray(rigidity, float), out)
+    blocks(found.record, _flat(x), np.ascontiguousarray(forces, float), np.ascontiguousarray(rigidity, float), 1.0, 0.0, out)
     return out
 
 
 def beam_stiffness(found: BeamElements, x: Floats, forces: Floats = None, rigidity: Floats = None) -> csr_array:
     """Sums over modes of rigidity (k, s) B^T B and of forces (k, s) times second derivatives, (3 n, 3 n), N/m, at x (n, 3).
 
-    By default those of the beams at x: their tangent stiffness.
+    Without forces those of the beams at x: their tangent stiffness.
     """
-    S = found.rigidity * mode_values(found, x[None])[0] if forces is None else forces
-    blocks = _blocks(found, x, S, found.rigidity if rigidity is None else rigidity)
+    none = np.empty((0, 0))
+    blocks = _blocks(found, x, none if forces is None else forces, none if forces is None else rigidity)
     row, column, place = found.pattern
     begin = np.searchsorted(row, np.arange(x.size + 1))
     return csr_array((np.bincount(place, blocks.reshape(-1), len(row)), column, begin), shape=(x.size, x.size))

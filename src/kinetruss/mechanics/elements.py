@@ -144,7 +144,7 @@ def material_stiffness(system: System, x: NDArray[np.float64]) -> Any:
     """Stiffness (3 n, 3 n), N/m, of membranes, solids and beams at x (n, 3), without that of their stresses there."""
     K, found = continuum_stiffness(system, x), system.continua
     if found is not None and found.beams is not None:
-        K = K + beam_stiffness(found.beams, x, np.zeros(found.beams.rigidity.shape))
+        K = K + beam_stiffness(found.beams, x, np.zeros(found.beams.rigidity.shape), found.beams.rigidity)
     return K
 
 
