@@ -2,8 +2,8 @@
 
 An end of a beam has an origin and a frame of nodes, so that its local axes x, y, z (1, 2, 3 of the section) are constant
 combinations of differences of nodes: 6 nodes in the plane, 8 in space. Their deformations (axial, D and S of bending about 3
-and 2, torsion) are those of kernels.structure.beam_law, with E A l0, E I/l0, 3 b E I/l0 and G J/l0 as rigidities; elements.
-beam_kernels has forces and tangents.
+and 2, torsion) are those of kernels.structure.beam_law, with E A l0, E I/l0, 3 b E I/l0 and G J/l0 as rigidities; forces
+and tangents are in elements.beam_kernels.
 
 Mass: the axis has the field r = H1 x_P + H2 l0 x_p + H3 x_Q + H4 l0 x_q with Hermite's polynomials, and a section turns with
 axes y, z that change linearly from p to q: kinetic energy rho A |r'|^2/2 + rho I3 |y'|^2/2 + rho I2 |z'|^2/2 along the beam,
