@@ -125,7 +125,8 @@ def _space() -> kt.Model:
 
 def _beams(dim: int) -> kt.Model:
     beams = {
-        "ab": kt.Beam(ends=("A", "B"), damping=0.02), "bc": kt.Beam(ends=("B", "C"), orientation="E" if dim == 3 else None, section=SHEARED),
+        "ab": kt.Beam(ends=("A", "B"), damping=0.02),
+        "bc": kt.Beam(ends=("B", "C"), orientation="E" if dim == 3 else None, section=SHEARED),
         "ce": kt.Beam(ends=("C", "E"), orientation=(0.1, 0.2, 0.9) if dim == 3 else None, mass=2.0,
                       section=kt.Tube(outer=0.03, inner=0.02)),
     }  # fmt: skip
