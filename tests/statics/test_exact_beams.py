@@ -64,6 +64,18 @@ def test_thick_beams_converge_to_the_rod(case, exact, least):
     assert off[0] > 3.3 * off[1]
 
 
+def test_a_column_beside_its_critical_load_is_found():
+    """Pushed by 1e-9 across, at a load that is critical but for 1e-7: y (c + k y^2) is the push."""
+    count, euler = 16, math.pi**2 / 4
+    EA = euler / 0.01
+    push = kt.NodalForce(node=f"N{count}", force=(-1.010205078125 * euler, 1e-9))
+    section = kt.General(area=1.0, I2=1 / EA, I3=1 / EA, c2=0.1, c3=0.1)
+    column = kt.Model(**row(line(count), section=section, loads={"P": push}) | {"material": kt.Material(E=EA, density=1.0)})
+    found = kt.statics.equilibrium(column)
+    assert found.attrs["residual"] < 1e-10
+    assert 1e-4 < float(found.position.sel(node=f"N{count}", axis="y")) < 2e-3
+
+
 def test_very_large_shear_areas_change_nothing():
     stiff = SECTION.with_(A2=1e9, A3=1e9)
     push = kt.NodalForce(node="N2", force=(3.0, 20.0, -10.0))

@@ -42,6 +42,9 @@ NEWTON = 25
 LARGEST_TURN = 0.5
 """Largest rotation of a frame in one such step, rad."""
 
+SMALL = 1e-2
+"""Residual below which steps whose residual has grown twice go on without predicted forces."""
+
 PARTS = (1, 4, 16, 64)
 """Numbers of parts in which the residual forces of the start are taken off."""
 
@@ -296,13 +299,14 @@ class _Walk:
         N, J = row_force(self.balance, x, self.rows)
         stress = here = _stresses(found, x)
         close: tuple[NDArray[np.float64], float] | None = None
+        last, grown = np.inf, 0
         for _ in range(NEWTON):
             # tangent at x, with the geometric part of the predicted stresses in place of those at x
             K = self.balance.stiffness(x, N) + _of_stresses(found, x, [a - b for a, b in zip(stress, here, strict=True)])
             g = self.balance.applied(x)[free] - J.T @ N
             p, dN = Saddle(K[free][:, free], J, self.rows).solve(g, np.zeros(J.shape[0]))
             if not np.all(np.isfinite(p)):
-                return None
+                return None if close is None else close[0]
             step = np.zeros(x.size)
             step[free] = p
             moved = step.reshape(-1, 3)
@@ -315,7 +319,7 @@ class _Walk:
             here = _stresses(found, x)
             self.steps += 1
             if not off <= CLOSED * span:
-                return None
+                return None if close is None else close[0]
             best, J = row_force(self.balance, x, self.rows)
             left = self.residual(x, best, J)
             if left <= self.tolerance:
@@ -324,7 +328,10 @@ class _Walk:
                 return x if left < close[1] else close[0]
             # round-off of positions is mostly left in stiff directions: one step more takes the others far below it
             close = (x, left) if left <= self.floor(x, best) else None
-            N = N + part * dN
+            N, grown, last = N + part * dN, grown + (left > last), left
+            # beside a bifurcation predicted forces lead to and fro; those at x lead to it, by a third of the rest at a time
+            if grown > 1 and left < SMALL:
+                stress, N = here, best
         return None
 
     def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
