@@ -58,11 +58,11 @@ def _meshed(grid: object, **parts: object) -> kt.Model:
     return kt.Model(nodes=grid.nodes, material=SOFT, **parts)
 
 
-def _beams(dim: int) -> kt.Model:
+def _beams(dim: int, **more: object) -> kt.Model:
     """Two beams, of which one has damping."""
     at = {"A": (0, 0, 0), "B": (1, 0.1, 0), "C": (1.4, 0.9, 0.3)}
     beams = {"one": kt.Beam(ends=("A", "B"), damping=0.02), "two": kt.Beam(ends=("B", "C"))}
-    section = kt.Rectangle(width=0.2, height=0.3)
+    section = kt.Rectangle(width=0.2, height=0.3, **more)
     return kt.Model(nodes={name: place[:dim] for name, place in at.items()}, beams=beams, material=SOFT, section=section)
 
 
@@ -96,7 +96,10 @@ MODELS = {
         "in space": kt.Model(nodes=LIFTED, material=SOFT, membranes={"m": SQUARE.membrane(thickness=0.01)}),
     },
     "solid": {"of four nodes": _meshed(CUBE, solids={"s": CUBE.solid()})},
-    "beam": {"in the plane": _beams(2), "in space": _beams(3)},
+    "beam": {
+        "in the plane": _beams(2), "in space": _beams(3), "that shears": _beams(3, shear_coefficient=0.1),
+        "that shears in the plane": _beams(2, shear_coefficient=0.1),
+    },
     "friction": {
         "about pins": PLANE.with_(
             bars={one + two: kt.Bar(ends=(one, two), mass=0.0, friction=0.3) for one, two in ("AB", "BC", "BD")}

@@ -19,6 +19,7 @@ from kinetruss.model.drives import OffsetCoordinate
 
 STEP = 1e-30
 STEEL = kt.Material(E=2.1e11, density=7850.0, poisson=0.29)
+SHEARED = kt.Rectangle(width=0.02, height=0.03, shear_coefficient=0.8)
 FLAT = {"A": (0, 0), "B": (1, 0.1), "C": (0.3, 0.9), "D": (1.2, 1.1), "E": (2.1, 0.3)}
 DEEP = {"A": (0, 0, 0), "B": (1, 0.1, 0), "C": (0.2, 0.9, 0.3), "D": (0.4, 0.2, 1.1), "E": (1.3, 0.7, 0.5), "F": (0.1, 0.3, -1)}
 TURN, NEXT = (kt.HingeDrive(axis=(axis,), start=start, end=end) for axis, start, end in ("BAD", "DBE"))
@@ -125,7 +126,8 @@ def _space() -> kt.Model:
 
 def _beams(dim: int) -> kt.Model:
     beams = {
-        "ab": kt.Beam(ends=("A", "B"), damping=0.02), "bc": kt.Beam(ends=("B", "C"), orientation="E" if dim == 3 else None),
+        "ab": kt.Beam(ends=("A", "B"), damping=0.02),
+        "bc": kt.Beam(ends=("B", "C"), orientation="E" if dim == 3 else None, section=SHEARED),
         "ce": kt.Beam(ends=("C", "E"), orientation=(0.1, 0.2, 0.9) if dim == 3 else None, mass=2.0,
                       section=kt.Tube(outer=0.03, inner=0.02)),
     }  # fmt: skip

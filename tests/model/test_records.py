@@ -30,7 +30,7 @@ def test_a_record_alone_says_its_name():
 
 def test_fields_go_by_name():
     assert kt.LengthDrive("b") == kt.LengthDrive(bar="b")
-    with pytest.raises(TypeError, match=r"Rod takes its fields by name: Rod\(diameter=\.\.\.\)"):
+    with pytest.raises(TypeError, match=r"Rod takes its fields by name: Rod\(diameter=\.\.\., shear_coefficient=\.\.\.\)"):
         kt.Rod(0.1)
 
 

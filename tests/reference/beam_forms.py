@@ -48,6 +48,8 @@ def beams() -> dict[str, float]:
     found |= {f"beams.damped.{dim}d.{name}": 1.0 for dim in (2, 3) for name in ("ratio", "energy")}
     # P L^3/(E I) of a force in the middle: clamped at both ends, and with one of them on a hinge
     found |= {"beams.hinged.along_2": 1 / 192, "beams.hinged.along_3": 7 / 768, "beams.driven.frequency": 1.0}
+    found |= {f"beams.sheared.{dim}d.{name}": 1.0 for dim in (2, 3) for name in ("end", "along")}
+    found |= {"beams.thick.column.load": 1.0, "beams.spinning.stretch": 1.0}
     return found | loads_along()
 
 

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.elements import element_energy, element_forces
+from kinetruss.mechanics.elements import element_energy, element_forces, element_tangents
 from kinetruss.mechanics.tables import continua_mass
 
 STEEL = kt.Material(E=200e9, density=7800.0, yield_strength=235e6)
@@ -67,13 +67,10 @@ def test_the_tangent_is_the_derivative_of_the_forces():
     rng = np.random.default_rng(3)
     x = system.x0 + 0.05 * rng.standard_normal(system.x0.shape)
     u = rng.standard_normal(x.shape)
-    from kinetruss.elements.continua_matrices import continua_stiffness
-
-    # forces are cubic in positions: fourth-order differences are exact
-    h = 1e-2
+    h = 1e-4
     f = {k: element_forces(system, x + k * h * u) for k in (-2, -1, 1, 2)}
     slope = (f[-2] - 8 * f[-1] + 8 * f[1] - f[2]) / (12 * h)
-    K = continua_stiffness(system.continua, x)
+    K = element_tangents(system, x, None)[0]
     assert np.allclose(-(K @ u.reshape(-1)), slope.reshape(-1), rtol=0, atol=1e-8 * np.abs(slope).max())
 
 

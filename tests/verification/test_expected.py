@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+import kinetruss as kt
 from kinetruss.verification import solids
 from kinetruss.verification.cases import cases, model, stored
 from kinetruss.verification.mechanisms import BENNETT
-from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, spring_forms, total_lagrange
+from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, rods, spring_forms, total_lagrange
 from reference.octahedral import Bay, quintic
 from reference.taylor import Taylor
 
@@ -230,6 +231,27 @@ def test_the_frames_of_a_chain_as_printed_by_the_recursive_form(move, start, ins
     for name, value in found.items():
         near(f"chain.eq_6_9_6_14.{move}.{name}", value, 1e-8)
         assert round(value / SIZES[name][move == "delayed"], 1) in (0.9, 1.0), name
+
+
+def test_rods_as_boundary_value_problems():
+    """The product is given 9 digits or so, and agrees to fewer: 1e-8 is what shooting and the extremes of loads leave."""
+    strip, leaf = kt.Rectangle(width=rods.STRIP["thickness"], height=rods.STRIP["width"]), kt.Rectangle(width=0.6, height=30.0)
+    vectors = {"thick": rods.heavy(), "sheared": rods.sheared()}
+    for name, (x, y) in vectors.items():
+        near(f"beams.{name}.x", x, 1e-9)
+        near(f"beams.{name}.y", y, 1e-9)
+    for name, load in (("compressed", -2.0), ("pulled", 4.0)):
+        top, side = rods.diamond(load)
+        near(f"beams.diamond.{name}.top", top, 1e-8)
+        near(f"beams.diamond.{name}.side", side, 1e-8)
+    high, low = rods.turning_points(rods.toggle, (0.15, 0.3), (0.3, 0.5))
+    near("beams.toggle.high", high, 1e-8)
+    near("beams.toggle.low", low, 1e-8)
+    near("beams.lee.high", rods.turning_points(rods.Lee().force, (46.0, 51.0))[0], 1e-8)
+    wide, narrow = rods.princeton(strip.torsion_constant, 8.896, 45.0)
+    near("beams.princeton.wide", wide, 1e-9)
+    near("beams.princeton.narrow", narrow, 1e-9)
+    near("beams.right_angle.load", rods.right_angle(leaf.torsion_constant), 1e-7)
 
 
 def test_springs_by_quadrature_and_by_the_elastica():

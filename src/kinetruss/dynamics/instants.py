@@ -10,8 +10,7 @@ import numpy as np
 
 from kinetruss.dynamics.actions import Action, CarriedBy
 from kinetruss.dynamics.bar_actions import acting_along
-from kinetruss.elements.beams import mode_gradients
-from kinetruss.elements.continua_matrices import continua_forces
+from kinetruss.elements.beam_matrices import mode_gradients
 from kinetruss.elements.kinds import present
 from kinetruss.elements.loads.load import Spread
 from kinetruss.elements.local_axes import local_axes
@@ -19,7 +18,7 @@ from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
-from kinetruss.mechanics.elements import element_forces, element_tangents
+from kinetruss.mechanics.elements import element_forces, element_tangents, strained_forces
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
@@ -225,7 +224,7 @@ class Instant:
             return None
         x, a, g = (np.pad(y, ((0, 0), (0, 3 - dim))) for y in (self.x, self.a, np.tile(self.gravity, (len(self.x), 1))))
         M = continua_mass(self.system)
-        stress = continua_forces(found, x.reshape(1, -1)).reshape(-1, 3)
+        stress = strained_forces(self.system, x).reshape(-1, 3)
         if found.beams is not None:
             stress += self._of_beams(found.beams, x)
         parts = stress, (M @ a.reshape(-1)).reshape(-1, 3), (M @ g.reshape(-1)).reshape(-1, 3)

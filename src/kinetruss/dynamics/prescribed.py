@@ -14,7 +14,6 @@ import numpy as np
 
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
-from kinetruss.elements.continua_matrices import continua_forces
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, States
@@ -34,7 +33,7 @@ from kinetruss.mechanics import (
     row_directions,
 )
 from kinetruss.mechanics.beam_shapes import FixedShapes, fixed_shapes
-from kinetruss.mechanics.elements import material_stiffness
+from kinetruss.mechanics.elements import material_stiffness, strained_forces
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.model import Model
@@ -78,7 +77,8 @@ def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDA
     """Largest residual (times, 3 n) at free coordinates, N, where beams, membranes or solids are not in balance; else 0."""
     if system.continua is None or not len(x):
         return 0.0
-    largest = max(float(np.abs(part).max(initial=0.0)) for part in (loads.force, continua_forces(system.continua, x)))
+    inner = [strained_forces(system, place) for place in x]
+    largest = max(float(np.abs(part).max(initial=0.0)) for part in (loads.force, *inner))
     stiff = float(np.abs(material_stiffness(system, x[0].reshape(-1, 3)).diagonal()).max())
     off = float(np.abs(rest[:, system.free]).max(initial=0.0))
     return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0

@@ -1,4 +1,4 @@
-"""Membranes, solids and beams: elements whose energy is quadratic in the squared lengths of their edges.
+"""Membranes and solids: elements whose energy is quadratic in the squared lengths of their edges.
 
 With the stretches s = |d|^2 - |d0|^2 of the edges, an element has the energy s^T G s/2 and its edges have the force
 densities q = 2 G s, N/m: the force q d on the first node of an edge with d = x_q - x_p (see `elements.continua_arrays`).
@@ -6,8 +6,6 @@ Edges are shared: the stretch and the force of each are found once, whatever num
 
 Tangent between two different nodes a < b of an element: K_ab = -q_ab 1 + sum over the edges i of a and j of b of
 +-2 (2 G)_ij d_i d_j^T, the sign by the ends; K_aa = -sum of K_ab over b, as nothing resists a translation.
-
-Beams with a damping time b (Kelvin and Voigt) have the further densities q = b 2 G s' with s' = 2 d . d'.
 """
 
 from __future__ import annotations
@@ -18,7 +16,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kinetruss.elements.numbers import chosen
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Ints, Record, Vector, record
 from kinetruss.kernels.structure import element_table
@@ -29,8 +26,7 @@ class EdgeElements(Record):
     """A, B (e,) flat ends of the edges, start (3 n,) places of all nodes without stress, m.
 
     By the number of nodes, with w edges between them: the edges (k, w) of each element in the order of the pairs (0, 1),
-    (0, 2), ... of its nodes, and the upper triangle of its stiffness 2 G by rows (k, w (w + 1)/2), N/m^3. damped_six,
-    damped_eight : the damping b 2 G, N s/m^3, of beams that have such, in the plane and in space.
+    (0, 2), ... of its nodes, and the upper triangle of its stiffness 2 G by rows (k, w (w + 1)/2), N/m^3.
     """
 
     A: I1
@@ -38,16 +34,10 @@ class EdgeElements(Record):
     triangle_edge: I2
     tetrahedron_edge: I2
     six_edge: I2
-    eight_edge: I2
-    damped_six_edge: I2
-    damped_eight_edge: I2
     start: F1
     triangle: F2
     tetrahedron: F2
     six: F2
-    eight: F2
-    damped_six: F2
-    damped_eight: F2
 
 
 @kernel_bare
@@ -105,20 +95,6 @@ def edge_densities(s: EdgeElements, stretch: F1, q: F1) -> None:
     _triangles(s.triangle_edge, s.triangle, stretch, q)
     _tetrahedra(s.tetrahedron_edge, s.tetrahedron, stretch, q)
     _many(s.six_edge, s.six, stretch, q)
-    _many(s.eight_edge, s.eight, stretch, q)
-
-
-@kernel_bare
-def _damped(s: EdgeElements) -> bool:
-    """Whether some elements have damping."""
-    return s.damped_six.size + s.damped_eight.size > 0
-
-
-@kernel_bare
-def _damping_densities(s: EdgeElements, rate: F1, q: F1) -> None:
-    """q += b 2 G s' of rates s' (e,), m^2/s."""
-    _many(s.damped_six_edge, s.damped_six, rate, q)
-    _many(s.damped_eight_edge, s.damped_eight, rate, q)
 
 
 @kernel_bare
@@ -162,9 +138,6 @@ def force(s: EdgeElements, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG0
     stretch, q = np.empty(s.A.size), np.empty(s.A.size)
     _stretches(s, x, stretch)
     edge_densities(s, stretch, q)
-    if _damped(s):
-        _rates(s, x, v, stretch)
-        _damping_densities(s, stretch, q)
     _add_edge_forces(s, q, x, f)
 
 
@@ -192,11 +165,6 @@ def balance(s: EdgeElements, t: float, x: F1, v: F1, out: F1) -> None:  # noqa: 
     for i in range(count):
         out[0] += 0.25 * q[i] * stretch[i]
         out[1] += 0.5 * q[i] * rate[i]
-        q[i] = 0.0
-    _damping_densities(s, rate, q)
-    # what the damping takes, s'^T b G s' = q . s'/2
-    for i in range(count):
-        out[2] += 0.5 * q[i] * rate[i]
 
 
 @kernel
@@ -354,20 +322,6 @@ def edge_blocks(s: EdgeElements, q: F1, x: F1, out: F2) -> None:
     _of_group(3, s.triangle_edge, s.triangle, d, out)
     _of_tetrahedra(s.tetrahedron_edge, s.tetrahedron, d, out)
     _of_group(6, s.six_edge, s.six, d, out)
-    _of_group(8, s.eight_edge, s.eight, d, out)
-
-
-@kernel
-def _damping_blocks(s: EdgeElements, x: F1, out: F2) -> None:
-    """C_pq of the ends p < q of every edge into out (e, 9), N s/m: of the form of the material part of K_pq."""
-    d = np.empty((out.shape[0], 3))
-    _differences(s, x, d)
-    # no force of the damping at rest, so no geometric part
-    for i in range(out.shape[0]):
-        for k in range(9):
-            out[i, k] = 0.0
-    _of_group(6, s.damped_six_edge, s.damped_six, d, out)
-    _of_group(8, s.damped_eight_edge, s.damped_eight, d, out)
 
 
 @kernel_bare
@@ -385,31 +339,26 @@ def _add_blocks(at: I2, blocks: F2, beta: float, value: F1) -> None:
 
 @kernel
 def tangent(s: EdgeElements, at: I2, x: F1, v: F1, beta: float, gamma: float, value: F1) -> None:  # noqa: ARG001
-    """As kernels.structure.element_table.tangent: an edge at a time, w = 6; without what the rates add to K."""
+    """As kernels.structure.element_table.tangent: an edge at a time, w = 6."""
     stretch, q, blocks = np.empty(s.A.size), np.empty(s.A.size), np.empty((s.A.size, 9))
     _stretches(s, x, stretch)
     edge_densities(s, stretch, q)
     edge_blocks(s, q, x, blocks)
     _add_blocks(at, blocks, beta, value)
-    if _damped(s):
-        _damping_blocks(s, x, blocks)
-        _add_blocks(at, blocks, gamma, value)
 
 
 KERNELS = dict(enumerate(zip(element_table.INTERFACES, (force, energy, balance, tangent, swap), strict=True)))
 """By column of the table of kinds: interface and kernel."""
 
-NODES = {"triangle": 3, "tetrahedron": 4, "six": 6, "eight": 8}
+NODES = {"triangle": 3, "tetrahedron": 4, "six": 6}
 """Numbers of nodes of elements by their fields."""
 
 
-def edge_fields(
-    p: Ints, q: Ints, start: Floats, groups: Mapping[int, tuple[Ints, Floats]], delays: Mapping[int, Floats]
-) -> dict[str, NDArray[Any]]:
+def edge_fields(p: Ints, q: Ints, start: Floats, groups: Mapping[int, tuple[Ints, Floats]]) -> dict[str, NDArray[Any]]:
     """The fields of the record of edges between the nodes p, q (e,), start (n, 3) places of all nodes without stress, m; the
     numbers may be complex, and copies.
 
-    groups : edges and stiffness of elements by their number of nodes. delays : damping times (k,), s, of those that have such.
+    groups : edges and stiffness of elements by their number of nodes.
     """
     lead = start.shape[:-2]
     found: dict[str, Any] = {"A": 3 * p.astype(np.int64), "B": 3 * q.astype(np.int64), "start": start.reshape(*lead, -1)}
@@ -417,18 +366,9 @@ def edge_fields(
         w = v * (v - 1) // 2
         edge, stiff = groups.get(v, (np.zeros((0, w), np.int64), np.zeros((*lead, 0, w * (w + 1) // 2))))
         found |= {f"{name}_edge": edge, name: stiff}
-        if f"damped_{name}" in EdgeElements.FIELDS:
-            delay = delays.get(v, np.zeros((*lead, len(edge))))
-            own = np.flatnonzero(chosen(delay.real > 0.0, "damping of beams"))
-            found |= {f"damped_{name}_edge": edge[own], f"damped_{name}": stiff[..., own, :] * delay[..., own, None]}
     return found
 
 
 def coordinates(s: EdgeElements) -> NDArray[np.int64]:
     """Coordinates (e, 6) of the ends of the edges."""
     return np.concatenate([s.A[:, None] + np.arange(3), s.B[:, None] + np.arange(3)], axis=1)
-
-
-def loses(s: EdgeElements) -> bool:
-    """Whether some elements have damping."""
-    return bool(s.damped_six.size + s.damped_eight.size)

@@ -1,8 +1,8 @@
-"""Membranes, solids and beams as arrays: edges, stiffness, masses, visible faces."""
+"""Membranes and solids as arrays: edges, stiffness, visible faces; and masses of these and of beams."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from kinetruss.model import WholeModel
 
 
-# Membranes, solids and beams as arrays: edges, which elements share, and the stiffness of each element by its edges.
+# Membranes and solids as arrays: edges, which elements share, and the stiffness of each element by its edges.
 #
 # Of Green's strain E = (F^T F - 1)/2 with F = sum x_a grad N_a, where sum grad N_a = 0, only the squared distances c_ab of
 # nodes remain,
@@ -29,8 +29,7 @@ if TYPE_CHECKING:
 #     E = -1/4 sum_(a < b) (c_ab - c0_ab) (grad N_a grad N_b^T + grad N_b grad N_a^T),
 #
 # so E = B (c - c0) and the energy of an element is a quadratic form, W = (c - c0)^T G (c - c0)/2, G = integral of B^T C B dV.
-# A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15, a beam with the frames of its ends 15
-# in the plane and 28 in space (elements.beams). The force density of an edge is q =
+# A triangle has 3 such edges, a tetrahedron 6, a six-node triangle with linear strain 15. The force density of an edge is q =
 # 2 G (c - c0), N/m, which is N/l of a bar. An element of one edge is a bar with Green's strain.
 
 FOUR = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
@@ -55,8 +54,8 @@ class Patch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Continua:
-    """p, q (e,) nodes of the edges, p < q; start (n, 3) places of all nodes, m, without stress; mass (e,) kg, m_pq of the
-    consistent mass matrix, and lump (n,) its diagonal.
+    """p, q (e,) pairs of nodes, p < q, of which the first `edges` are those of membranes and solids; start (n, 3) places of all
+    nodes, m, without stress; mass (e,) kg, m_pq of the consistent mass matrix, and lump (n,) its diagonal.
 
     groups : by number of nodes v, edge (k, v (v - 1)/2) edges of the pairs (0, 1), (0, 2), ... of each element's nodes in
     rising order, and stiff (k, w (w + 1)/2) the upper triangle of 2 G by rows, N/m^3. patches, beams : what they came from.
@@ -64,12 +63,18 @@ class Continua:
 
     p: NDArray[np.int32]
     q: NDArray[np.int32]
+    edges: int
     start: NDArray[np.float64]
     mass: NDArray[np.float64]
     lump: NDArray[np.float64]
     groups: dict[int, tuple[NDArray[np.int32], NDArray[np.float64]]]
     patches: tuple[Patch, ...]
     beams: BeamElements | None
+
+    @property
+    def ends(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+        """Nodes of the edges of membranes and solids."""
+        return self.p[: self.edges], self.q[: self.edges]
 
     @cached_property
     def record(self) -> EdgeElements:
@@ -82,18 +87,13 @@ class Continua:
         """Its fields."""
         from kinetruss.elements.continua import edge_fields
 
-        delays: dict[int, Array] = {}
-        if self.beams is not None:
-            v, own = self.beams.nodes.shape[1], self.beams.damping
-            none = np.zeros((*own.shape[:-1], len(self.groups[v][0]) - own.shape[-1]))
-            delays[v] = np.concatenate([none, own], axis=-1)  # beams are the last elements
-        return edge_fields(self.p, self.q, self.start, self.groups, delays)
+        return edge_fields(*self.ends, self.start, self.groups)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sheets:
-    """The structure of membranes, solids and elastic beams. p, q (e,) nodes of the edges; edges (k, w) of the elements of each
-    part, then of the beams, and ranks (k, v) that sort their nodes.
+    """The structure of membranes, solids and elastic beams. p, q (e,) pairs of nodes, first the edges, `resisting` ones, of
+    membranes and solids; pairs (k, w) of the elements of each part, then of the beams, and ranks (k, v) that sort their nodes.
     """
 
     dim: int
@@ -101,7 +101,8 @@ class Sheets:
     beams: Beams | None
     p: NDArray[np.int32]
     q: NDArray[np.int32]
-    edges: tuple[NDArray[np.int32], ...]
+    resisting: int
+    pairs: tuple[NDArray[np.int32], ...]
     ranks: tuple[NDArray[np.int64], ...]
 
 
@@ -139,16 +140,20 @@ def sheets_of(model: WholeModel, index: dict[str, int], matter: Matter) -> tuple
     every = [one.nodes for one in parts] + ([] if beams is None else [beams.nodes])
     n = len(index)
     keys = [_keys(np.sort(nodes, axis=1), n) for nodes in every]
-    # edges that elements share are one
-    found, place = np.unique(np.concatenate([key.reshape(-1) for key in keys]), return_inverse=True)
-    edges = np.split(place.reshape(-1).astype(np.int32), np.cumsum([key.size for key in keys])[:-1])
+    # pairs that elements share are one
+    found = np.unique(np.concatenate([np.zeros(0, np.int64), *(key.reshape(-1) for key in keys[: len(parts)])]))
+    resisting = len(found)
+    if beams is not None:
+        found = np.concatenate([found, np.setdiff1d(keys[-1], found)])
+    order = np.argsort(found)
     return Sheets(
         dim=model.dim,
         parts=tuple(parts),
         beams=beams,
         p=(found // n).astype(np.int32),
         q=(found % n).astype(np.int32),
-        edges=tuple(at.reshape(key.shape) for at, key in zip(edges, keys, strict=True)),
+        resisting=resisting,
+        pairs=tuple(order[np.searchsorted(found, key, sorter=order)].astype(np.int32) for key in keys),
         ranks=tuple(np.argsort(nodes, axis=1) for nodes in every),
     ), numbers
 
@@ -159,34 +164,37 @@ def continua_at(sheets: Sheets | None, numbers: Numbers, x0: Array) -> Continua 
         return None
     patches = tuple(_patch(one, numbers, x0, sheets.dim) for one in sheets.parts)
     beams = None if sheets.beams is None else beams_at(sheets.beams, numbers, x0)
-    made = [(patch.nodes, *_stiffness(patch, x0)) for patch in patches]
+    made: list[tuple[Any, Any, Any]] = [(patch.nodes, *_stiffness(patch, x0)) for patch in patches]
     if beams is not None:
-        made.append((beams.nodes, beams.stiffness(), beams.mass()))
+        made.append((beams.nodes, None, beams.mass()))
     n = x0.shape[-2]
     mass, lump = numbers.full(len(sheets.p)), numbers.full(n)
     groups: dict[int, list[tuple[NDArray[np.int32], Array]]] = {}
-    # stiffness 2 G by elements; masses by edges and nodes
-    for (nodes, *own), edge, rank in zip(made, sheets.edges, sheets.ranks, strict=True):
-        stiff, share = _by_sorted_nodes(rank, *own)
+    # stiffness 2 G by elements; masses by pairs and nodes
+    for (nodes, stiffness, own), pair, rank in zip(made, sheets.pairs, sheets.ranks, strict=True):
+        at = np.arange(len(rank))[:, None, None]
+        share = own[..., at, rank[:, :, None], rank[:, None, :]]
         i, j = np.triu_indices(nodes.shape[1], 1)
-        mass += sums_at(edge.reshape(-1), share[..., i, j].reshape(*numbers.lead, -1), len(sheets.p))
+        mass += sums_at(pair.reshape(-1), share[..., i, j].reshape(*numbers.lead, -1), len(sheets.p))
         own_mass = np.einsum("...aa->...a", share).reshape(*numbers.lead, -1)
         lump += sums_at(np.sort(nodes, axis=1).reshape(-1), own_mass, n)
-        groups.setdefault(nodes.shape[1], []).append((edge, stiff))
+        if stiffness is not None:
+            groups.setdefault(nodes.shape[1], []).append((pair, _by_sorted_nodes(rank, stiffness)))
     joined = {
         v: (np.concatenate([e for e, _ in parts]), np.concatenate([s for _, s in parts], axis=-2))
         for v, parts in groups.items()
     }
-    return Continua(p=sheets.p, q=sheets.q, start=x0, mass=mass, lump=lump, groups=joined, patches=patches, beams=beams)
-
-
-def without_beams(found: Continua) -> Continua:
-    """The same without its beams, which are the last elements."""
-    if found.beams is None:
-        return found
-    v, count = found.beams.nodes.shape[1], len(found.beams.names)
-    edge, stiff = found.groups[v]
-    return replace(found, beams=None, groups={**found.groups, v: (edge[:-count], stiff[..., :-count, :])})
+    return Continua(
+        p=sheets.p,
+        q=sheets.q,
+        edges=sheets.resisting,
+        start=x0,
+        mass=mass,
+        lump=lump,
+        groups=joined,
+        patches=patches,
+        beams=beams,
+    )
 
 
 def _keys(nodes: NDArray[np.int64], n: int) -> NDArray[np.int64]:
@@ -340,9 +348,9 @@ def _over(one: Any, axes: int) -> Any:
     return np.asarray(one)[(..., *axes * (None,))]
 
 
-def _by_sorted_nodes(rank: NDArray[np.int64], stiffness: Array, share: Array) -> tuple[Array, Array]:
-    """The upper triangle (k, w (w + 1)/2) of a stiffness (k, w, w), and masses (k, v, v), with the nodes in rising order, their
-    rank (k, v): the order in the record decides which are corners, or ends.
+def _by_sorted_nodes(rank: NDArray[np.int64], stiffness: Array) -> Array:
+    """The upper triangle (k, w (w + 1)/2) of a stiffness (k, w, w) with the nodes in rising order, their rank (k, v): the order
+    in the record decides which are corners.
     """
     k, v = rank.shape
     pair = np.zeros((v, v), np.int64)
@@ -351,7 +359,7 @@ def _by_sorted_nodes(rank: NDArray[np.int64], stiffness: Array, share: Array) ->
     moved = pair[rank[:, i], rank[:, j]]
     own = np.arange(k)[:, None]
     a, b = np.triu_indices(len(i))
-    return stiffness[..., own, moved[:, a], moved[:, b]], share[..., own[:, :, None], rank[:, :, None], rank[:, None, :]]
+    return np.asarray(stiffness[..., own, moved[:, a], moved[:, b]])
 
 
 # Visible faces of bodies, membranes and solids: triangles between nodes.

@@ -1,4 +1,4 @@
-"""Stiffness and damping of membranes, solids and beams as sparse matrices, and forces from changes of squared lengths."""
+"""Stiffness of membranes and solids as sparse matrices, and forces from changes of squared lengths."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.elements.beams import damping_tangents
 from kinetruss.elements.continua import EdgeElements, edge_blocks, edge_densities, force
 
 if TYPE_CHECKING:
@@ -20,7 +19,8 @@ if TYPE_CHECKING:
 def squared_changes(found: Continua, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Squared lengths of the edges minus their stress-free values, (e,), m^2, at positions x (n, 3)."""
     moved, whole = x - found.start, x + found.start
-    return np.asarray(np.einsum("ec,ec->e", moved[found.q] - moved[found.p], whole[found.q] - whole[found.p]))
+    p, q = found.ends
+    return np.asarray(np.einsum("ec,ec->e", moved[q] - moved[p], whole[q] - whole[p]))
 
 
 def densities(found: Continua, s: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -54,8 +54,9 @@ def continua_stiffness(
     n = x.shape[0]
     # K_pp = -sum of K_pq over the neighbours q, symmetric but for round-off
     own = np.zeros((n, 9))
-    np.subtract.at(own, found.p, blocks)
-    np.subtract.at(own, found.q, blocks[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
+    first, second = found.ends
+    np.subtract.at(own, first, blocks)
+    np.subtract.at(own, second, blocks[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
     own = 0.5 * (own + own[:, [0, 3, 6, 1, 4, 7, 2, 5, 8]])
     every = 3 * np.arange(n)
     row, column = np.divmod(np.arange(9), 3)
@@ -70,35 +71,30 @@ def continua_stiffness(
 
 def continua_geometric(found: Continua, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:
     """Geometric stiffness (3 n, 3 n), N/m, of the stresses that small displacements u (n, 3) from x (n, 3) add."""
-    d = x[found.q] - x[found.p]
+    p, q = found.ends
     # squared_changes to first order in u: 2 d . (u_q - u_p)
-    added = densities(found, 2 * np.einsum("ec,ec->e", d, u[found.q] - u[found.p]))
+    added = densities(found, 2 * np.einsum("ec,ec->e", x[q] - x[p], u[q] - u[p]))
     return continua_stiffness(found, x, added, material=False)
 
 
 def table(system: System) -> EdgeElements | None:
-    """All membranes, solids and elastic beams of a system; None where there are none."""
-    return None if system.continua is None else system.continua.record
+    """All membranes and solids of a system; None where there are none."""
+    return None if system.continua is None or not system.continua.patches else system.continua.record
 
 
 def fields(system: System) -> dict[str, Any] | None:
     """The fields of `table`."""
-    return None if system.continua is None else system.continua.fields()
+    return None if system.continua is None or not system.continua.patches else system.continua.fields()
 
 
 def tangents(
     system: System,
     record: EdgeElements,  # noqa: ARG001
     x: NDArray[np.float64],
-    v: NDArray[np.float64] | None,
+    v: NDArray[np.float64] | None,  # noqa: ARG001
 ) -> tuple[Any, Any]:
     """As elements.kinds.Element.tangents."""
-    found: Any = system.continua
-    K, C = continua_stiffness(found, x), csr_array((x.size, x.size))
-    if found.beams is None or not found.beams.damping.any():
-        return K, C
-    lagging = damping_tangents(found.beams, x, v)
-    return K + lagging[0], lagging[1]
+    return continua_stiffness(system.continua, x), csr_array((x.size, x.size))  # type: ignore[arg-type]
 
 
 def geometric(system: System, record: EdgeElements, x: NDArray[np.float64], u: NDArray[np.float64]) -> Any:  # noqa: ARG001
@@ -108,4 +104,4 @@ def geometric(system: System, record: EdgeElements, x: NDArray[np.float64], u: N
 
 def without_series(system: System) -> str | None:
     """As elements.kinds.Element.without_series."""
-    return None if system.continua is None else "membranes or solids resist"
+    return None if table(system) is None else "membranes or solids resist"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements import continua, continua_matrices, on_nodes, scalars
+from kinetruss.elements import beam_kernels, beam_matrices, continua, continua_matrices, on_nodes, scalars
 from kinetruss.elements.caching import cached
 from kinetruss.elements.element import Element
 from kinetruss.elements.loads import along, body_loads, nodal, pressures
@@ -96,10 +96,21 @@ ELEMENTS = (
         continua.KERNELS,
         continua_matrices.tangents,
         without_series=continua_matrices.without_series,
-        loses=continua.loses,
+        loses=lambda s: False,  # noqa: ARG005
         geometric=continua_matrices.geometric,
         rows=True,
         fields=continua_matrices.fields,
+    ),
+    Element(
+        beam_matrices.table,
+        beam_kernels.coordinates,
+        beam_kernels.KERNELS,
+        beam_matrices.tangents,
+        without_series=beam_matrices.without_series,
+        loses=beam_kernels.loses,
+        geometric=beam_matrices.geometric,
+        rows=True,
+        fields=beam_matrices.fields,
     ),
     *map(on_nodes.element, ON_NODES),
 )

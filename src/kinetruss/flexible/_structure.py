@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import csr_array, diags_array
 
-from kinetruss.elements.beams import mode_stiffness
+from kinetruss.elements.beam_matrices import mode_forces, mode_stiffness
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.own_motion import check_motion
@@ -149,8 +149,9 @@ def _of_shapes(system: System, forces: Forces, i: int, x: NDArray[np.float64]) -
     if "mode_force" not in forces.arrays:
         return csr_array((x.size, x.size)), np.zeros(x.size)
     found: Any = system.continua
-    stiff = mode_stiffness(found.beams, np.nan_to_num(forces.arrays["mode_force"].values[i]), len(x))
-    return stiff, -(stiff @ x.reshape(-1))
+    own, push = np.nan_to_num(forces.arrays["mode_force"].values[i]), np.zeros_like(x)
+    np.subtract.at(push, found.beams.nodes, mode_forces(found.beams, x[None], own[None])[0])
+    return mode_stiffness(found.beams, x, own), push.reshape(-1)
 
 
 def refuse_unloaded_beams(model: Model, forces: Forces) -> None:

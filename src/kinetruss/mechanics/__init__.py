@@ -13,7 +13,6 @@ if TYPE_CHECKING:
         element_points as element_points,
         gradients as gradients,
         law_matrix as law_matrix,
-        without_beams as without_beams,
     )
     from kinetruss.elements.local_axes import turned as turned
     from kinetruss.kernels.structure.structure import CABLE as CABLE, ENGINEERING as ENGINEERING, GREEN as GREEN, NONE as NONE

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements.beams import MODES, BeamElements, hermite, hermite_slopes, mode_rates
+from kinetruss.elements.beam_matrices import mode_forces, mode_gradients, mode_rates, mode_values
+from kinetruss.elements.beams import MODES, BeamElements, hermite, hermite_slopes
 from kinetruss.elements.caching import cached
 from kinetruss.model.bracing import CHORD
 
@@ -29,7 +30,7 @@ class BeamCurves:
     """The curves of k beams at g places each.
 
     member (k,) indices of their chords among the members; nodes (k, v) of both ends; along (k, g, v) coefficients of these
-    nodes that give the axis, by Hermite's polynomials as in `BeamElements.fields`; across (k, g, v) the same of local axis 2.
+    nodes that give the axis, by Hermite's polynomials as in `BeamElements.along`; across (k, g, v) the same of local axis 2.
     """
 
     member: NDArray[np.int64]
@@ -53,7 +54,7 @@ def beam_curves(system: System) -> BeamCurves | None:
     xi = np.linspace(0.0, 1.0, (PIECES if len(beams.names) <= MANY else FEW) + 1)
     across = (1 - xi)[:, None] * beams.axes[:, None, 1] + xi[:, None] * beams.ends[:, None, 1]
     member = np.array([index[f"{name}{CHORD}"] for name in beams.names], np.int64)
-    return BeamCurves(member=member, nodes=beams.nodes, along=beams.fields(xi), across=across)
+    return BeamCurves(member=member, nodes=beams.nodes, along=beams.along(xi), across=across)
 
 
 # Forces and moments at the ends and along beams, in closed form from the deformation modes and the load along the beam.
@@ -78,15 +79,12 @@ def beam_forces(
     found: BeamElements, x: NDArray[np.float64], x0: NDArray[np.float64], linear: bool = False
 ) -> dict[str, NDArray[np.float64]]:
     """Stress of each mode (times, k), N m, at positions x (times, n, 3). linear : to first order in x - x0."""
-    i, j = np.triu_indices(found.nodes.shape[1], 1)
-    p, q = found.nodes[:, i], found.nodes[:, j]
-    d0 = x0[q] - x0[p]
-    u = (x - x0)[:, q] - (x - x0)[:, p]
-    # change of the squared distances
-    change = 2 * np.einsum("kwc,tkwc->tkw", d0, u)
-    if not linear:
-        change = change + np.einsum("tkwc,tkwc->tkw", u, u)
-    stress = np.einsum("ks,ksw,tkw->tks", found.rigidity, found.modes, change)
+    if linear:
+        moved = (x - x0).reshape(len(x), -1)
+        values = (mode_gradients(found, x0) @ moved.T).T.reshape(len(x), *found.rigidity.shape)
+    else:
+        values = mode_values(found, x)
+    stress = found.rigidity * values
     return {name: stress[..., s] for s, name in enumerate(MODES[found.axes.shape[1]])}
 
 
@@ -116,7 +114,7 @@ def section_forces(
     frame = _frames(found, x0[None] if linear else x)
     frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
     # load along the beam in its axes as a cubic: coefficients c_m of xi^m
-    read = np.einsum("kgv,tkvc->tkgc", found.fields(POINTS), load[:, found.nodes]) * found.line[:, None, None]
+    read = np.einsum("kgv,tkvc->tkgc", found.along(POINTS), load[:, found.nodes]) * found.line[:, None, None]
     q = np.einsum("mg,tkgc,tkac->tkma", np.linalg.inv(np.vander(POINTS, 4, increasing=True)), read, frame)
     place = x0[None] if linear else x
     ends = _by_nodes(found, stress, place, load, frame, loads)
@@ -151,17 +149,17 @@ def section_forces(
 
 
 def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the rotations (times, k) of both ends from the chord; 0 of
-    beams that keep their shape, whose stresses are given.
+    """Stress of each mode (times, k, s), N m, and by axis 2 and 3 the slopes (times, k) of both ends from the chord, and
+    how far sections lean against the axis; 0 of beams that keep their shape, whose stresses are given.
     """
     stress = beam_forces(found, x, x0, linear)
     EI3, EI2 = found.rigidity[:, 1], found.rigidity[:, -3]
-    # rotations from the chord, f_p and f_q
+    # slopes from the chord, f_p and f_q, and the rest of the rotation of sections
     none = np.zeros(stress["axial"].shape)
     slope = {}
-    for axis, EI in ((2, EI2), (3, EI3)):
+    for axis, EI, b in ((2, EI2, found.bending[:, 1]), (3, EI3, found.bending[:, 0])):
         D, S = (stress.get(f"{name}{axis}", none) / EI for name in "DS")
-        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D)
+        slope[axis] = 0.5 * (S / 3 - D), 0.5 * (S / 3 + D), 0.5 * (1 / b - 1) * S / 3
     if v is not None and found.damping.any():
         lag = found.damping[:, None] * found.rigidity * mode_rates(found, x0[None] if linear else x, v)
         stress = {name: own + lag[..., s] for s, (name, own) in enumerate(stress.items())}
@@ -169,7 +167,7 @@ def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: F
     if given is not None:
         stress = {name: np.where(np.isnan(given[..., s]), own, given[..., s]) for s, (name, own) in enumerate(stress.items())}
         bent = np.isnan(given[..., 0]).astype(float)
-    turned = {axis: (bent * f, bent * g) for axis, (f, g) in slope.items()}
+    turned = {axis: tuple(bent * one for one in own) for axis, own in slope.items()}
     return np.stack(list(stress.values()), axis=-1), turned
 
 
@@ -179,12 +177,9 @@ def _by_nodes(
     """Forces and moments of both ends on beams, (times, k, 2, 3), in their axes `frame`: forces sum S B of the stresses (times,
     k, modes) at positions x, less what mass times load, m/s^2, and loads along beams put on the same nodes.
     """
-    v = found.nodes.shape[1]
-    i, j = np.triu_indices(v, 1)
-    at = x[:, found.nodes]
-    pair = 2 * np.einsum("tks,ksw->tkw", stress, found.modes)[..., None] * (at[:, :, j] - at[:, :, i])
-    nodal = -np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
-    nodal += np.einsum("tkwc,wv->tkvc", pair, np.eye(v)[j] - np.eye(v)[i])
+    v, at = found.nodes.shape[1], x[:, found.nodes]
+    nodal = mode_forces(found, np.broadcast_to(x, (len(stress), *x.shape[1:])), stress)
+    nodal -= np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
     for one, history in loads:
         push = np.einsum("tac,ta->tc", frame[:, one.beam], history) if one.turns else history
         nodal[:, one.beam] -= found.shares(*one[:-1])[:, None] * push[:, None]
@@ -198,16 +193,16 @@ def _by_nodes(
 
 
 def _on_the_curve(l: Floats, xi: Floats, slope: Floats, push: Floats, force: Floats, moment: Floats) -> tuple[Floats, Floats]:
-    """Section forces of the chord, of the deflected axis in the axes of its sections; slope : rotations of the ends from the
-    chord about 2 and 3, (times, k) each; push (times, k, 3) : force on the first end.
+    """Section forces of the chord, of the deflected axis in the axes of its sections; slope : those of the ends from the chord
+    about 2 and 3, and the rest of the rotation of sections, (times, k) each; push (times, k, 3) : force on the first end.
     """
     _, h2, _, h4 = hermite(xi)
     _, g2, _, g4 = hermite_slopes(xi)
-    (p2, q2), (p3, q3) = ([f[..., None] for f in slope[axis]] for axis in (2, 3))
+    (p2, q2, t2), (p3, q3, t3) = ([f[..., None] for f in slope[axis]] for axis in (2, 3))
     # w_2 rises with a rotation about 3, w_3 falls with one about 2
     w2, w3 = l * (h2 * p3 + h4 * q3), -l * (h2 * p2 + h4 * q2)
     at = np.stack([np.zeros_like(w2), w2, w3], axis=-1)
-    turned = _turned(g2 * p3 + g4 * q3, -(g2 * p2 + g4 * q2))
+    turned = _turned(g2 * p3 + g4 * q3 + t3, -(g2 * p2 + g4 * q2 + t2))
     moment = moment + np.cross(at, np.broadcast_to(push[:, :, None], at.shape))
     along, about = (np.einsum("tksac,tksc->tksa", turned, one) for one in (force, moment))
     return along, about

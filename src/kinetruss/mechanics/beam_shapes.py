@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements.beams import pairs_of
+from kinetruss.elements.beam_matrices import mode_gradients, mode_values
 from kinetruss.elements.caching import cached
 from kinetruss.mechanics.arrangement import arrange
 from kinetruss.mechanics.mobility import mobility_at
@@ -55,19 +55,14 @@ class FixedShapes:
 
     def undecided(self, not_unique: NDArray[np.bool_]) -> tuple[str, ...]:
         """Names of held beams whose forces balance alone does not decide; not_unique : mask of the rows of `system`."""
-        modes = self.elements.modes.shape[1]
+        modes = self.elements.rigidity.shape[1]
         # a rigid bar beside a beam shares its force: one bar fewer than modes
         pairs = zip(self.beams, self.bars, strict=True)
         return tuple(self.elements.names[k] for k, rows in pairs if len(rows) < modes or not_unique[rows].any())
 
     def undeformed(self, x: NDArray[np.float64]) -> bool:
         """True if the held beams have their shape at all positions x (times, n, 3)."""
-        found = self.elements
-        p, q = (ends[self.beams] for ends in pairs_of(found))
-        d0, d = self.system.x0[q] - self.system.x0[p], x[:, q] - x[:, p]
-        change = np.einsum("tkwc,tkwc->tkw", d, d) - np.einsum("kwc,kwc->kw", d0, d0)
-        modes = np.einsum("ksw,tkw->tks", found.modes[self.beams], change)
-        return bool(np.abs(modes).max(initial=0.0) < STRAIGHT)
+        return bool(np.abs(mode_values(self.elements, x)[:, self.beams]).max(initial=0.0) < STRAIGHT)
 
     def mode_forces(self, x: NDArray[np.float64], N: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces of the modes of all elastic beams (times, beams, s), N m, NaN of those not held.
@@ -78,14 +73,18 @@ class FixedShapes:
         out = np.full((len(x), *found.rigidity.shape), np.nan)
         for i, place in enumerate(x):
             tension = N[i][:, None] * row_directions(system, place, values[i])
+            gradients = mode_gradients(found, place)
             for k, rows in zip(self.beams, self.bars, strict=True):
-                out[i, k] = _modes_of(system, found, k, place, (rows, tension))
+                modes = gradients[k * found.rigidity.shape[1] : (k + 1) * found.rigidity.shape[1]]
+                out[i, k] = _modes_of(system, found, k, place, (rows, tension, modes))
         return out
 
 
 def _modes_of(system: System, found: BeamElements, k: int, x: NDArray[np.float64], bars: Any) -> NDArray[np.float64]:
-    """Mode forces (s,) of beam k from the forces N u of its bars: rows and (all rows, 3) N, on their first ends."""
-    rows, tension = bars
+    """Mode forces (s,) of beam k from the forces N u of its bars: rows, (all rows, 3) N, on their first ends, and gradients of
+    its modes.
+    """
+    rows, tension, gradients = bars
     own = found.nodes[k]
     second = own[len(own) // 2 :]
     at = x[second] - x[second[0]]
@@ -100,13 +99,11 @@ def _modes_of(system: System, found: BeamElements, k: int, x: NDArray[np.float64
     dim = found.axes.shape[1]
     ways = [np.broadcast_to(axis, at.shape) for axis in np.eye(3)[:dim]]
     ways += [np.cross(axis, at) for axis in np.eye(3)[(2 if dim == 2 else 0) :]]
-    i, j = np.triu_indices(len(own), 1)
-    d = x[own[j]] - x[own[i]]
     rates, work = [], []
     for way in ways:
-        u = np.zeros((len(own), 3))
-        u[len(own) // 2 :] = way
-        rates.append(found.modes[k] @ (2 * np.einsum("wc,wc->w", d, u[j] - u[i])))
+        u = np.zeros_like(x)
+        u[second] = way
+        rates.append(gradients @ u.reshape(-1))
         work.append(float(np.sum(force * way)))
     return np.asarray(-np.linalg.solve(np.array(rates), np.array(work)))
 
@@ -159,10 +156,8 @@ def _deformable(system: System, found: BeamElements) -> NDArray[np.int64]:
     flat = mobility_at(system, system.x0).mechanisms
     u = np.zeros((len(flat), *system.x0.shape))
     u[:, :, : system.dim] = flat
-    p, q = pairs_of(found)
-    d = system.x0[q] - system.x0[p]
-    rates = np.einsum("ksw,tkw->tks", found.modes, 2 * np.einsum("kwc,tkwc->tkw", d, u[:, q] - u[:, p]))
-    return np.flatnonzero(np.abs(rates).max(axis=(0, 2), initial=0.0) * found.length > BENDS)
+    rates = (mode_gradients(found, system.x0) @ u.reshape(len(u), -1).T).reshape(*found.rigidity.shape, -1)
+    return np.flatnonzero(np.abs(rates).max(axis=(1, 2), initial=0.0) * found.length > BENDS)
 
 
 def _keys(system: System) -> list[tuple[str, int, int]]:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
-from kinetruss.elements import scalars
+from kinetruss.elements import beam_kernels, beam_matrices, continua, continua_matrices, scalars
+from kinetruss.elements.beam_matrices import beam_stiffness
 from kinetruss.elements.continua_matrices import continua_stiffness
 from kinetruss.elements.element import Results
 from kinetruss.elements.kinds import on_coordinates, present, spans_of
@@ -168,6 +169,25 @@ def named_laws(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | 
 
 def material_stiffness(system: System, x: NDArray[np.float64]) -> Any:
     """Stiffness (3 n, 3 n), N/m, of membranes, solids and beams at x (n, 3), without that of their stresses there."""
-    if system.continua is None:
+    K, found = continuum_stiffness(system, x), system.continua
+    if found is not None and found.beams is not None:
+        K = K + beam_stiffness(found.beams, x, np.zeros(found.beams.rigidity.shape), found.beams.rigidity)
+    return K
+
+
+def continuum_stiffness(system: System, x: NDArray[np.float64]) -> Any:
+    """The same of membranes and solids."""
+    found = system.continua
+    if found is None or not found.patches:
         return csr_array((x.size, x.size))
-    return continua_stiffness(system.continua, x, np.zeros(len(system.continua.p)))
+    return continua_stiffness(found, x, np.zeros(found.edges))
+
+
+def strained_forces(system: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces of membranes, solids and beams on the nodes (3 n,), N, at x (n, 3) or flat, at rest."""
+    found = np.zeros(system.x0.size)
+    place, rest = np.ascontiguousarray(x, float).reshape(-1), np.zeros_like(found)
+    for own, kernels in ((continua_matrices, continua.KERNELS), (beam_matrices, beam_kernels.KERNELS)):
+        if (record := own.table(system)) is not None:
+            kernels[FORCE][1](record, 0.0, place, rest, found)
+    return found

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array, diags_array, vstack
 
 from kinetruss.display import counted
-from kinetruss.elements.beams import mode_gradients
+from kinetruss.elements.beam_matrices import mode_gradients
 from kinetruss.errors import Fault, InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics.arguments import positions_of
@@ -154,7 +154,7 @@ def beam_deformations(system: System, x: NDArray[np.float64]) -> Deformations:
     beams = None if system.continua is None else system.continua.beams
     if beams is None:
         return Deformations(csr_array((0, x.size)), ())
-    names = tuple(name for name in beams.names for _ in range(beams.modes.shape[1]))
+    names = tuple(name for name in beams.names for _ in range(beams.rigidity.shape[1]))
     return Deformations(_unit(mode_gradients(beams, x)), names)
 
 
@@ -173,8 +173,6 @@ def _elements(system: System, x: NDArray[np.float64], v: int) -> csr_array:
     """Of the elements of membranes and solids with v nodes: the strains with stiffness, by squared lengths of their edges."""
     found: Any = system.continua
     edge, upper = found.groups[v]
-    if found.beams is not None and found.beams.nodes.shape[1] == v:  # beams are the last elements
-        edge, upper = edge[: -len(found.beams.names)], upper[: -len(found.beams.names)]
     w = edge.shape[1]
     stiff = np.zeros((len(edge), w, w))
     i, j = np.triu_indices(w)

@@ -21,8 +21,8 @@ class Beam(Record):
     configuration is free of stress.
 
     ends : names of its two nodes.
-    kind : ``elastic`` (Euler-Bernoulli: E, and in space G = E/(2 (1 + poisson)), of the material; large rotations, small
-        strains), or ``rigid``.
+    kind : ``elastic`` (E, and in space and in shear G = E/(2 (1 + poisson)), of the material; large rotations and strains;
+        flexible in shear where its section has a shear coefficient or shear areas), or ``rigid``.
     section, material : names or records, by default those of the model. mass : total, kg; by default density x area x
         length; spread evenly, with the rotary inertia of the section.
     orientation : in space a node, or a vector, that spans the plane of local axes 1 and 2 with the beam; by default global z

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, Tag, field_validator, model_validator
@@ -15,6 +15,7 @@ from kinetruss.model.record import (
     NameOrRecord,
     Number,
     PositiveLength,
+    PositiveNumber,
     Record,
     SecondMoment,
     Stress,
@@ -22,10 +23,22 @@ from kinetruss.model.record import (
 from kinetruss.model.references import MaterialName, SectionName
 
 
-class Tube(Record):
+class _Shape(Record):
+    """A section that is known by its dimensions; what is here follows from them."""
+
+    @property
+    def shear_areas(self) -> tuple[float, float] | None:
+        """(A2, A3) for shear forces along 2 and 3, m^2; None of sections that are not flexible in shear."""
+        given: Any = self
+        found = None if given.shear_coefficient is None else given.shear_coefficient * given.area
+        return None if found is None else (found, found)
+
+
+class Tube(_Shape):
     """Round tube.
 
     outer, inner : diameters, m.
+    shear_coefficient : shear area over area; with it, beams are flexible in shear (about 0.5 of a thin tube).
 
     >>> import kinetruss as kt
     >>> kt.Tube(outer="50 mm", inner="44 mm")
@@ -35,6 +48,7 @@ class Tube(Record):
     kind: Literal["tube"] = "tube"
     outer: PositiveLength
     inner: Length
+    shear_coefficient: PositiveNumber | None = None
 
     @model_validator(mode="after")
     def _hollow(self) -> Tube:
@@ -83,10 +97,11 @@ class Tube(Record):
         return 4 / 3 * (1 + ratio + ratio**2) / (1 + ratio**2)
 
 
-class Rod(Record):
+class Rod(_Shape):
     """Solid round bar.
 
     diameter : m.
+    shear_coefficient : shear area over area; with it, beams are flexible in shear (0.9 of a solid circle).
 
     >>> import kinetruss as kt
     >>> kt.Rod(diameter="20 mm")
@@ -95,6 +110,7 @@ class Rod(Record):
 
     kind: Literal["rod"] = "rod"
     diameter: PositiveLength
+    shear_coefficient: PositiveNumber | None = None
 
     @property
     def area(self) -> float:
@@ -133,11 +149,12 @@ class Rod(Record):
         return 4 / 3
 
 
-class Rectangle(Record):
+class Rectangle(_Shape):
     """Solid rectangle.
 
     height : along axis 2 (in the plane, for a planar model), m.
     width : along axis 3, m.
+    shear_coefficient : shear area over area; with it, beams are flexible in shear (5/6).
 
     >>> import kinetruss as kt
     >>> kt.Rectangle(width="20 mm", height="60 mm")
@@ -147,6 +164,7 @@ class Rectangle(Record):
     kind: Literal["rectangle"] = "rectangle"
     width: PositiveLength
     height: PositiveLength
+    shear_coefficient: PositiveNumber | None = None
 
     @property
     def area(self) -> float:
@@ -203,6 +221,7 @@ class General(Record):
     c2, c3 : distance of the extreme fibres from the centroid along axes 2 and 3, m.
     J : torsion constant, m^4, of a beam in space.
     shear_factor : largest shear stress over shear force/area.
+    A2, A3 : shear areas for forces along axes 2 and 3, m^2; with them, beams are flexible in shear.
     """
 
     kind: Literal["general"] = "general"
@@ -213,6 +232,19 @@ class General(Record):
     c3: PositiveLength
     shear_factor: Number = 1.5
     J: SecondMoment | None = None
+    A2: Area | None = None
+    A3: Area | None = None
+
+    @model_validator(mode="after")
+    def _both(self) -> General:
+        if (self.A2 is None) != (self.A3 is None):
+            raise ValueError("a section that is flexible in shear has two shear areas. Give A2 and A3.")
+        return self
+
+    @property
+    def shear_areas(self) -> tuple[float, float] | None:
+        """(A2, A3), m^2; None of sections that are not flexible in shear."""
+        return None if self.A2 is None or self.A3 is None else (self.A2, self.A3)
 
     @property
     def torsion_constant(self) -> float | None:

@@ -16,13 +16,12 @@ import xarray as xr
 
 from kinetruss.dynamics.actions import CarriedBy
 from kinetruss.dynamics.bar_actions import mean_tension_at_rest
-from kinetruss.elements.continua_matrices import continua_forces
 from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces
-from kinetruss.mechanics.elements import element_forces, named_laws
+from kinetruss.mechanics.elements import element_forces, named_laws, strained_forces
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
 from kinetruss.model import Model, nearest
@@ -242,8 +241,8 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
 
 def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> _Known:
     ends = end_weights(system, x, loads.gravity)
-    pushed = np.zeros(x.size) if system.continua is None else continua_forces(system.continua, x.reshape(1, -1))[0]
-    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed + element_forces(system, x, rows=False))
+    pushed = strained_forces(system, x) + element_forces(system, x, rows=False)
+    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed)
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from kinetruss.elements.beam_matrices import mode_rates, mode_stiffness, mode_values
 from kinetruss.elements.continua_matrices import continua_stiffness, densities, squared_changes
 from kinetruss.kernels.structure.structure import ANGLE
 from kinetruss.mechanics import System, constraint_jacobian, ends_of, measure_gradients, row_scales
@@ -40,6 +41,9 @@ NEWTON = 25
 
 LARGEST_TURN = 0.5
 """Largest rotation of a frame in one such step, rad."""
+
+SMALL = 1e-2
+"""Residual below which steps whose residual has grown twice go on without predicted forces."""
 
 PARTS = (1, 4, 16, 64)
 """Numbers of parts in which the residual forces of the start are taken off."""
@@ -195,6 +199,32 @@ def find_equilibrium(
     return SearchResult(x=x, N=N, residual=residual, worst=walk.worst(x, N, J), steps=walk.steps, good=good, stability=found)
 
 
+def _stresses(found: Continua, x: NDArray[np.float64], moved: NDArray[np.float64] | None = None) -> list[NDArray[np.float64]]:
+    """Force densities of edges and forces of the modes of beams at x, and what small displacements from x add to them."""
+    made = []
+    if found.patches:
+        change = squared_changes(found, x)
+        if moved is not None:
+            p, q = found.ends
+            # squared lengths change by 2 d . (u_q - u_p)
+            change += 2 * np.einsum("ec,ec->e", x[q] - x[p], moved[q] - moved[p])
+        made.append(densities(found, change))
+    if (beams := found.beams) is not None:
+        values = mode_values(beams, x[None])[0]
+        if moved is not None:
+            values += mode_rates(beams, x[None], moved[None])[0]
+        made.append(beams.rigidity * values)
+    return made
+
+
+def _of_stresses(found: Continua, x: NDArray[np.float64], stresses: list[NDArray[np.float64]]) -> Any:
+    """The stiffness of such stresses at x, (3 n, 3 n)."""
+    parts = [continua_stiffness(found, x, stresses[0], material=False)] if found.patches else []
+    if found.beams is not None:
+        parts.append(mode_stiffness(found.beams, x, stresses[-1]))
+    return sum(parts[1:], parts[0])
+
+
 class _Walk:
     """The descent: its constants, and the number of steps so far."""
 
@@ -267,14 +297,16 @@ class _Walk:
         system, span = self.system, float(np.ptp(x, axis=0).max()) or 1.0
         free, found = system.free, cast("Continua", system.continua)
         N, J = row_force(self.balance, x, self.rows)
-        q = here = densities(found, squared_changes(found, x))
+        stress = here = _stresses(found, x)
+        close: tuple[NDArray[np.float64], float] | None = None
+        last, grown = np.inf, 0
         for _ in range(NEWTON):
-            # tangent at x, with the geometric part of the predicted densities q in place of those at x
-            K = self.balance.stiffness(x, N) + continua_stiffness(found, x, q - here, material=False)
+            # tangent at x, with the geometric part of the predicted stresses in place of those at x
+            K = self.balance.stiffness(x, N) + _of_stresses(found, x, [a - b for a, b in zip(stress, here, strict=True)])
             g = self.balance.applied(x)[free] - J.T @ N
             p, dN = Saddle(K[free][:, free], J, self.rows).solve(g, np.zeros(J.shape[0]))
             if not np.all(np.isfinite(p)):
-                return None
+                return None if close is None else close[0]
             step = np.zeros(x.size)
             step[free] = p
             moved = step.reshape(-1, 3)
@@ -282,20 +314,24 @@ class _Walk:
             turned = np.linalg.norm(moved[system.q] - moved[system.p], axis=1) / ends_of(system, x)[1]
             part = min(1.0, LARGEST_TURN / max(float(turned.max(initial=0.0)), 1e-300))
             moved = part * moved
-            d = x[found.q] - x[found.p]
-            # change of the squared lengths to first order: 2 d . (u_q - u_p)
-            change = 2 * np.einsum("ec,ec->e", d, moved[found.q] - moved[found.p])
-            q = densities(found, squared_changes(found, x) + change)
+            stress = _stresses(found, x, moved)
             x, off = projected(system, x + moved, self.wanted, span, rows=self.rows)
-            here = densities(found, squared_changes(found, x))
+            here = _stresses(found, x)
             self.steps += 1
             if not off <= CLOSED * span:
-                return None
+                return None if close is None else close[0]
             best, J = row_force(self.balance, x, self.rows)
             left = self.residual(x, best, J)
-            if left <= self.tolerance or left <= self.floor(x, best):
+            if left <= self.tolerance:
                 return x
-            N = N + part * dN
+            if close is not None:
+                return x if left < close[1] else close[0]
+            # round-off of positions is mostly left in stiff directions: one step more takes the others far below it
+            close = (x, left) if left <= self.floor(x, best) else None
+            N, grown, last = N + part * dN, grown + (left > last), left
+            # beside a bifurcation predicted forces lead to and fro; those at x lead to it, by a third of the rest at a time
+            if grown > 1 and left < SMALL:
+                stress, N = here, best
         return None
 
     def down(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:

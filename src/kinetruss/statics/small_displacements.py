@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, vstack
 
-from kinetruss.elements.beams import mode_gradients
+from kinetruss.elements.beam_matrices import mode_gradients
 from kinetruss.elements.kinds import present
 from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
-from kinetruss.mechanics import FREE, NONE, System, cached, constraint_jacobian, ends_of, without_beams
-from kinetruss.mechanics.elements import material_stiffness, named_laws
+from kinetruss.mechanics import FREE, NONE, System, cached, constraint_jacobian, ends_of
+from kinetruss.mechanics.elements import continuum_stiffness, named_laws
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.mobility import beam_deformations, deformations, mobility_at
@@ -225,7 +225,7 @@ def _elements_only(held: System, x: NDArray[np.float64]) -> Any:
     """The same over all coordinates: of all continua but beams, whose deformations are rows, and of kinds without rows."""
     found, K = held.continua, csr_array((x.size, x.size))
     if found is not None and found.patches:
-        K = material_stiffness(replace(held, continua=without_beams(found)), x)
+        K = continuum_stiffness(held, x)
     for one, record in present(held):
         if not one.rows:
             K = K + one.tangents(held, record, x, None)[0]

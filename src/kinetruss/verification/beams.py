@@ -76,12 +76,6 @@ def elastica(count: int, load: float) -> Numbers:
     return {"deflection": y, "shortening": 1 - x}
 
 
-def elastica_order(exact: float) -> Numbers:
-    """Order in which the deflection under 5 E I/L^2 converges, from 8 to 16 elements."""
-    coarse, fine = (abs(elastica(count, 5)["deflection"] / exact - 1) for count in (8, 16))
-    return {"order": math.log2(coarse / fine)}
-
-
 def bend(count: int, load: float) -> Numbers:
     """Tip of the 45-degree bend of radius 100 under a load across its plane; the coordinates are those of the source."""
     section = kt.General(area=1.0, I2=1 / 12, I3=1 / 12, c2=0.5, c3=0.5, J=1 / 6)

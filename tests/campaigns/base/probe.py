@@ -24,13 +24,13 @@ from models import Case
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.linear_state import moving_forces
 from kinetruss.dynamics.prescribed import apply_loads as left_over
-from kinetruss.elements.continua_matrices import continua_stiffness
 from kinetruss.kernels.solve import kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
 from kinetruss.mechanics import GREEN, System, compile, jacobian, measured
 from kinetruss.mechanics.balance import Balance, balance_of, balanced_rows, measure_forces, row_tensions, sum_stiffness
+from kinetruss.mechanics.elements import material_stiffness
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.matrices import bar_laws, mass_matrix, tangents
 from kinetruss.mechanics.rows import row_derivatives
@@ -92,7 +92,7 @@ class Question:
         for task in self.case.tasks.values():
             found += max(np.abs([getattr(task, "constant", 0.0) or 0.0, *(getattr(task, "table", None) or ())])) * self.steep()
         if s.continua is not None:
-            K = abs(continua_stiffness(s.continua, self.x)).max(axis=1).toarray().reshape(-1, 3).max(axis=1)
+            K = abs(material_stiffness(s, self.x)).max(axis=1).toarray().reshape(-1, 3).max(axis=1)
             found += K * self.reach + s.continua.lump * float(weight.max())
         own, turn = list(s.model.springs.values()), 2.0 * np.pi + self.reach
         starts = s.measure_start[len(s.measure_start) - len(own) :]

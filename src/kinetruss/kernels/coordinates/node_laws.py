@@ -8,7 +8,6 @@ round-off in all engines.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
@@ -17,7 +16,7 @@ from numba import types
 
 from kinetruss.kernels.coordinates import straight_line
 from kinetruss.kernels.coordinates.programs import Program, Scalar, Vector
-from kinetruss.kernels.coordinates.straight_line import Lines, compiled
+from kinetruss.kernels.coordinates.straight_line import Lines, address_of
 
 Numbers = Sequence[Any]
 _INTS: Any = types.CPointer(types.int64)  # type: ignore[no-untyped-call]
@@ -92,9 +91,7 @@ def _text_of(text: Callable[..., str], *given: Any) -> Callable[[str], str]:
 
 
 def _made(name: str, text: Callable[[str], str], signature: Any) -> int:
-    """The address of a text; its name, by which machine code is kept, says what it is."""
-    name = f"law_{name}_{hashlib.sha256(text('').encode()).hexdigest()[:16]}"
-    return compiled(name, text(name), signature, straight_line)
+    return address_of(f"law_{name}", text, signature, straight_line)
 
 
 def _vectors(program: Program, first: int, count: int) -> list[Vector]:
@@ -140,7 +137,8 @@ def _energy_text(name: str, make: Any, count: int, width: int, order: int) -> st
     if order < 0:
         lines.add(f"return {lines.of(value.index, 0)}")
     else:
-        lines.backward(value.index, "1.0", range(3 * count))
+        lines.backward({value.index: "1.0"})
+        lines.write_gradient(range(3 * count))
     return _whole(name, f"at, data, x{', dx' * (order > 0)}{', out' * (order >= 0)}", count, lines)
 
 

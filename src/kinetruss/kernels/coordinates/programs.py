@@ -49,11 +49,11 @@ class Scalar:
     def __truediv__(self, other: Any) -> Scalar:
         return self.program.made(DIVIDE, self, other)
 
-    def __neg__(self) -> Scalar:
-        return self * -1.0
-
     def __rsub__(self, other: Any) -> Scalar:
         return self.program.made(SUBTRACT, other, self)
+
+    def __neg__(self) -> Scalar:
+        return self * -1.0
 
     def __rtruediv__(self, other: Any) -> Scalar:
         return self.program.made(DIVIDE, other, self)

@@ -79,15 +79,15 @@ def _compiled(kind: int, order: int, signature: Any) -> int:
     """The address of the compiled text of a kind; order : of the rates of the gradient, -1 for the value."""
     form = FORMS[kind]
     name = f"{form.make.__name__}_{('value', 'gradient', 'rates', 'second')[order + 1]}"
-    # machine code is kept by the name, which says what the text is: it depends on this file, on `programs` and on `forms`
-    name += "_" + hashlib.sha256(text(form, name, order).encode()).hexdigest()[:12]
-    return compiled(name, text(form, name, order), signature, forms)
+    return address_of(name, lambda own: text(form, own, order), signature, forms)
 
 
-def compiled(name: str, source: str, signature: Any, module: Any) -> int:
-    """The address of the function of a name in a text, as of a module; the name says what the text is."""
+def address_of(name: str, made_text: Callable[[str], str], signature: Any, module: Any) -> int:
+    """The address of a compiled text, which is made from the name of its function; module : from whose file it follows."""
+    # machine code is kept by the name, which says what the text is: it depends on this file, on `programs` and on the module
+    name += "_" + hashlib.sha256(made_text(name).encode()).hexdigest()[:12]
     made: dict[str, Any] = {"math": math, "__name__": module.__name__}
-    exec(compile(source, module.__file__, "exec"), made)  # noqa: S102
+    exec(compile(made_text(name), module.__file__, "exec"), made)  # noqa: S102
     function: Callable[..., Any] = made[name]
     return int(kernel_entry(signature)(function).address)
 
@@ -102,7 +102,8 @@ def text(form: Form, name: str, order: int) -> str:
     if order < 0:
         lines.add(f"return data[0] * {lines.of(value.index, 0)}")
     else:
-        lines.backward(value.index, "data[0]", range(12))
+        lines.backward({value.index: "data[0]"})
+        lines.write_gradient(range(12))
     given = ["at", "data", *_STATE[: max(order, 0) + 1], *(["out"] if order >= 0 else [])]
     head = [f"n{i} = at[{i}]" for i in range(form.nodes)]
     return "\n    ".join([f"def {name}({', '.join(given)}):", *head, *lines.text]) + "\n"
@@ -242,17 +243,25 @@ class Lines:
         if total:
             self._adjoint[j, k] = total if total.isidentifier() else self.named(total)
 
-    def backward(self, last: int, factor: str, places: range) -> None:
-        """The gradient of factor times an operation by the coordinates at places, with its coefficients, into out."""
-        self._adjoint[last, 0] = self.named(factor)
+    def backward(self, factors: dict[int, str]) -> None:
+        """The adjoints of the sum of some operations times constant factors."""
+        for j, factor in factors.items():
+            self._adjoint[j, 0] = self.named(factor)
         for j in range(len(self.operations) - 1, -1, -1):
             one = self.operations[j]
             if one.op > CONSTANT and any(self.adjoint(j, k) for k in range(self.order + 1)):
                 self._back(j, one)
+
+    def gradient(self, place: int, k: int) -> str:
+        """Coefficient k of the derivative by a coordinate, after `backward`; empty if it is zero."""
+        read = [j for j, one in enumerate(self.operations) if one.op == NODE_AT and one.a == place]
+        return self.adjoint(read[0], k) if read else ""
+
+    def write_gradient(self, places: range) -> None:
+        """Lines that put the derivatives by coordinates, and their rates, into out."""
         for k in range(self.order + 1):
-            written = {one.a: self.adjoint(j, k) for j, one in enumerate(self.operations) if one.op == NODE_AT}
             for i, place in enumerate(places):
-                found = written.get(place, "") or "0.0"
+                found = self.gradient(place, k) or "0.0"
                 self.add(f"out[{len(places) * k + i}] = {f'2.0 * {found}' if k == 2 else found}")
 
     def _back(self, j: int, one: Operation) -> None:
