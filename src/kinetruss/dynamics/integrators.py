@@ -194,12 +194,14 @@ def _tape(eq: Any, system: System) -> dict[str, NDArray[Any]]:
 def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
     """The kernel that steps by a method: (eq, ws, user, control, memory, samples, budget) -> (code, filled)."""
     integrate: Callable[..., tuple[int, int]]
-    if isinstance(method, Radau):
-        from kinetruss.kernels.integrate.runs import integrate_radau as integrate
-    elif isinstance(method, DOP853 | Taylor):
-        from kinetruss.kernels.integrate.runs import integrate_explicit as integrate
+    if isinstance(method, DOP853):
+        from kinetruss.kernels.integrate.dop853_step import integrate_dop853 as integrate
+    elif isinstance(method, Taylor):
+        from kinetruss.kernels.integrate.taylor_step import integrate_taylor as integrate
+    elif isinstance(method, Radau):
+        from kinetruss.kernels.integrate.radau_step import integrate_radau as integrate
     else:
-        from kinetruss.kernels.integrate.runs import integrate_implicit as integrate
+        from kinetruss.kernels.integrate.fixed_steps import integrate_fixed as integrate
     return integrate
 
 

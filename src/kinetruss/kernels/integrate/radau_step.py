@@ -12,7 +12,9 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, Record, record
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.dop853_step import LEAST, target
+from kinetruss.kernels.integrate.answers import Run
+from kinetruss.kernels.integrate.dop853_step import dop853_step
+from kinetruss.kernels.integrate.loop import LEAST, ended, goes_on, new_run, target
 from kinetruss.kernels.integrate.radau_matrices import (
     AA,
     EA,
@@ -27,11 +29,12 @@ from kinetruss.kernels.integrate.radau_matrices import (
     factor_both,
     filtered,
     matrices_at,
+    new_matrices,
     smaller_step,
     solve_both,
     step_behind,
 )
-from kinetruss.kernels.integrate.state import Control, Memory, Work
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.solve.kkt import accelerate_under, evaluate, factor, prepare_rows, project_near
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -376,7 +379,6 @@ def _keep(control: Control, memory: Memory, work: Work, t: float, own: Stages) -
     memory.t_old, memory.h_old, memory.t = memory.t, h, t
     memory.pivot, memory.constraint = work.end_pivot, work.moved
     memory.pivot_most = max(memory.pivot_most, work.end_pivot)
-    work.end_stage = 0
 
 
 @kernel_bare
@@ -457,3 +459,21 @@ def radau_step(
     memory.h = _next_size(memory, h, work.error, tries, own)
     _keep(control, memory, work, t, own)
     return 1
+
+
+@kernel
+def integrate_radau(
+    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
+    """`integrate_dop853` by Radau IIA."""
+    run = new_run(eq, ws, user, control, memory, samples, budget)
+    laws = eq.law_A.size
+    _steps(run, samples, new_matrices(control, laws), new_stages(control, laws))
+    return ended(run)
+
+
+@kernel_bare
+def _steps(run: Run, samples: Samples, matrices: Matrices, own: Stages) -> None:
+    while goes_on(run, samples):
+        if radau_step(run.eq, run.ws, run.user, run.control, run.memory, run.work, matrices, own) == ASIDE:
+            dop853_step(run)

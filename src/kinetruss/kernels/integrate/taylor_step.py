@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.dop853_step import LEAST, target
+from kinetruss.kernels.integrate.answers import Run, largest_pivot
+from kinetruss.kernels.integrate.dop853_step import dop853_step
+from kinetruss.kernels.integrate.loop import LEAST, ended, goes_on, new_run, target
 from kinetruss.kernels.integrate.samples import state_within
-from kinetruss.kernels.integrate.state import Control, Memory, Work
-from kinetruss.kernels.series.orders import SeriesWork
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
+from kinetruss.kernels.series.orders import SeriesWork, series_work
 from kinetruss.kernels.series.recurrence import series
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -45,6 +46,8 @@ FEWEST = 6
 """Lowest order of a series next to a singular position."""
 SINGULAR, CLEAR = 1e-3, 0.9
 """Scaled pivots, in parts of the largest one met: of a passage; at both ends of a step in which none is looked for."""
+AT_SINGULAR = 1e-6
+"""The same, below which no series begins."""
 
 
 @kernel_bare
@@ -314,10 +317,12 @@ def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, work:
     memory.passages_met = k + 1
 
 
-@kernel_late
-def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, work: Work, own: SeriesWork) -> int:
-    """One step. Returns 0 where there is none, and why in `code` of `work`."""
+@kernel_bare
+def _step(run: Run, own: SeriesWork) -> None:
+    """One step; where there is none, `code` says why."""
+    eq, ws, control, memory, work = run.eq, run.ws, run.control, run.memory, run.work
     x, v, free = work.x, work.v, control.free
+    largest_pivot(run)
     nf = free.size
     # state at the start
     for i in range(nf):
@@ -339,9 +344,29 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
         work.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
         if finite and first < CLEAR * memory.pivot_most and memory.alone == 0:
             work.code = m.UNDETERMINED
-        return False
+        return
     _keep(control, memory, work, own, last)
     work.factored = work.end_pivot
     _passage(eq, ws, memory, control, work, first)
     memory.h = most
-    return True
+
+
+@kernel
+def integrate_taylor(
+    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
+    """`integrate_dop853` by power series."""
+    run = new_run(eq, ws, user, control, memory, samples, budget)
+    _steps(run, samples, series_work(eq, control.stand, int(control.orders), Tape(control.tape_ints, control.tape_reals)))
+    return ended(run)
+
+
+@kernel_bare
+def _steps(run: Run, samples: Samples, own: SeriesWork) -> None:
+    memory = run.memory
+    while goes_on(run, samples):
+        # a singular start is left by steps whose stages lie beside it
+        if memory.pivot < AT_SINGULAR * memory.pivot_most:
+            dop853_step(run)
+        else:
+            _step(run, own)
