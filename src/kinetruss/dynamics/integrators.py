@@ -201,7 +201,7 @@ def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
     elif isinstance(method, Radau):
         from kinetruss.kernels.integrate.radau_step import integrate_radau as integrate
     else:
-        from kinetruss.kernels.integrate.fixed_steps import integrate_fixed as integrate
+        from kinetruss.kernels.integrate.fixed_run import integrate_fixed as integrate
     return integrate
 
 

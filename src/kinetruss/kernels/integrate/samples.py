@@ -11,6 +11,7 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state, rule_of_fixed_steps
 from kinetruss.kernels.integrate.dop853 import interpolate, interpolate_rate
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
+from kinetruss.kernels.structure.lengths import line_turning
 from kinetruss.kernels.structure.terms import term_along, term_gradient
 
 
@@ -172,15 +173,8 @@ TURN = 0.7
 def turning(control: Control, work: Work) -> float:
     """The fastest turning (rad/s) in the state that was put down."""
     x, v, pairs, fastest = work.x, work.v, control.pairs, 0.0
-    # |d x d'|/|d|^2: angular rate of each line between two nodes
     for k in range(pairs.shape[0]):
-        a, b = pairs[k, 0], pairs[k, 1]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
-        square = dx * dx + dy * dy + dz * dz
-        px, py, pz = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex
-        if square > 0.0:
-            fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+        fastest = max(fastest, line_turning(x, v, pairs[k, 0], pairs[k, 1]))
     ptr, form = control.angle_ptr, control.angle_form
     at, data = control.angle_at, control.angle_data
     scratch = view(work.pivots, 0, 12)
