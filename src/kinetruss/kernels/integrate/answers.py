@@ -58,6 +58,14 @@ def put_state(control: Control, y: F1, t: float, work: Work) -> None:
     work.ask_t = t
 
 
+@kernel_inline
+def take_rate(control: Control, work: Work, rate: F1) -> None:
+    """y' = (v, a) of the state that was found into rate."""
+    free, v, a = control.free, work.v, work.a
+    for i in range(free.size):
+        rate[i], rate[free.size + i] = v[free[i]], a[free[i]]
+
+
 @kernel_late
 def find(run: Run, asked: int, near: int) -> None:
     """Answer for the state that was put down. near : 1 where factors of nearly the same positions are at hand."""

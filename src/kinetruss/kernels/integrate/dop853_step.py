@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, I1
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state
+from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state, take_rate
 from kinetruss.kernels.integrate.dop853 import C, dense_coefficients, error_norm, next_step, stage_state, stiffness
-from kinetruss.kernels.integrate.loop import LEAST, ended, goes_on, new_run, target
+from kinetruss.kernels.integrate.loop import LEAST, accept, goes_on, target
 from kinetruss.kernels.integrate.samples import NEAR, TURN, gather, turning
 from kinetruss.kernels.integrate.singular import crossed, size_avoiding
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
-from kinetruss.kernels.structure.equations import Equations, Workspace
 
 SHARE, END_SHARE = 0.035, 0.2
 """Least distance of a stage, and of the end of a step, from a singular position: a fraction of the step."""
@@ -30,21 +29,9 @@ BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 
 
-@kernel
-def integrate_dop853(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
-
-    The run in any number of calls is bit for bit that in one.
-    """
-    run = new_run(eq, ws, user, control, memory, samples, budget)
-    _steps(run, samples)
-    return ended(run)
-
-
 @kernel_bare
-def _steps(run: Run, samples: Samples) -> None:
+def dop853_steps(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
     while goes_on(run, samples):
         dop853_step(run)
 
@@ -83,16 +70,6 @@ def _begun(control: Control, memory: Memory, work: Work) -> bool:
     return work.code == m.GOING
 
 
-@kernel_inline
-def _take_rate(free: I1, work: Work, s: int) -> None:
-    """Rate of the state that was asked into STAGES[s]."""
-    nf, K, v, a = free.size, work.stages, work.v, work.a
-    # y' = (v, a)
-    for i in range(nf):
-        K[s, i] = v[free[i]]
-        K[s, nf + i] = a[free[i]]
-
-
 @kernel_bare
 def _stages(run: Run, first: int, last: int) -> bool:
     """The rates of some stages; False where one is near a singular position."""
@@ -106,7 +83,7 @@ def _stages(run: Run, first: int, last: int) -> bool:
         # what a stage of the interpolant is off the constraints, next to a singular position it feels 1/p times
         near = s > 12 and work.lowest < work.cap
         find(run, PROJECT | EVALUATE if near or control.stages_projected != 0.0 else EVALUATE, 0)
-        _take_rate(control.free, work, s)
+        take_rate(control, work, work.stages[s])
         pivot = work.new_pivot
         if s < 12 and _near(memory.pivot, work, C[s], work.share):
             _avoid_singular(memory, work, C[s])
@@ -290,7 +267,7 @@ def _ended(run: Run) -> bool:
             work.error = 1e3
             _reject(control, memory, work)
             return False
-    _take_rate(control.free, work, 12)
+    take_rate(control, work, work.stages[12])
     work.pivots[0], work.pivots[12] = memory.pivot, work.new_pivot
     where = crossed(work.pivots, memory.pivot_most)
     work.near_t = memory.t + where * work.try_h if where >= 0.0 else -math.inf
@@ -328,7 +305,6 @@ def _turns_far(control: Control, memory: Memory, work: Work) -> bool:
 def _commit(control: Control, memory: Memory, work: Work) -> None:
     """The new state, its rate, and the size of the next step."""
     h, error = work.try_h, work.error
-    memory.t_old, memory.h_old, memory.t = memory.t, h, work.try_t
     new, rate = work.states[2], work.stages[12]
     # state and rate at the end of the step
     for i in range(memory.y.shape[1]):
@@ -342,9 +318,6 @@ def _commit(control: Control, memory: Memory, work: Work) -> None:
     memory.h = grown if h >= memory.h or work.repeated > 0 else max(grown, min(memory.h, 6.0 * h))
     if control.fixed_step > 0.0:
         memory.h = h
-    memory.error_old, memory.pivot = max(error, 1e-4), work.end_pivot
-    memory.pivot_most = max(memory.pivot_most, memory.pivot)
-    memory.steps += 1
-    memory.series = 0
-    memory.alone = 0
+    memory.error_old = max(error, 1e-4)
+    accept(memory, h, work.try_t, work.end_pivot, 0)
     memory.stiff_steps = memory.stiff_steps + 1 if memory.stiffness > BOUNDARY else max(0, memory.stiff_steps - 1)

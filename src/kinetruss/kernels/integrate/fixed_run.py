@@ -12,7 +12,7 @@ from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import Run
 from kinetruss.kernels.integrate.fixed_steps import Step, new_step, rattle_step, solve_step
-from kinetruss.kernels.integrate.loop import ended, goes_on, new_run, target
+from kinetruss.kernels.integrate.loop import accept, goes_on, target
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -113,9 +113,7 @@ def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
     # multipliers of this step
     for k in range(N.size):
         memory.multiplier[k] = N[k]
-    memory.t_old, memory.h_old, memory.t = memory.t, h, step.t_1
-    memory.pivot_most = max(memory.pivot_most, memory.pivot)
-    memory.steps += 1
+    accept(memory, h, step.t_1, memory.pivot, 0)
 
 
 @kernel_bare
@@ -212,13 +210,9 @@ def _step(run: Run, step: Step) -> None:
 
 
 @kernel
-def integrate_fixed(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """`integrate_dop853` by steps of fixed size."""
-    run = new_run(eq, ws, user, control, memory, samples, budget)
-    _steps(run, samples, new_step(run.work.x.size, memory.multiplier.size))
-    return ended(run)
+def steps_of_fixed_size(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    _steps(run, samples, new_step(run.work.x.size, run.memory.multiplier.size))
 
 
 @kernel_bare

@@ -1,21 +1,31 @@
 """The loop of an integration, the same for all methods: what comes behind a step, samples that are due, whether to go on.
 
-    run = new_run(...)
     while goes_on(run, samples):
         a step of the method
 
-Steps never end at wanted times: samples come from the dense output, projected. The equations are asked at one place (`find`).
+Steps never end at wanted times: samples come from the dense output, projected. The equations are asked at one
+place (`find`), and a method is reached by the address in `Control.steps_at`.
 """
 
 from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.calls import Interface
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.answers import ENERGY, EVALUATE, Run, find, largest_pivot, put_state, rule_of_fixed_steps
+from kinetruss.kernels.integrate.answers import (
+    ENERGY,
+    EVALUATE,
+    Run,
+    find,
+    largest_pivot,
+    put_state,
+    rule_of_fixed_steps,
+    take_rate,
+)
 from kinetruss.kernels.integrate.events import begin_watch, scan
 from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
 from kinetruss.kernels.integrate.samples import keep_between, must_drain, write_due
@@ -34,9 +44,22 @@ ON_ROWS = 1e-13
 _, INTEGERS, REALS = m.Work.COUNT
 
 
+@Interface
+def steps(run: Run, samples: Samples) -> None:
+    """Steps of a method while the run goes on; it may have scratch of its own."""
+
+
+_steps = steps.call
+
+
 @kernel
-def new_run(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int) -> Run:
-    """A call of an integrator with its scratch."""
+def integrate(
+    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
+    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
+
+    The run in any number of calls is bit for bit that in one.
+    """
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
     deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
@@ -64,14 +87,10 @@ def new_run(eq: Equations, ws: Workspace, user: int, control: Control, memory: M
     # prescribed coordinates at rest keep their places
     for i in range(n):
         work.x[i] = control.stand[i]
-    return Run(eq, ws, user, control, memory, work)
-
-
-@kernel_bare
-def ended(run: Run) -> tuple[int, int]:
-    """What an integrator returns: a code and how many samples are filled."""
+    run = Run(eq, ws, user, control, memory, work)
+    _steps(control.steps_at, (run, samples))
     largest_pivot(run)
-    return run.work.code, run.work.next_sample
+    return work.code, work.next_sample
 
 
 @kernel_late
@@ -103,16 +122,12 @@ def goes_on(run: Run, samples: Samples) -> int:
 
 
 @kernel_bare
-def _take_rate(run: Run) -> None:
+def _begin_interval(run: Run) -> None:
     """The rate of the present state, just behind the start of its interval."""
-    control, memory, work = run.control, run.memory, run.work
-    k, nf = memory.interval, control.free.size
-    put_state(control, memory.y[0], min(max(memory.t, control.breaks[1, k]), control.breaks[2, k]), work)
+    control, memory, k = run.control, run.memory, run.memory.interval
+    put_state(control, memory.y[0], min(max(memory.t, control.breaks[1, k]), control.breaks[2, k]), run.work)
     find(run, EVALUATE, 0)
-    # y' = (v, a) of the free coordinates
-    for i in range(nf):
-        memory.y[1, i] = work.v[control.free[i]]
-        memory.y[1, nf + i] = work.a[control.free[i]]
+    take_rate(control, run.work, memory.y[1])
 
 
 @kernel_bare
@@ -121,7 +136,7 @@ def _start(run: Run) -> None:
     control, memory, work = run.control, run.memory, run.work
     memory.t_start = memory.t_old = memory.t
     memory.h_old, memory.error_old, memory.stop = 0.0, 1e-4, math.inf
-    _take_rate(run)
+    _begin_interval(run)
     memory.pivot = memory.pivot_most = work.new_pivot
     memory.h = _first_size(control, memory)
     # multipliers at the start, as first guess of implicit methods
@@ -168,6 +183,15 @@ def target(control: Control, memory: Memory, h: float) -> tuple[float, float]:
     return h, t
 
 
+@kernel_inline
+def accept(memory: Memory, h: float, t: float, pivot: float, series: int) -> None:
+    """Make a step of h (s) that ends at t (s), with a scaled pivot there, the last one; series : as in the memory."""
+    memory.t_old, memory.h_old, memory.t = memory.t, h, t
+    memory.pivot, memory.pivot_most = pivot, max(memory.pivot_most, pivot)
+    memory.series, memory.alone = series, 0
+    memory.steps += 1
+
+
 @kernel_bare
 def _behind(run: Run, samples: Samples) -> None:
     """Behind an accepted step: singular positions, events, stiffness, energy, jumps."""
@@ -187,7 +211,7 @@ def _behind(run: Run, samples: Samples) -> None:
     k = memory.interval
     if memory.t >= control.breaks[0, k + 1] and k + 2 < control.breaks.shape[1]:
         memory.interval = k + 1
-        _take_rate(run)
+        _begin_interval(run)
 
 
 @kernel_bare

@@ -14,7 +14,7 @@ from kinetruss.kernels.compiled.record import F0, F1, F2, I0, Record, record
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import Run, put_state
 from kinetruss.kernels.integrate.dop853_step import dop853_step
-from kinetruss.kernels.integrate.loop import LEAST, ended, goes_on, new_run, target
+from kinetruss.kernels.integrate.loop import LEAST, accept, goes_on, target
 from kinetruss.kernels.integrate.radau_matrices import (
     AA,
     EA,
@@ -37,7 +37,7 @@ from kinetruss.kernels.integrate.radau_matrices import (
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.solve.kkt import accelerate_under, evaluate, factor, prepare_rows, project_near
 from kinetruss.kernels.structure.applied import applied
-from kinetruss.kernels.structure.equations import Equations, Workspace
+from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.laws import law_tension, length_rate
 
 LATER = 4.0
@@ -374,11 +374,8 @@ def _keep(control: Control, memory: Memory, work: Work, t: float, own: Stages) -
         y[2, i], y[2, nf + i] = own.a[0, i], own.a[1, i]
     for k in range(work.N.size):
         memory.multiplier[k] = work.N[k]
-    memory.series, memory.alone = 1, 0
-    memory.steps += 1
-    memory.t_old, memory.h_old, memory.t = memory.t, h, t
-    memory.pivot, memory.constraint = work.end_pivot, work.moved
-    memory.pivot_most = max(memory.pivot_most, work.end_pivot)
+    memory.constraint = work.moved
+    accept(memory, h, t, work.end_pivot, 1)
 
 
 @kernel_bare
@@ -459,14 +456,10 @@ def radau_step(run: Run, matrices: Matrices, own: Stages) -> int:
 
 
 @kernel
-def integrate_radau(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """`integrate_dop853` by Radau IIA."""
-    run = new_run(eq, ws, user, control, memory, samples, budget)
-    laws = eq.law_A.size
-    _steps(run, samples, new_matrices(control, laws), new_stages(control, laws))
-    return ended(run)
+def radau_steps(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    laws = run.eq.law_A.size
+    _steps(run, samples, new_matrices(run.control, laws), new_stages(run.control, laws))
 
 
 @kernel_bare

@@ -121,10 +121,11 @@ _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_form": (0, 3), "angle_at"
 class Control(Record):
     """What a method is asked for, in one record.
 
-    Numbers: what the method is asked for. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates
-    of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
-    jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. pairs (k, 2) :
-    flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
+    Numbers: what the method is asked for; steps_at : address of its steps (integrate.loop). stand (3 n,) : where prescribed
+    coordinates stand, m. free (nf,) : flat coordinates of a state. length (nf,) : m, what errors in position are measured
+    in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the interval
+    behind each at which equations are evaluated. pairs (k, 2) : flat coordinates of the ends of what turns; angles
+    angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
     tape_ints, tape_reals : buffers of the tape of all sums, for power series; tape_laws (k, 5) : rest, period, force at rest,
     stiffness and damping of the elements on coordinates among them.
     Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE, SUM; event_A, event_B (e,) flat coordinates, A of a force
@@ -148,6 +149,7 @@ class Control(Record):
     size: F0
     method: F0
     orders: F0
+    steps_at: I0
     ptr: I1
     below: I1
     target: I1

@@ -14,13 +14,12 @@ from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import PIVOT, Run, find, largest_pivot, put_state
 from kinetruss.kernels.integrate.dop853_step import dop853_step
-from kinetruss.kernels.integrate.loop import LEAST, ended, goes_on, new_run, target
+from kinetruss.kernels.integrate.loop import LEAST, accept, goes_on, target
 from kinetruss.kernels.integrate.samples import state_within
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.series.orders import SeriesWork, series_work
 from kinetruss.kernels.series.recurrence import series
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
-from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.lengths import line_turning
 
 END_SHARE = 0.3
@@ -179,7 +178,7 @@ def _end(run: Run, own: SeriesWork, last: int, h: float) -> bool:
 def _keep(control: Control, memory: Memory, work: Work, own: SeriesWork, last: int) -> None:
     """Make the step that `_end` has left the last one."""
     y, F, X, s = memory.y, memory.dense, own.x, memory.h
-    free, x, v, h, pivot = control.free, work.x, work.v, work.try_h, work.end_pivot
+    free, x, v, h = control.free, work.x, work.v, work.try_h
     z = h / s
     nf, power = free.size, 1.0
     # interpolant: X_j (h/s)^j of positions, its derivative of velocities
@@ -194,11 +193,8 @@ def _keep(control: Control, memory: Memory, work: Work, own: SeriesWork, last: i
         for j in range(last, 1, -1):
             gain = gain * z + j * (j - 1) * X[j, c]
         y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
-    memory.series, memory.alone = 1, 0
-    memory.steps += 1
-    memory.t_old, memory.h_old, memory.t = memory.t, h, work.try_t
-    memory.pivot, memory.constraint = pivot, work.moved
-    memory.pivot_most = max(memory.pivot_most, pivot)
+    memory.constraint = work.moved
+    accept(memory, h, work.try_t, work.end_pivot, 1)
 
 
 @kernel_bare
@@ -310,12 +306,9 @@ def _enter(run: Run) -> None:
 def _step(run: Run, own: SeriesWork) -> None:
     """One step; where there is none, `code` says why."""
     eq, ws, control, memory, work = run.eq, run.ws, run.control, run.memory, run.work
-    x, v, free = work.x, work.v, control.free
+    x, v = work.x, work.v
     largest_pivot(run)
-    nf = free.size
-    # state at the start
-    for i in range(nf):
-        x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
+    put_state(control, memory.y[0], memory.t, work)
     prepare_rows(eq, ws, memory.t, x, v)
     first = work.factored
     if first < 0.0:
@@ -341,13 +334,11 @@ def _step(run: Run, own: SeriesWork) -> None:
 
 
 @kernel
-def integrate_taylor(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """`integrate_dop853` by power series."""
-    run = new_run(eq, ws, user, control, memory, samples, budget)
-    _steps(run, samples, series_work(eq, control.stand, int(control.orders), Tape(control.tape_ints, control.tape_reals)))
-    return ended(run)
+def taylor_steps(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    control = run.control
+    tape = Tape(control.tape_ints, control.tape_reals)
+    _steps(run, samples, series_work(run.eq, control.stand, int(control.orders), tape))
 
 
 @kernel_bare
