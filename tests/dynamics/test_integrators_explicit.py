@@ -10,8 +10,9 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
-from kinetruss.dynamics.integrators import Watched, integrator_of
+from kinetruss.dynamics.integrators import Watched
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.structure.applied import USER_FORCE
 from kinetruss.library import mechanisms
 from kinetruss.model import DOP853
@@ -108,7 +109,7 @@ def resumed(times):
         _, eq, ws, told, memory, samples = prepared(mechanisms.n_four_bar(loops=2), times, method)
         memory = kept or memory
         last = min(first + 10, times.size)
-        code, filled = integrator_of(method)(eq, ws, no_force(), told, memory, samples.part(first, last), 10**9)
+        code, filled = integrate(eq, ws, no_force(), told, memory, samples.part(first, last), 10**9)
         assert (code, filled) == (m.DONE, last - first)
         kept = m.Memory.of(memory.arrays())
         found.append(samples.x[first:last])

@@ -191,14 +191,14 @@ def test_a_stiff_bar_that_turns_costs_nothing():
 @pytest.mark.parametrize("model", [mechanisms.double_pendulum(), mechanisms.n_four_bar(loops=2)], ids=["pendulum", "loops"])
 def test_constraints_hold_to_round_off_after_every_step(model):
     system, eq, ws, told, memory, samples = prepared(model, [0.0, 1.0], controlled(1e-4))
-    from kinetruss.dynamics.integrators import integrator_of
+    from kinetruss.kernels.integrate.loop import integrate
     from kinetruss.kernels.structure.applied import no_force
 
     free, nf, code, steps = eq.free, len(eq.free), m.PAUSED, 0
-    kernel, first = integrator_of(controlled(1e-4)), 0
+    first = 0
     rigid = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
     while code == m.PAUSED:
-        code, filled = kernel(eq, ws, no_force, told, memory, samples.part(first), 1)
+        code, filled = integrate(eq, ws, no_force, told, memory, samples.part(first), 1)
         first, steps = first + filled, steps + 1
         x, v = system.x0.reshape(-1).astype(float), np.zeros(system.x0.size)
         x[free], v[free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf]

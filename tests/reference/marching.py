@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from kinetruss.dynamics.equations import equations
-from kinetruss.dynamics.integrators import control, integrator_of, start_memory
+from kinetruss.dynamics.integrators import control, start_memory
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.solve.kkt import kinetic, potential, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.mechanics import compile
@@ -60,10 +61,10 @@ def march(
 ) -> March:
     """A run over `times`; in calls of so many steps each, the last of `budgets` again and again."""
     system, eq, ws, told, memory, samples = prepared(model, times, method, events, **options)
-    kernel, first, turn, code = integrator_of(method), 0, 0, m.PAUSED
+    first, turn, code = 0, 0, m.PAUSED
     while code == m.PAUSED:
         budget = budgets[min(turn, len(budgets) - 1)]
-        code, filled = kernel(eq, ws, user, told, memory, samples.part(first), budget)
+        code, filled = integrate(eq, ws, user, told, memory, samples.part(first), budget)
         first += filled
         if code == m.UNDETERMINED:
             # nobody here steps over singular positions from outside

@@ -1,8 +1,8 @@
-"""Inputs of the integrators: memory, control data, events and times of jumps, and the kernel of a method."""
+"""Inputs of the integrators: memory, control data, events and times of jumps."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -192,16 +192,19 @@ def _tape(eq: Any, system: System) -> dict[str, NDArray[Any]]:
     return {"tape_ints": tape.ints, "tape_reals": tape.reals, "tape_laws": laws}
 
 
-def integrator_of(method: Any) -> Callable[..., tuple[int, int]]:
-    """The kernel that steps by a method: (eq, ws, user, control, memory, samples, budget) -> (code, filled)."""
-    integrate: Callable[..., tuple[int, int]]
-    if isinstance(method, Radau):
-        from kinetruss.kernels.integrate.runs import integrate_radau as integrate
-    elif isinstance(method, DOP853 | Taylor):
-        from kinetruss.kernels.integrate.runs import integrate_explicit as integrate
+def _steps_of(method: Any) -> int:
+    """Address of the steps of a method, which are compiled when they are first asked for."""
+    from kinetruss.kernels.integrate.loop import steps
+
+    if isinstance(method, DOP853):
+        from kinetruss.kernels.integrate.dop853_step import dop853_steps as found
+    elif isinstance(method, Taylor):
+        from kinetruss.kernels.integrate.taylor_step import taylor_steps as found
+    elif isinstance(method, Radau):
+        from kinetruss.kernels.integrate.radau_step import radau_steps as found
     else:
-        from kinetruss.kernels.integrate.runs import integrate_implicit as integrate
-    return integrate
+        from kinetruss.kernels.integrate.fixed_run import steps_of_fixed_size as found
+    return steps.address(found)
 
 
 def _chosen_anew(eq: Any) -> bool:
@@ -221,6 +224,7 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
         "size": size,
         "pivot_limit": PIVOT_LIMIT,
         "method": METHODS[type(method)],
+        "steps_at": _steps_of(method),
     }
     if isinstance(method, ERROR_CONTROLLED):
         found |= {

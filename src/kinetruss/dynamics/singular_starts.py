@@ -23,6 +23,7 @@ from kinetruss.dynamics.starting import EXACTLY, SINGULAR, Singular
 from kinetruss.elements.kinds import ELEMENTS, on_coordinates
 from kinetruss.errors import InputError
 from kinetruss.kernels.integrate.dop853 import interpolate
+from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.equations import SUM_FORCE
@@ -374,7 +375,7 @@ def _freedoms(problem: Problem) -> str:
     return f", with {there.undriven} degrees of freedom ({'; '.join(texts)}{more})"
 
 
-def start_beside(problem: Problem, integrate: Any, control: Any, memory: Memory, samples: Samples) -> First | None:
+def start_beside(problem: Problem, control: Any, memory: Memory, samples: Samples) -> First | None:
     """Advance the memory of an integration by the first segment of a motion that starts near a singular position.
 
     Methods with fixed steps still begin at the start, with the accelerations of the motion there. Returns None if the start

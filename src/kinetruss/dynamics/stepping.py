@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.integration import Integration
-from kinetruss.dynamics.integrators import control, integrator_of, jumps, restart_memory, start_memory, watched
+from kinetruss.dynamics.integrators import control, jumps, restart_memory, start_memory, watched
 from kinetruss.dynamics.remarks import LOOKS, ending, refine, resting, sentences, too_stiff
 from kinetruss.dynamics.simulation_problem import all_rows
 from kinetruss.dynamics.simulation_records import Trace
@@ -20,6 +20,7 @@ from kinetruss.dynamics.singular_starts import cross_singular, start_beside
 from kinetruss.errors import StoreError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kinematics.turns import Passed
 from kinetruss.model import Taylor
@@ -190,7 +191,6 @@ class KernelStepper(Stepper):
 
     def __init__(self, problem: Problem, t_end: float) -> None:
         super().__init__(problem, t_end)
-        self.integrate = integrator_of(problem.method)
         if t_end not in problem.controls:
             problem.controls[t_end] = _control(problem, t_end)
         self.control = problem.controls[t_end].copy()
@@ -207,9 +207,9 @@ class KernelStepper(Stepper):
 
     def _integrate(self, samples: Samples, done: int, budget: int) -> tuple[int, int]:
         problem = self.problem
-        first = None if self.memory.started else start_beside(problem, self.integrate, self.control, self.memory, samples)
+        first = None if self.memory.started else start_beside(problem, self.control, self.memory, samples)
         left = samples.part(done) if done else samples
-        code, filled = self.integrate(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
+        code, filled = integrate(problem.eq, problem.ws, problem.user.call, self.control, self.memory, left, budget)
         if first is not None and samples.times[0] == 0.0:
             samples.a[0], samples.N[0] = first
         if code == m.UNDETERMINED:

@@ -1,20 +1,20 @@
-"""One step of DOP853 on the index-1 form: try, judge, project, accept. Requests go to the driver, replies come back."""
+"""One step of DOP853 on the index-1 form: try, judge, project, accept."""
 
 from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, I1
+from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state, take_rate
 from kinetruss.kernels.integrate.dop853 import C, dense_coefficients, error_norm, next_step, stage_state, stiffness
-from kinetruss.kernels.integrate.samples import NEAR, TURN, ask_state, gather, turning
+from kinetruss.kernels.integrate.loop import LEAST, accept, goes_on, target
+from kinetruss.kernels.integrate.samples import NEAR, TURN, gather, turning
 from kinetruss.kernels.integrate.singular import crossed, size_avoiding
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 
-LEAST = 1e-14
-"""Smallest step, as a fraction of the time or of the whole run."""
 SHARE, END_SHARE = 0.035, 0.2
 """Least distance of a stage, and of the end of a step, from a singular position: a fraction of the step."""
 ROUND_OFF = 0.4
@@ -30,26 +30,19 @@ BOUNDARY = 4.5
 
 
 @kernel_bare
-def target(control: Control, memory: Memory, h: float) -> tuple[float, float]:
-    """Size (s) and end (s) of a step of about h that ends at no later than the next jump or the end of the run."""
-    end, fixed = control.breaks[0, memory.interval + 1], control.fixed_step
-    t = memory.t + h
-    if fixed > 0.0:
-        t = memory.t_start + fixed * (math.floor((memory.t - memory.t_start) / fixed + 1e-6) + 1.0)
-        # all alike to the last digit, unless a jump has cut one short
-        h = fixed if abs(t - memory.t - fixed) < 1e-9 * fixed else t - memory.t
-    if t + 0.01 * h >= end:
-        return end - memory.t, end
-    return h, t
+def dop853_steps(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    while goes_on(run, samples):
+        dop853_step(run)
 
 
-@kernel_bare
-def begin_step(control: Control, memory: Memory, work: Work) -> int:
-    """A step of the size that the last one has left."""
-    fixed = control.fixed_step > 0.0
+@kernel_late
+def dop853_step(run: Run) -> None:
+    """One step, of the size that the last one has left, or smaller; where there is none, `code` says why."""
+    control, memory, work = run.control, run.memory, run.work
     work.near, work.spoilt, work.repeated, work.resized = 0, 0, 0, 0
     work.size_h, work.most_h, work.near_t = memory.h, 1.05 * memory.h, -math.inf
-    work.cap = 0.0 if fixed else control.pivot_limit * memory.pivot_most
+    work.cap = 0.0 if control.fixed_step > 0.0 else control.pivot_limit * memory.pivot_most
     work.lowest, work.new_pivot = math.inf, memory.pivot
     work.share, work.most = SHARE, max(memory.pivot_most, 1e-300)
     K = work.stages
@@ -57,75 +50,54 @@ def begin_step(control: Control, memory: Memory, work: Work) -> int:
     for i in range(memory.y.shape[1]):
         K[0, i] = memory.y[1, i]
     work.start_round_off = _round_off(control, work, 0, memory.pivot)
-    work.phase = m.TRY
-    return 0
+    while work.code == m.GOING:
+        if _begun(control, memory, work) and _stages(run, 1, 12) and _judged(run) and _ended(run):
+            _commit(control, memory, work)
+            return
 
 
 @kernel_bare
-def try_step(control: Control, memory: Memory, work: Work) -> int:
-    """First stage of a step of the size in hand."""
+def _begun(control: Control, memory: Memory, work: Work) -> bool:
+    """The size and the end of the next try; False where there is none."""
     h, t = target(control, memory, work.size_h)
     short = not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start)
     singular = min(work.lowest, work.new_pivot, memory.pivot) < work.cap
     if (short or work.repeated >= REPEATS) and singular and work.spoilt == 0 and memory.alone == 0:
-        work.code, work.phase = m.UNDETERMINED, m.END
-        return m.FINISH
-    if short:
+        work.code = m.UNDETERMINED
+    elif short:
         work.code = m.STEP_TOO_SMALL if work.spoilt == 0 else m.NOT_FINITE
-        work.phase = m.END
-        return m.FINISH
     work.try_h, work.try_t, work.lowest, work.where, work.round_off = h, t, math.inf, 0.0, work.start_round_off
-    work.stage, work.end_stage = 1, 12
-    return _ask_stage(control, memory, work)
+    return work.code == m.GOING
 
 
 @kernel_bare
-def _ask_stage(control: Control, memory: Memory, work: Work) -> int:
-    s, h, k = work.stage, work.try_h, memory.interval
-    stage_state(memory.y[0], work.stages, s, h, work.states[1])
-    # a jump at either end belongs to the neighbouring step
-    t = min(max(memory.t + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
-    ask_state(control.free, work.states[1], t, work)
-    work.phase = m.GOT_STAGE
-    # what a stage of the interpolant is off the constraints, next to a singular position it feels 1/p times
-    near = s > 12 and work.lowest < work.cap
-    return m.PROJECT | m.EVALUATE if near or control.stages_projected != 0.0 else m.EVALUATE
-
-
-@kernel_inline
-def _take_rate(free: I1, work: Work, s: int) -> None:
-    """Rate of the state that was asked into STAGES[s]."""
-    nf, K, v, a = free.size, work.stages, work.v, work.a
-    # y' = (v, a)
-    for i in range(nf):
-        K[s, i] = v[free[i]]
-        K[s, nf + i] = a[free[i]]
-
-
-@kernel_late
-def got_stage(control: Control, memory: Memory, work: Work) -> int:
-    """Next stage, or what follows the last one."""
-    s = work.stage
-    _take_rate(control.free, work, s)
-    pivot = work.new_pivot
-    if s < 12 and _near(memory.pivot, work, C[s], work.share):
-        return _avoid_singular(memory, work, C[s])
-    if pivot < work.lowest:
-        work.lowest, work.where = pivot, C[s]
-    if s < 13:
-        work.pivots[s], work.round_off = pivot, max(work.round_off, _round_off(control, work, s, pivot))
-    work.stage = s + 1
-    if s + 1 < work.end_stage:
-        return _ask_stage(control, memory, work)
-    if s == 15:
-        dense_coefficients(memory.y[0], work.states[2], work.stages, work.try_h, memory.dense)
-        return _commit(control, memory, work)
-    return _judge(control, memory, work)
+def _stages(run: Run, first: int, last: int) -> bool:
+    """The rates of some stages; False where one is near a singular position."""
+    control, memory, work = run.control, run.memory, run.work
+    h, k = work.try_h, memory.interval
+    for s in range(first, last):
+        stage_state(memory.y[0], work.stages, s, h, work.states[1])
+        # a jump at either end belongs to the neighbouring step
+        t = min(max(memory.t + C[s] * h, control.breaks[1, k]), control.breaks[2, k])
+        put_state(control, work.states[1], t, work)
+        # what a stage of the interpolant is off the constraints, next to a singular position it feels 1/p times
+        near = s > 12 and work.lowest < work.cap
+        find(run, PROJECT | EVALUATE if near or control.stages_projected != 0.0 else EVALUATE, 0)
+        take_rate(control, work, work.stages[s])
+        pivot = work.new_pivot
+        if s < 12 and _near(memory.pivot, work, C[s], work.share):
+            _avoid_singular(memory, work, C[s])
+            return False
+        if pivot < work.lowest:
+            work.lowest, work.where = pivot, C[s]
+        if s < 12:
+            work.pivots[s], work.round_off = pivot, max(work.round_off, _round_off(control, work, s, pivot))
+    return True
 
 
 @kernel_bare
 def _near(start: float, work: Work, c: float, share: float) -> bool:
-    """True where the answer at the fraction c is nearer to a singular position than `share` of the step.
+    """True where what was found at the fraction c is nearer to a singular position than `share` of the step.
 
     The pivot falls from its size at the start in proportion to the distance; early stages cannot be behind the position yet.
     """
@@ -137,7 +109,7 @@ def _near(start: float, work: Work, c: float, share: float) -> bool:
 
 @kernel_bare
 def _singular_at(start: float, work: Work, c: float) -> float:
-    """Fraction of the step at which the pivot vanishes, given its size at the start, and its answer at the fraction c.
+    """Fraction of the step at which the pivot vanishes, given its size at the start, and what was found at the fraction c.
 
     It falls in proportion to the distance and is near c, before or behind; which, the lowest one of another stage tells.
     """
@@ -153,21 +125,18 @@ def _singular_at(start: float, work: Work, c: float) -> float:
 
 
 @kernel_bare
-def _avoid_singular(memory: Memory, work: Work, c: float) -> int:
-    """Another size, with the singular position between two stages."""
+def _avoid_singular(memory: Memory, work: Work, c: float) -> None:
+    """Another size, with the singular position between two stages; the end where no size keeps clear of it."""
     h = work.try_h
     memory.rejected += 1
     work.near += 1
     if work.near == m.TRIES and memory.alone == 0:
-        # no size keeps clear of it
-        work.code, work.phase = m.UNDETERMINED, m.END
-        return m.FINISH
+        work.code = m.UNDETERMINED
+        return
     where = _singular_at(memory.pivot, work, c)
     work.near_t = memory.t + where * h
     work.size_h = size_avoiding(where * h, work.most_h)
     work.share *= 0.7
-    work.phase = m.TRY
-    return 0
 
 
 @kernel_bare
@@ -220,8 +189,9 @@ def _scales(control: Control, memory: Memory, h: float, new: F1, work: Work, sca
 
 
 @kernel_bare
-def _judge(control: Control, memory: Memory, work: Work) -> int:
-    """The error of the step; a good new state is projected and evaluated. It stays in STATES[2], its scale in STATES[4]."""
+def _judged(run: Run) -> bool:
+    """The error of the step; the new state stays in STATES[2], its scale in STATES[4]. False where it is tried anew."""
+    control, memory, work = run.control, run.memory, run.work
     h, K, states = work.try_h, work.stages, work.states
     new, scale = states[2], states[4]
     # state of stage 11, for the estimate of stiffness
@@ -230,14 +200,12 @@ def _judge(control: Control, memory: Memory, work: Work) -> int:
     stage_state(memory.y[0], K, 12, h, new)
     _scales(control, memory, h, new, work, scale)
     work.error = error_norm(K, h, scale)
-    fixed = control.fixed_step > 0.0
     if _resized(memory, work):
-        return m.FINISH if work.phase == m.END else 0
-    if not work.error < math.inf or (work.error > 1.0 and not fixed):
-        return _reject(control, memory, work)
-    ask_state(control.free, new, work.try_t, work)
-    work.phase = m.GOT_NEW
-    return m.PROJECT | m.EVALUATE
+        return False
+    if not work.error < math.inf or (work.error > 1.0 and not control.fixed_step > 0.0):
+        _reject(control, memory, work)
+        return False
+    return True
 
 
 @kernel_bare
@@ -254,34 +222,38 @@ def _resized(memory: Memory, work: Work) -> bool:
     work.resized += 1
     work.size_h = work.try_h * SMALLER if work.resized <= RESIZED_MOST else work.clear_h
     memory.rejected += 1
-    work.phase = m.TRY
     if work.resized > RESIZED_MOST and memory.alone == 0:
-        work.code, work.phase = m.UNDETERMINED, m.END
+        work.code = m.UNDETERMINED
     return True
 
 
 @kernel_bare
-def _reject(control: Control, memory: Memory, work: Work) -> int:
+def _reject(control: Control, memory: Memory, work: Work) -> None:
     """A smaller step: by the error, or by far where numbers are not finite."""
     memory.rejected += 1
-    work.phase = m.TRY
     if work.error < math.inf:
         work.repeated += 1
         work.size_h = work.most_h = next_step(work.try_h, work.error, memory.error_old, False)
-        return 0
+        return
     work.spoilt += 1
     work.size_h = work.most_h = 0.1 * work.try_h
     if work.spoilt > 10 or control.fixed_step > 0.0:
-        work.code, work.phase = m.NOT_FINITE, m.END
-        return m.FINISH
-    return 0
+        work.code = m.NOT_FINITE
 
 
 @kernel_bare
-def got_new(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
-    """Accept the projected state, unless it is near a singular position, or was moved to another branch."""
+def _ended(run: Run) -> bool:
+    """Project and evaluate the new state, and find the interpolant if there is a need of it.
+
+    False where the end is near a singular position, or was moved to another branch.
+    """
+    control, memory, work = run.control, run.memory, run.work
     states, nf = work.states, control.free.size
     new = states[1]
+    put_state(control, states[2], work.try_t, work)
+    # the factors at hand are of the last stage; next to a singular position every digit counts
+    far = control.method != m.RADAU and work.lowest >= control.pivot_limit * memory.pivot_most
+    find(run, PROJECT | EVALUATE, 1 if far else 0)
     gather(control.free, work, new)
     moved = 0.0
     # how far the projection has moved the state, in units of the allowed error
@@ -289,11 +261,13 @@ def got_new(control: Control, memory: Memory, samples: Samples, work: Work) -> i
         moved += ((new[i] - states[2, i]) / states[4, i]) ** 2
     if control.fixed_step == 0.0:
         if _near(memory.pivot, work, 1.0, END_SHARE):
-            return _avoid_singular(memory, work, 1.0)
+            _avoid_singular(memory, work, 1.0)
+            return False
         if work.ok == 0.0 or not moved < 100.0 * nf + 1.0:
             work.error = 1e3
-            return _reject(control, memory, work)
-    _take_rate(control.free, work, 12)
+            _reject(control, memory, work)
+            return False
+    take_rate(control, work, work.stages[12])
     work.pivots[0], work.pivots[12] = memory.pivot, work.new_pivot
     where = crossed(work.pivots, memory.pivot_most)
     work.near_t = memory.t + where * work.try_h if where >= 0.0 else -math.inf
@@ -304,16 +278,13 @@ def got_new(control: Control, memory: Memory, samples: Samples, work: Work) -> i
         states[2, i] = new[i]
     passed = memory.t < work.near_t < work.try_t
     # at its end the state itself is the sample, but in a singular position
-    inside = samples.times[work.next_sample] < work.try_t or work.new_pivot < 2.0 * NEAR * memory.pivot_most
-    if (
-        passed
-        or memory.watched.size > 0
-        or (work.next_sample < work.last_sample and inside)
-        or _turns_far(control, memory, work)
-    ):
-        work.stage, work.end_stage = 13, 16
-        return _ask_stage(control, memory, work)
-    return _commit(control, memory, work)
+    inside = work.next_time < work.try_t or work.new_pivot < 2.0 * NEAR * memory.pivot_most
+    work.ends_only = 1
+    if passed or memory.watched.size > 0 or inside or _turns_far(control, memory, work):
+        work.ends_only = 0
+        _stages(run, 13, 16)
+        dense_coefficients(memory.y[0], states[2], work.stages, work.try_h, memory.dense)
+    return True
 
 
 @kernel_bare
@@ -324,17 +295,16 @@ def _turns_far(control: Control, memory: Memory, work: Work) -> bool:
     for k in range(2):
         for i in range(y.shape[1]):
             states[0, i] = states[2, i] if k == 0 else y[0, i]
-        ask_state(control.free, states[0], work.ask_t, work)
+        put_state(control, states[0], work.ask_t, work)
         fastest = max(fastest, turning(control, work))
     work.turning = fastest
     return fastest * work.try_h > TURN
 
 
 @kernel_bare
-def _commit(control: Control, memory: Memory, work: Work) -> int:
+def _commit(control: Control, memory: Memory, work: Work) -> None:
     """The new state, its rate, and the size of the next step."""
     h, error = work.try_h, work.error
-    memory.t_old, memory.h_old, memory.t = memory.t, h, work.try_t
     new, rate = work.states[2], work.stages[12]
     # state and rate at the end of the step
     for i in range(memory.y.shape[1]):
@@ -348,11 +318,6 @@ def _commit(control: Control, memory: Memory, work: Work) -> int:
     memory.h = grown if h >= memory.h or work.repeated > 0 else max(grown, min(memory.h, 6.0 * h))
     if control.fixed_step > 0.0:
         memory.h = h
-    memory.error_old, memory.pivot = max(error, 1e-4), work.end_pivot
-    memory.pivot_most = max(memory.pivot_most, memory.pivot)
-    memory.steps += 1
-    memory.series = 0
-    memory.alone = 0
+    memory.error_old = max(error, 1e-4)
+    accept(memory, h, work.try_t, work.end_pivot, 0)
     memory.stiff_steps = memory.stiff_steps + 1 if memory.stiffness > BOUNDARY else max(0, memory.stiff_steps - 1)
-    work.phase = m.COMMITTED
-    return 0

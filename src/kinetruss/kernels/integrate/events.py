@@ -17,12 +17,13 @@ from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find
 from kinetruss.kernels.integrate.roots import DEGREE, NODES, TO_BERNSTEIN, bernstein, roots
-from kinetruss.kernels.integrate.samples import ask_at, restore_failed
+from kinetruss.kernels.integrate.samples import put_at, restore_failed
 from kinetruss.kernels.integrate.state import Control, Memory, Work
 from kinetruss.kernels.structure.terms import term_value
 
-__all__ = ["begin_watch", "got_look", "got_root", "next_root", "scan", "wanted"]
+__all__ = ["begin_watch", "scan"]
 
 BAND, FORCE_BAND = 1e-12, 1e-10
 """Distance from its value at which a quantity counts as equal to it: relative to it and to a member, or the largest force."""
@@ -52,12 +53,6 @@ LAST = np.stack([np.cos(DEGREE * _PLACES) * _ENDS / DEGREE, 2.0 * np.cos((DEGREE
 
 
 @kernel_bare
-def wanted(control: Control, e: int) -> int:
-    """Request for a watched quantity: forces need the equations of motion."""
-    return m.PROJECT | m.EVALUATE if control.event_kind[e] == m.FORCE else m.PROJECT
-
-
-@kernel_bare
 def _sum(control: Control, x: F1, e: int) -> float:
     """The sum of the terms of quantity e."""
     total = 0.0
@@ -77,7 +72,7 @@ def _opposite(control: Control, work: Work, e: int) -> bool:
 
 @kernel_bare
 def _measure(control: Control, work: Work, e: int) -> tuple[float, float]:
-    """Quantity e less its value, from the reply of the driver, and the size of what it is compared with."""
+    """Quantity e less its value, in the state that was found, and the size of what it is compared with."""
     restore_failed(control, work)
     kind, value, x = control.event_kind[e], control.event_value[e], work.x
     a, b, scale = control.event_A[e], control.event_B[e], abs(value)
@@ -106,8 +101,13 @@ def _band(control: Control, e: int) -> float:
 
 
 @kernel_late
-def begin_watch(control: Control, memory: Memory, work: Work) -> None:
+def begin_watch(run: Run) -> None:
     """The side on which every quantity is at the start: 0 where it stands at its value."""
+    control, memory, work, forces = run.control, run.memory, run.work, False
+    for e in range(memory.watched.size):
+        forces = forces or control.event_kind[e] == m.FORCE
+    put_at(run, memory.t)
+    find(run, PROJECT | EVALUATE if forces else PROJECT, 0)
     # sign of g - g_0 at the start, 0 within round-off
     for e in range(memory.watched.size):
         gap, scale = _measure(control, work, e)
@@ -116,36 +116,32 @@ def begin_watch(control: Control, memory: Memory, work: Work) -> None:
 
 
 @kernel_late
-def scan(control: Control, memory: Memory, work: Work) -> int:
-    """Begin to look for events in the last step."""
-    work.before = memory.events_met
-    work.watch = -1
-    return _next_event(control, memory, work)
+def scan(run: Run) -> None:
+    """Enter the events in the last step."""
+    memory, work, before = run.memory, run.work, run.memory.events_met
+    for e in range(memory.watched.size):
+        work.roots_found = 0
+        if run.control.event_sampled[e]:
+            _sampled(run, e)
+        else:
+            _whole(run, e)
+        for k in range(work.roots_found):
+            if _drawn(run, e, work.roots[k]):
+                _keep(run, e, work.roots[k, 1])
+    _cut(memory, before)
 
 
 @kernel_bare
-def _next_event(control: Control, memory: Memory, work: Work) -> int:
-    """All roots of the next quantity; behind the last one, what comes behind events."""
-    work.watch += 1
-    work.roots_found, work.turn = 0, 0
-    if work.watch == memory.watched.size:
-        _cut(memory, work.before)
-        work.phase = m.CHECKS
-        return 0
-    if control.event_sampled[work.watch]:
-        pieces = work.spans
-        pieces[0, 0], pieces[0, 1], work.look, work.spans_left = 0.0, 1.0, 0, 1
-        work.right = 0.0
-        return _look(control, memory, work)
-    n, size = _polynomial(control, memory, work, work.watch)
-    value = abs(control.event_value[work.watch])
+def _whole(run: Run, e: int) -> None:
+    """All roots of a quantity that is a polynomial over the step."""
+    control, memory, work = run.control, run.memory, run.work
+    n, size = _polynomial(control, memory, work, e)
+    value = abs(control.event_value[e])
     scale = value + control.size
-    if control.event_kind[work.watch] == m.LENGTH:
+    if control.event_kind[e] == m.LENGTH:
         # a square is off by twice the length times its error
         scale *= max(2.0 * value, BAND * scale)
-    _isolate(memory, work, work.watch, n, max(BAND * scale, ROUND_OFF * size), START * BAND * scale, 0.0, 1.0)
-    work.phase = m.CROSSINGS
-    return 0
+    _isolate(memory, work, e, n, max(BAND * scale, ROUND_OFF * size), START * BAND * scale, 0.0, 1.0)
 
 
 @kernel_bare
@@ -229,106 +225,83 @@ def _polynomial(control: Control, memory: Memory, work: Work, e: int) -> tuple[i
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, work: Work, s: float, phase: int) -> int:
-    """Ask for the state at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
-    k = memory.interval
-    ask_at(control, memory, memory.t if s == 1.0 else memory.t_old + s * memory.h_old, work)
-    breaks = control.breaks
+def _measure_at(run: Run, e: int, s: float) -> tuple[float, float]:
+    """`_measure` at the fraction s of the step; a jump at either end belongs to the neighbouring step."""
+    control, memory, work = run.control, run.memory, run.work
+    breaks, k = control.breaks, memory.interval
+    put_at(run, memory.t if s == 1.0 else memory.t_old + s * memory.h_old)
     work.ask_t = min(max(work.ask_t, breaks[1, k]), breaks[2, k])
-    work.phase = phase
-    return wanted(control, work.watch)
+    find(run, PROJECT | EVALUATE if control.event_kind[e] == m.FORCE else PROJECT, 0)
+    return _measure(control, work, e)
 
 
 @kernel_bare
-def _look(control: Control, memory: Memory, work: Work) -> int:
-    """Ask for the next sample of a piece of the step."""
-    piece = work.spans[work.spans_left - 1]
-    s = piece[0] + piece[1] * NODES[work.look] if work.look < DEGREE else piece[0] + piece[1]
-    return _ask(control, memory, work, s, m.GOT_LOOK)
+def _sampled(run: Run, e: int) -> None:
+    """All roots of a quantity that is sampled, piece by piece of the step, in halves until its polynomial has converged."""
+    control, memory, work = run.control, run.memory, run.work
+    pieces, P, count = work.spans, work.polynomials, 1
+    pieces[0, 0], pieces[0, 1] = 0.0, 1.0
+    work.right = 0.0
+    while count > 0:
+        low, width, last = pieces[count - 1, 0], pieces[count - 1, 1], 0.0
+        for i in range(DEGREE + 1):
+            gap, scale = _measure_at(run, e, low + width * NODES[i] if i < DEGREE else low + width)
+            P[0, i], work.right = gap, max(work.right, scale)
+        # the last two Chebyshev coefficients tell whether the interpolant has converged
+        for r in range(2):
+            total = 0.0
+            for k in range(DEGREE + 1):
+                total += LAST[r, k] * P[0, k]
+            last = larger(last, abs(total))
+        if not last <= CONVERGED * work.right and width > NARROWEST:
+            half = 0.5 * width
+            pieces[count - 1, 0], pieces[count - 1, 1] = low + half, half
+            pieces[count, 0], pieces[count, 1] = low, half
+            count += 1
+            continue
+        # from samples at Chebyshev's places to Bernstein coefficients
+        for i in range(DEGREE + 1):
+            P[3, i] = 0.0
+            for k in range(DEGREE + 1):
+                P[3, i] += TO_BERNSTEIN[i, k] * P[0, k]
+        band = _band(control, e) * work.right
+        _isolate(memory, work, e, DEGREE, band, START * band, low, width)
+        count -= 1
 
 
-@kernel_late
-def got_look(control: Control, memory: Memory, work: Work) -> int:
-    """A sample; behind the last one of a piece its roots, or its halves."""
-    pieces, P = work.spans, work.polynomials
-    gap, scale = _measure(control, work, work.watch)
-    P[0, work.look], work.right = gap, max(work.right, scale)
-    work.look += 1
-    if work.look <= DEGREE:
-        return _look(control, memory, work)
-    work.look = 0
-    last, low, width = 0.0, pieces[work.spans_left - 1, 0], pieces[work.spans_left - 1, 1]
-    # the last two Chebyshev coefficients tell whether the interpolant has converged
-    for r in range(2):
-        total = 0.0
-        for k in range(DEGREE + 1):
-            total += LAST[r, k] * P[0, k]
-        last = larger(last, abs(total))
-    if not last <= CONVERGED * work.right and width > NARROWEST:
-        half = 0.5 * width
-        pieces[work.spans_left - 1, 0], pieces[work.spans_left - 1, 1] = low + half, half
-        pieces[work.spans_left, 0], pieces[work.spans_left, 1] = low, half
-        work.spans_left += 1
-        return _look(control, memory, work)
-    # from samples at Chebyshev's places to Bernstein coefficients
-    for i in range(DEGREE + 1):
-        P[3, i] = 0.0
-        for k in range(DEGREE + 1):
-            P[3, i] += TO_BERNSTEIN[i, k] * P[0, k]
-    band = _band(control, work.watch) * work.right
-    _isolate(memory, work, work.watch, DEGREE, band, START * band, low, width)
-    work.spans_left -= 1
-    if work.spans_left > 0:
-        return _look(control, memory, work)
-    work.phase = m.CROSSINGS
-    return 0
+@kernel_bare
+def _drawn(run: Run, e: int, root: F1) -> bool:
+    """The place of a root into BEST, a steep one drawn to where the projected state has the value; False where that is another.
 
-
-@kernel_late
-def next_root(control: Control, memory: Memory, work: Work) -> int:
-    """Enter the next root of a quantity; a steep one is first drawn to where the projected state has the value."""
-    if work.turn >= work.roots_found:
-        return _next_event(control, memory, work)
-    row = work.roots[work.turn]
-    work.best, work.left, work.left_f, work.look = row[0], row[0], math.inf, 0
-    if row[2] == 0.0 and control.event_kind[work.watch] != m.SUM:
-        return _keep(control, memory, work)
-    return _ask(control, memory, work, row[0], m.GOT_ROOT)
-
-
-@kernel_late
-def got_root(control: Control, memory: Memory, work: Work) -> int:
-    """What the projected state still lacks at LEFT; Newton's method with the slope of the polynomial, as long as it gains."""
-    row = work.roots[work.turn]
-    gap, scale = _measure(control, work, work.watch)
-    if _opposite(control, work, work.watch):
-        work.turn += 1
-        work.phase = m.CROSSINGS
-        return 0
-    if not abs(gap) < 0.5 * work.left_f:
-        return _keep(control, memory, work)
-    work.best, work.left_f = work.left, abs(gap)
-    slope, e = row[2], work.watch
+    Newton's method with the slope of the polynomial, as long as it gains.
+    """
+    control, work, slope = run.control, run.work, root[2]
+    work.best, work.left, work.left_f = root[0], root[0], math.inf
+    if slope == 0.0 and control.event_kind[e] != m.SUM:
+        return True
     if control.event_kind[e] == m.LENGTH and not control.event_sampled[e]:
         slope /= 2.0 * abs(control.event_value[e])
-    new = work.left - gap / slope if slope != 0.0 else work.left
-    work.look += 1
-    if abs(gap) <= 1e-16 * scale or work.look > TURNS or not abs(new - row[0]) <= 1e-3 or not 0.0 <= new <= 1.0:
-        return _keep(control, memory, work)
-    work.left = new
-    return _ask(control, memory, work, new, m.GOT_ROOT)
+    for _ in range(TURNS + 1):
+        gap, scale = _measure_at(run, e, work.left)
+        if _opposite(control, work, e):
+            return False
+        if not abs(gap) < 0.5 * work.left_f:
+            break
+        work.best, work.left_f = work.left, abs(gap)
+        new = work.left - gap / slope if slope != 0.0 else work.left
+        if abs(gap) <= 1e-16 * scale or not abs(new - root[0]) <= 1e-3 or not 0.0 <= new <= 1.0:
+            break
+        work.left = new
+    return True
 
 
 @kernel_bare
-def _keep(control: Control, memory: Memory, work: Work) -> int:
+def _keep(run: Run, e: int, way: float) -> None:
     """Enter an event in its place by time, if it comes from the wanted side."""
-    kept = memory.events
-    e, s, k = work.watch, work.best, memory.events_met
-    way = work.roots[work.turn, 1]
-    work.turn += 1
-    work.phase = m.CROSSINGS
+    control, memory = run.control, run.memory
+    kept, s, k = memory.events, run.work.best, memory.events_met
     if control.event_direction[e] * way < 0.0:
-        return 0
+        return
     t = memory.t if s == 1.0 else memory.t_old + s * memory.h_old
     if control.event_stops[e] and t < memory.stop:
         memory.stop = t
@@ -340,7 +313,6 @@ def _keep(control: Control, memory: Memory, work: Work) -> int:
             k -= 1
         kept[k, 0], kept[k, 1], kept[k, 2], kept[k, 3] = e, t, way, control.event_value[e]
     memory.events_met += 1
-    return 0
 
 
 @kernel_bare

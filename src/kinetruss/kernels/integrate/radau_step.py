@@ -12,7 +12,9 @@ from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.record import F0, F1, F2, I0, Record, record
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.dop853_step import LEAST, target
+from kinetruss.kernels.integrate.answers import Run, put_state
+from kinetruss.kernels.integrate.dop853_step import dop853_step
+from kinetruss.kernels.integrate.loop import LEAST, accept, goes_on, target
 from kinetruss.kernels.integrate.radau_matrices import (
     AA,
     EA,
@@ -27,14 +29,15 @@ from kinetruss.kernels.integrate.radau_matrices import (
     factor_both,
     filtered,
     matrices_at,
+    new_matrices,
     smaller_step,
     solve_both,
     step_behind,
 )
-from kinetruss.kernels.integrate.state import Control, Memory, Work
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.solve.kkt import accelerate_under, evaluate, factor, prepare_rows, project_near
 from kinetruss.kernels.structure.applied import applied
-from kinetruss.kernels.structure.equations import Equations, Workspace
+from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.laws import law_tension, length_rate
 
 LATER = 4.0
@@ -151,8 +154,9 @@ def _turned(table: F2, r: F2) -> None:
 
 
 @kernel_bare
-def _residuals(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, own: Stages) -> None:
+def _residuals(run: Run, own: Stages) -> None:
     """r = a - F of all stages; their pivots."""
+    eq, ws, control, memory, work = run.eq, run.ws, run.control, run.memory, run.work
     free, x, v, a, k = control.free, work.x, work.v, work.a, memory.interval
     for s in range(3):
         # a jump at either end belongs to the neighbouring step
@@ -166,7 +170,7 @@ def _residuals(eq: Equations, ws: Workspace, user: int, control: Control, memory
             prepare_rows(eq, ws, t, x, v)
             pivot = factor(eq, ws, x)
         own.pivots[1 + s] = pivot
-        applied(eq, user, t, x, v, ws.f)
+        applied(eq, run.user, t, x, v, ws.f)
         _swap_tensions(eq, x, v, own.S[s], own.q[s], ws.f)
         accelerate_under(eq, ws, x, v, a, work.N)
         memory.evaluations += 1
@@ -209,11 +213,10 @@ def _improve(eq: Equations, control: Control, matrices: Matrices, memory: Memory
 
 
 @kernel_bare
-def _tensions(eq: Equations, control: Control, memory: Memory, work: Work, own: Stages) -> None:
+def _tensions(run: Run, own: Stages) -> None:
     """Tensions of laws as they are at the start into S."""
-    free, x, v = control.free, work.x, work.v
-    for i in range(free.size):
-        x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, free.size + i]
+    eq, memory, x, v = run.eq, run.memory, run.work.x, run.work.v
+    put_state(run.control, memory.y[0], memory.t, run.work)
     for k in range(own.S.shape[1]):
         L, _, Ld = length_rate(x, v, eq.law_A[k], eq.law_B[k])
         for s in range(3):
@@ -221,16 +224,15 @@ def _tensions(eq: Equations, control: Control, memory: Memory, work: Work, own: 
 
 
 @kernel_bare
-def solve_stages(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, matrices: Matrices, own: Stages
-) -> int:
+def solve_stages(run: Run, matrices: Matrices, own: Stages) -> int:
     """Newton's method for the stages of a step. 1 where it converged, 0 where not, -1 where numbers are not finite."""
+    eq, control, memory = run.eq, run.control, run.memory
     enough, last, rate = min(0.03, math.sqrt(own.rtol)), math.inf, 1.0
     _extrapolate(memory, own)
     _place(memory, own)
-    _tensions(eq, control, memory, work, own)
+    _tensions(run, own)
     for iteration in range(MOST):
-        _residuals(eq, ws, user, control, memory, work, own)
+        _residuals(run, own)
         change = _improve(eq, control, matrices, memory, own)
         memory.newtons += 1
         own.iterations = iteration + 1
@@ -285,14 +287,13 @@ def _estimate(control: Control, matrices: Matrices, gain: F1, faster: F1, own: S
 
 
 @kernel_bare
-def _error(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, matrices: Matrices, own: Stages
-) -> float:
+def _error(run: Run, matrices: Matrices, own: Stages) -> float:
     """The error of the step, in parts of that allowed.
 
     At the start and behind a rejected step, a large one is estimated anew with the rates beside the start by the error: parts
     that a stiff law forgets at once count no longer (Hairer & Wanner II, eq. IV.8.21).
     """
+    control, memory, work = run.control, run.memory, run.work
     free, nf, y, x, v = control.free, own.a.shape[1], memory.y, work.x, work.v
     gain, faster = own.r[0], own.r[1]
     for i in range(nf):
@@ -303,7 +304,8 @@ def _error(
     for i in range(nf):
         x[free[i]], v[free[i]] = y[0, i] + own.error[0, i], y[0, nf + i] + own.error[1, i]
         faster[i] = own.error[1, i]
-    evaluate(eq, ws, user, max(memory.t, control.breaks[1, memory.interval]), x, v, work.a, ws.multiplier)
+    start = max(memory.t, control.breaks[1, memory.interval])
+    evaluate(run.eq, run.ws, run.user, start, x, v, work.a, run.ws.multiplier)
     memory.evaluations += 1
     for i in range(nf):
         gain[i] = work.a[free[i]]
@@ -334,13 +336,14 @@ def _near_singular(memory: Memory, own: Stages) -> float:
 
 
 @kernel_bare
-def _project_end(eq: Equations, ws: Workspace, control: Control, work: Work, t: float, own: Stages) -> bool:
+def _project_end(run: Run, t: float, own: Stages) -> bool:
     """Project the end of the step into x and v of the work. False where it is not believed."""
+    control, work = run.control, run.work
     free, x, v, nf = control.free, work.x, work.v, control.free.size
     for i in range(nf):
         x[free[i]], v[free[i]] = own.x[2, i], own.v[2, i]
     # the factors at hand are of the last stage but for the last change
-    ok, work.moved, _, work.end_pivot = project_near(eq, ws, t, x, v, control.tolerance, True)
+    ok, work.moved, _, work.end_pivot = project_near(run.eq, run.ws, t, x, v, control.tolerance, True)
     off = 0.0
     for i in range(nf):
         off += ((x[free[i]] - own.x[2, i]) / own.scale[i]) ** 2 + ((v[free[i]] - own.v[2, i]) / own.scale[nf + i]) ** 2
@@ -371,37 +374,31 @@ def _keep(control: Control, memory: Memory, work: Work, t: float, own: Stages) -
         y[2, i], y[2, nf + i] = own.a[0, i], own.a[1, i]
     for k in range(work.N.size):
         memory.multiplier[k] = work.N[k]
-    memory.series, memory.alone = 1, 0
-    memory.steps += 1
-    memory.t_old, memory.h_old, memory.t = memory.t, h, t
-    memory.pivot, memory.constraint = work.end_pivot, work.moved
-    memory.pivot_most = max(memory.pivot_most, work.end_pivot)
-    work.end_stage = 0
+    memory.constraint = work.moved
+    accept(memory, h, t, work.end_pivot, 1)
 
 
 @kernel_bare
-def _begin(eq: Equations, ws: Workspace, control: Control, memory: Memory, work: Work, matrices: Matrices, own: Stages) -> None:
+def _begin(run: Run, matrices: Matrices, own: Stages) -> None:
     """The matrices at the start of the step."""
     if own.stiff:
-        x, v, free = work.x, work.v, control.free
-        for i in range(free.size):
-            x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, free.size + i]
-        matrices_at(eq, ws, control, memory.t, x, v, memory.multiplier, matrices)
+        control, memory, x, v = run.control, run.memory, run.work.x, run.work.v
+        put_state(control, memory.y[0], memory.t, run.work)
+        matrices_at(run.eq, run.ws, control, memory.t, x, v, memory.multiplier, matrices)
 
 
 @kernel_bare
-def _try(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, matrices: Matrices, own: Stages
-) -> int:
+def _try(run: Run, matrices: Matrices, own: Stages) -> int:
     """Stages and error of a step of the size in hand. 1 : good; 0 : no error is known; -1 : numbers are not finite; ASIDE.
 
     The error is left in `error` of the work.
     """
+    control, memory, work = run.control, run.memory, run.work
     fixed = control.fixed_step > 0.0
     work.error, work.near_t = math.inf, -math.inf
     if own.stiff:
         factor_both(control, own.h, matrices)
-    found = solve_stages(eq, ws, user, control, memory, work, matrices, own)
+    found = solve_stages(run, matrices, own)
     if found != 1:
         return found
     near = _near_singular(memory, own)
@@ -409,7 +406,7 @@ def _try(
         return ASIDE
     if near >= 0.0:
         work.near_t = memory.t + near * own.h
-    work.error = _error(eq, ws, user, control, memory, work, matrices, own)
+    work.error = _error(run, matrices, own)
     return 1
 
 
@@ -425,26 +422,25 @@ def _next_size(memory: Memory, h: float, error: float, tries: int, own: Stages) 
 
 
 @kernel_bare
-def radau_step(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, matrices: Matrices, own: Stages
-) -> int:
+def radau_step(run: Run, matrices: Matrices, own: Stages) -> int:
     """One step. 1 where it is taken, 0 where there is none (`code` of the work says why), ASIDE."""
+    control, memory, work = run.control, run.memory, run.work
     fixed, h, spoilt, tries = control.fixed_step, memory.h, 0, 0
     own.pivots[0] = memory.pivot
     if memory.pivot < LOW * memory.pivot_most and fixed == 0.0:
         return ASIDE
-    _begin(eq, ws, control, memory, work, matrices, own)
+    _begin(run, matrices, own)
     while True:
         h, t = target(control, memory, fixed if fixed > 0.0 else h)
         if not h > LEAST * max(abs(memory.t), control.t_end - memory.t_start):
             work.code = m.STEP_TOO_SMALL if spoilt == 0 else m.NOT_FINITE
             return 0
         own.h, own.again = h, 1 if fixed == 0.0 and (tries > 0 or memory.steps == 0) else 0
-        found = _try(eq, ws, user, control, memory, work, matrices, own)
+        found = _try(run, matrices, own)
         if found == ASIDE:
             return ASIDE
         if found == 1 and (work.error <= 1.0 or (fixed > 0.0 and work.error < math.inf)):
-            if _project_end(eq, ws, control, work, t, own):
+            if _project_end(run, t, own):
                 break
             work.error = 1e3
         memory.rejected += 1
@@ -457,3 +453,17 @@ def radau_step(
     memory.h = _next_size(memory, h, work.error, tries, own)
     _keep(control, memory, work, t, own)
     return 1
+
+
+@kernel
+def radau_steps(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    laws = run.eq.law_A.size
+    _steps(run, samples, new_matrices(run.control, laws), new_stages(run.control, laws))
+
+
+@kernel_bare
+def _steps(run: Run, samples: Samples, matrices: Matrices, own: Stages) -> None:
+    while goes_on(run, samples):
+        if radau_step(run, matrices, own) == ASIDE:
+            dop853_step(run)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, I1
 from kinetruss.kernels.compiled.words import view
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state, rule_of_fixed_steps
 from kinetruss.kernels.integrate.dop853 import interpolate, interpolate_rate
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
+from kinetruss.kernels.structure.lengths import line_turning
 from kinetruss.kernels.structure.terms import term_along, term_gradient
 
 
@@ -56,23 +58,9 @@ FAR = 1e-3
 """Largest correction of a sample, in lengths of members; a larger one has led to another branch."""
 
 
-@kernel_inline
-def ask_state(free: I1, y: F1, t: float, work: Work) -> None:
-    """Request the driver for the state y at t (s)."""
-    nf, x, v, extra = free.size, work.x, work.v, work.extra
-    # free coordinates of y = (x, v, z)
-    for i in range(nf):
-        x[free[i]] = y[i]
-        v[free[i]] = y[nf + i]
-    # extra states z
-    for i in range(extra.size):
-        extra[i] = y[2 * nf + i]
-    work.ask_t = t
-
-
 @kernel_bare
 def gather(free: I1, work: Work, y: F1) -> None:
-    """The state of the reply into y."""
+    """The state that was found into y."""
     nf, x, v, extra = free.size, work.x, work.v, work.extra
     # free coordinates into y = (x, v, z)
     for i in range(nf):
@@ -84,28 +72,29 @@ def gather(free: I1, work: Work, y: F1) -> None:
 
 
 @kernel_bare
-def ask_at(control: Control, memory: Memory, t: float, work: Work) -> None:
-    """Request the driver for the state at a time t (s) of the last step; it stays in STATES[0] too."""
-    h, y = memory.h_old, work.states[0]
+def put_at(run: Run, t: float) -> None:
+    """Put down the state at a time t (s) of the last step for `find`; it stays in STATES[0] too."""
+    memory, y = run.memory, run.work.states[0]
+    h = memory.h_old
     if h == 0.0 or t == memory.t:
         # at its end, the state itself rather than its interpolant
         for i in range(y.size):
             y[i] = memory.y[0, i]
     else:
         state_within(memory, (t - memory.t_old) / h, y)
-    ask_state(control.free, y, t, work)
+    put_state(run.control, y, t, run.work)
 
 
 @kernel_bare
 def restore_failed(control: Control, work: Work) -> None:
     """Where a projection failed, as it may in a singular position, go back to that in STATES[0]."""
     if work.ok == 0.0 or work.moved > FAR * control.size:
-        ask_state(control.free, work.states[0], work.ask_t, work)
+        put_state(control, work.states[0], work.ask_t, work)
 
 
 @kernel_bare
 def _write(control: Control, memory: Memory, samples: Samples, k: int, work: Work) -> None:
-    """Fill sample k with the reply of the driver."""
+    """Fill sample k with what was found."""
     t, pivot = work.ask_t, work.new_pivot
     restore_failed(control, work)
     if pivot < NEAR * memory.pivot_most and memory.h_old != 0.0:
@@ -130,31 +119,6 @@ def _write(control: Control, memory: Memory, samples: Samples, k: int, work: Wor
 
 
 @kernel_bare
-def next_sample(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
-    """Ask for the next sample within the last step, or for the state at an event that stops: the last one, at that time.
-
-    Returns what is asked, 0 where there is none.
-    """
-    stop, k = memory.stop, work.next_sample
-    if k >= work.last_sample:
-        return 0
-    t, end = samples.times[k], memory.t
-    # steps of fixed size end where samples are wanted, but for round-off
-    slack = 0.0 if work.explicit else 1e-9 * memory.h_old
-    if t <= min(end + slack, stop):
-        work.phase = m.GOT_SAMPLE
-        if abs(t - end) <= slack:
-            t = end
-    elif stop <= memory.t:
-        samples.times[k] = t = stop
-        work.phase = m.GOT_LAST
-    else:
-        return 0
-    ask_at(control, memory, t, work)
-    return m.EVALUATE if _as_it_is(control, memory, t, work) else m.PROJECT | m.EVALUATE
-
-
-@kernel_bare
 def _as_it_is(control: Control, memory: Memory, t: float, work: Work) -> bool:
     """True for a state that is reported as it is.
 
@@ -171,21 +135,28 @@ def _as_it_is(control: Control, memory: Memory, t: float, work: Work) -> bool:
 
 
 @kernel_bare
-def got_sample(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
-    """Write a sample; look for the next."""
-    _write(control, memory, samples, work.next_sample, work)
-    work.next_sample += 1
-    work.phase = m.LOOP
-    return 0
-
-
-@kernel_bare
-def got_last(control: Control, memory: Memory, samples: Samples, work: Work) -> int:
-    """Write the state at an event that stops."""
-    got_sample(control, memory, samples, work)
-    work.code = m.EVENT
-    work.phase = m.END
-    return m.FINISH
+def write_due(run: Run, samples: Samples) -> None:
+    """Write the samples within the last step, or up to an event that stops: the last one, at that time."""
+    control, memory, work = run.control, run.memory, run.work
+    # steps of fixed size end where samples are wanted, but for round-off
+    slack = 1e-9 * memory.h_old if rule_of_fixed_steps(control) else 0.0
+    while work.next_sample < work.last_sample:
+        k, stop, end = work.next_sample, memory.stop, memory.t
+        t = samples.times[k]
+        if t <= min(end + slack, stop):
+            if abs(t - end) <= slack:
+                t = end
+        elif stop <= memory.t:
+            samples.times[k] = t = stop
+            work.code = m.EVENT
+        else:
+            return
+        put_at(run, t)
+        find(run, EVALUATE if _as_it_is(control, memory, t, work) else PROJECT | EVALUATE, 0)
+        _write(control, memory, samples, k, work)
+        work.next_sample += 1
+        if work.code == m.EVENT:
+            return
 
 
 # States between samples: kept where something turns so far from one sample to the next that whole turns could be lost.
@@ -200,17 +171,10 @@ TURN = 0.7
 
 @kernel_bare
 def turning(control: Control, work: Work) -> float:
-    """The fastest turning (rad/s) in the state of the last reply."""
+    """The fastest turning (rad/s) in the state that was put down."""
     x, v, pairs, fastest = work.x, work.v, control.pairs, 0.0
-    # |d x d'|/|d|^2: angular rate of each line between two nodes
     for k in range(pairs.shape[0]):
-        a, b = pairs[k, 0], pairs[k, 1]
-        dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-        ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
-        square = dx * dx + dy * dy + dz * dz
-        px, py, pz = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex
-        if square > 0.0:
-            fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+        fastest = max(fastest, line_turning(x, v, pairs[k, 0], pairs[k, 1]))
     ptr, form = control.angle_ptr, control.angle_form
     at, data = control.angle_at, control.angle_data
     scratch = view(work.pivots, 0, 12)
@@ -240,7 +204,7 @@ def _fastest(control: Control, memory: Memory, work: Work) -> float:
     # at both ends and in the middle of the step
     for k in range(3):
         state_within(memory, 0.5 * k, y)
-        ask_state(control.free, y, memory.t, work)
+        put_state(control, y, memory.t, work)
         fastest = max(fastest, turning(control, work))
     return fastest
 
@@ -270,7 +234,7 @@ def keep_between(control: Control, memory: Memory, samples: Samples, work: Work)
     if control.pairs.shape[0] == 0 or memory.h_old == 0.0:
         return
     # DOP853 has its interpolant only where it was asked for
-    inside = work.end_stage != 12 or memory.series != 0
+    inside = work.ends_only == 0 or memory.series != 0
     turn = (_fastest(control, memory, work) if inside else work.turning) * memory.h_old
     s, k, turned = 0.0, work.next_sample, memory.turned
     # along the step, next comes either a sample or the place where the turning since the last state adds up to TURN

@@ -12,11 +12,11 @@ from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.answers import PIVOT, PROJECT, Run, find, rule_of_fixed_steps
 from kinetruss.kernels.integrate.dop853 import C
-from kinetruss.kernels.integrate.samples import ask_at
-from kinetruss.kernels.integrate.state import Control, Memory, Work
+from kinetruss.kernels.integrate.samples import put_at
 
-__all__ = ["begin_passage", "crossed", "passage_left", "passage_middle", "passage_right", "passage_vertex", "size_avoiding"]
+__all__ = ["crossed", "enter_passage", "size_avoiding"]
 
 SINGULAR = 1e-3
 """Scaled pivot, in parts of the largest one met, of a position that counts as singular."""
@@ -69,72 +69,45 @@ def crossed(pivots: F1, most: float) -> float:
 
 
 @kernel_bare
-def _ask(control: Control, memory: Memory, work: Work, t: float, phase: int) -> int:
-    ask_at(control, memory, min(max(t, memory.t_old), memory.t), work)
-    work.phase = phase
-    near = work.explicit != 0 and memory.constraint < NEAR * control.size
-    return m.PIVOT_ONLY if near else m.PROJECT | m.PIVOT_ONLY
+def _pivot_at(run: Run, t: float) -> float:
+    """The smallest scaled pivot at a time t (s) of the last step; the time itself is left in `ask_t`."""
+    control, memory = run.control, run.memory
+    put_at(run, min(max(t, memory.t_old), memory.t))
+    near = not rule_of_fixed_steps(control) and memory.constraint < NEAR * control.size
+    find(run, PIVOT if near else PROJECT | PIVOT, 0)
+    return run.work.new_pivot
 
 
 @kernel_late
-def begin_passage(control: Control, memory: Memory, work: Work) -> int:
-    """Look for the time of the smallest scaled pivot in the last step, near `Work.near_t`.
+def enter_passage(run: Run) -> None:
+    """Enter the time of the smallest scaled pivot in the last step, near `Work.near_t`, if it is small enough.
 
     The pivot falls and rises in proportion to the distance: its square is a parabola, whose vertex is found from three points.
+    The branch is certain where all stages kept their distance.
     """
+    memory, work = run.memory, run.work
+    # what is kept in `work` is rounded there: a product that goes on in a sum would not be
     work.width = 0.1 * memory.h_old
-    work.turn = 0
     low, high = memory.t_old + work.width, memory.t - work.width
-    return _ask(control, memory, work, min(max(work.near_t, low), high), m.PASSAGE_MIDDLE)
-
-
-@kernel_late
-def passage_middle(control: Control, memory: Memory, work: Work) -> int:
-    """The first of three points."""
-    work.best, work.best_f = work.ask_t, work.new_pivot**2
-    return _ask(control, memory, work, work.best - work.width, m.PASSAGE_LEFT)
-
-
-@kernel_late
-def passage_left(control: Control, memory: Memory, work: Work) -> int:
-    """The second of three points."""
-    work.left_f = work.new_pivot**2
-    return _ask(control, memory, work, work.best + work.width, m.PASSAGE_RIGHT)
-
-
-@kernel_late
-def passage_right(control: Control, memory: Memory, work: Work) -> int:
-    """The third of three points: on to the vertex."""
-    left, right = work.left_f, work.new_pivot**2
-    second = left - 2.0 * work.best_f + right
-    if not second > 0.0:
-        return _keep(memory, work)
-    return _ask(control, memory, work, work.best + 0.5 * work.width * (left - right) / second, m.PASSAGE_VERTEX)
-
-
-@kernel_late
-def passage_vertex(control: Control, memory: Memory, work: Work) -> int:
-    """A better time; three nearer points around it, or the end of the search."""
-    square = work.new_pivot**2
-    if square < work.best_f:
-        work.best, work.best_f = work.ask_t, square
-    work.width *= 0.1
-    work.turn += 1
-    inside = work.best - work.width > memory.t_old and work.best + work.width < memory.t
-    if work.turn == TURNS or not inside or work.best_f < 1e-10:
-        return _keep(memory, work)
-    return _ask(control, memory, work, work.best - work.width, m.PASSAGE_LEFT)
-
-
-@kernel_bare
-def _keep(memory: Memory, work: Work) -> int:
-    """Enter the passage; its branch is certain where all stages kept their distance."""
-    k = memory.passages_met
-    work.phase = m.SCAN
+    work.best_f = _pivot_at(run, min(max(work.near_t, low), high)) ** 2
+    work.best = work.ask_t
+    for _ in range(TURNS):
+        work.left_f = _pivot_at(run, work.best - work.width) ** 2
+        left, right = work.left_f, _pivot_at(run, work.best + work.width) ** 2
+        second = left - 2.0 * work.best_f + right
+        if not second > 0.0:
+            break
+        square = _pivot_at(run, work.best + 0.5 * work.width * (left - right) / second) ** 2
+        if square < work.best_f:
+            work.best, work.best_f = work.ask_t, square
+        work.width *= 0.1
+        inside = work.best - work.width > memory.t_old and work.best + work.width < memory.t
+        if not inside or work.best_f < 1e-10:
+            break
     if work.best_f > (SINGULAR * memory.pivot_most) ** 2:
-        return 0
+        return
+    k = memory.passages_met
     if k < memory.passages.shape[0]:
         row = memory.passages[k]
         row[0], row[1], row[2] = work.best, work.best_f**0.5, 1.0 if work.near < m.TRIES else 0.0
     memory.passages_met = k + 1
-    return 0

@@ -17,6 +17,7 @@ from kinetruss.kernels.coordinates.tape import Tape
 __all__ = ["Control", "Memory", "Work", "Samples", "new_memory"]
 
 # how a call ends
+GOING = -1
 DONE = 0
 PAUSED = 1
 EVENT = 2
@@ -39,14 +40,6 @@ LENGTH, COORDINATE, FORCE, SUM = 0, 1, 2, 3
 
 # other sizes tried for a step whose stages come near a singular position
 TRIES = 8
-# Work.explicit: 0 where steps are of fixed size, 1 for DOP853
-BY_SERIES, BY_COLLOCATION = 2, 3
-# requests to the driver, as bits; PROJECT comes before EVALUATE; PIVOT_ONLY is the smallest one without accelerations
-PROJECT, EVALUATE, ENERGY, STEP, FINISH, PIVOT_ONLY = 1, 2, 4, 8, 16, 32
-# phases: which part of the machine takes the reply
-(BEGIN, START_RATE, START_ENERGY, START_WATCH, LOOP, GOT_SAMPLE, GOT_LAST, TRY, GOT_STAGE, GOT_NEW, GOT_STEP, COMMITTED,
- PASSAGE_MIDDLE, PASSAGE_LEFT, PASSAGE_RIGHT, PASSAGE_VERTEX, SCAN, GOT_LOOK, CROSSINGS, GOT_ROOT, CHECKS, GOT_ENERGY, JUMP,
- GOT_JUMP, END) = range(25)  # fmt: skip
 
 
 @record
@@ -128,10 +121,11 @@ _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_form": (0, 3), "angle_at"
 class Control(Record):
     """What a method is asked for, in one record.
 
-    Numbers: what the method is asked for. stand (3 n,) : where prescribed coordinates stand, m. free (nf,) : flat coordinates
-    of a state. length (nf,) : m, what errors in position are measured in. breaks (3, k + 1) : start, times at which something
-    jumps, end of the run, s; first and last time of the interval behind each at which equations are evaluated. pairs (k, 2) :
-    flat coordinates of the ends of what turns; angles angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
+    Numbers: what the method is asked for; steps_at : address of its steps (integrate.loop). stand (3 n,) : where prescribed
+    coordinates stand, m. free (nf,) : flat coordinates of a state. length (nf,) : m, what errors in position are measured
+    in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the interval
+    behind each at which equations are evaluated. pairs (k, 2) : flat coordinates of the ends of what turns; angles
+    angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
     tape_ints, tape_reals : buffers of the tape of all sums, for power series; tape_laws (k, 5) : rest, period, force at rest,
     stiffness and damping of the elements on coordinates among them.
     Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE, SUM; event_A, event_B (e,) flat coordinates, A of a force
@@ -155,6 +149,7 @@ class Control(Record):
     size: F0
     method: F0
     orders: F0
+    steps_at: I0
     ptr: I1
     below: I1
     target: I1
@@ -208,13 +203,13 @@ class Control(Record):
 class Samples(NamedTuple):
     """Output arrays. times (s,); x, v, a (s, 3 n); N (s, rows); z (s, extra); diagnostics (s, 6)."""
 
-    times: NDArray[np.float64]
-    x: NDArray[np.float64]
-    v: NDArray[np.float64]
-    a: NDArray[np.float64]
-    N: NDArray[np.float64]
-    z: NDArray[np.float64]
-    diagnostics: NDArray[np.float64]
+    times: F1
+    x: F2
+    v: F2
+    a: F2
+    N: F2
+    z: F2
+    diagnostics: F2
 
     def part(self, first: int, last: int | None = None) -> Samples:
         """The output arrays of the samples first:last alone, a view."""
@@ -225,10 +220,10 @@ class Samples(NamedTuple):
 class Work(Record):
     """Scratch of a call; nothing in it lasts.
 
-    Of the machine: phase, what it asks and whom; next_sample, last_sample; budget; code; stage, end_stage. explicit : 0 where
-    steps are of fixed size, 1 for DOP853, BY_SERIES, BY_COLLOCATION. Question: ask_t; answers: ok, moved, new_pivot, kinetic,
-    potential.
-    The step that is tried: try_h, try_t, size_h, error, ...; the search for a passage: left, right, best, and their values.
+    code : how the call ends, GOING until then; begun : 1 behind its first look; next_sample, last_sample; next_time : when the
+    next one is due, s; budget : steps left. Question: ask_t; answers: ok, moved, new_pivot, kinetic, potential; tolerance : of
+    projections. The step that is tried: try_h, try_t, size_h, error, ...; ends_only : 1 where it has no interpolant. The search
+    for a passage or an event: left, right, best, and their values.
     Accelerations lost in round-off: round_off by a stage, start_round_off by the start of the step, round_off_error in parts of
     what its error may be. factored : smallest pivot of the factors at hand where they are of the state at the end of the last
     step, else -1. turning : how far, at most, anything turns in the step at hand, rad. pivots (14,) of the stages.
@@ -236,24 +231,19 @@ class Work(Record):
     degree: polynomials (5, D + 1), stack (., D + 3), piece_roots and roots (., 3), spans (., 2).
     """
 
-    phase: I0
     next_sample: I0
     last_sample: I0
     budget: I0
     code: I0
-    stage: I0
-    end_stage: I0
+    begun: I0
     near: I0
     spoilt: I0
     repeated: I0
-    look: I0
-    watch: I0
-    turn: I0
-    before: I0
-    explicit: I0
     resized: I0
+    ends_only: I0
     roots_found: I0
-    spans_left: I0
+    next_time: F0
+    tolerance: F0
     ask_t: F0
     ok: F0
     moved: F0
@@ -278,7 +268,6 @@ class Work(Record):
     best: F0
     best_f: F0
     width: F0
-    side_f: F0
     round_off: F0
     start_round_off: F0
     round_off_error: F0

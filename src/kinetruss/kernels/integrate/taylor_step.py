@@ -8,18 +8,19 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.dop853_step import LEAST, target
+from kinetruss.kernels.integrate.answers import PIVOT, Run, find, largest_pivot, put_state
+from kinetruss.kernels.integrate.dop853_step import dop853_step
+from kinetruss.kernels.integrate.loop import LEAST, accept, goes_on, target
 from kinetruss.kernels.integrate.samples import state_within
-from kinetruss.kernels.integrate.state import Control, Memory, Work
-from kinetruss.kernels.series.orders import SeriesWork
+from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
+from kinetruss.kernels.series.orders import SeriesWork, series_work
 from kinetruss.kernels.series.recurrence import series
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
-from kinetruss.kernels.structure.equations import Equations, Workspace
+from kinetruss.kernels.structure.lengths import line_turning
 
 END_SHARE = 0.3
 """Least ratio of the scaled pivot at the end of a step to that at its start; below it the step ends somewhere else."""
@@ -45,6 +46,8 @@ FEWEST = 6
 """Lowest order of a series next to a singular position."""
 SINGULAR, CLEAR = 1e-3, 0.9
 """Scaled pivots, in parts of the largest one met: of a passage; at both ends of a step in which none is looked for."""
+AT_SINGULAR = 1e-6
+"""The same, below which no series begins."""
 
 
 @kernel_bare
@@ -134,14 +137,13 @@ def _place(X: F2, last: int, free: I1, z: float, s: float, x: F1, v: F1) -> bool
 
 
 @kernel_bare
-def _end(
-    eq: Equations, ws: Workspace, control: Control, memory: Memory, work: Work, own: SeriesWork, last: int, h: float
-) -> bool:
+def _end(run: Run, own: SeriesWork, last: int, h: float) -> bool:
     """Find the end of a step of at most about h (s). False where there is none.
 
     Size and end (s), smallest pivot and change (m) are left in try_h, try_t, end_pivot and moved of `work`, the state in x and
     v; `near` counts ends near singular positions.
     """
+    control, memory, work = run.control, run.memory, run.work
     x, v, X = work.x, work.v, own.x
     free, fixed = control.free, control.fixed_step > 0.0
     s, tol, start = memory.h, control.tolerance, memory.pivot
@@ -155,7 +157,7 @@ def _end(
         if not _place(X, last, free, h / s, s, x, v):
             work.spoilt = 1
             break
-        ok, moved, _, pivot = project_near(eq, ws, t, x, v, tol, False)
+        ok, moved, _, pivot = project_near(run.eq, run.ws, t, x, v, tol, False)
         good = ok and moved <= max(allowed, HARMLESS * pivot * control.size)
         if fixed or (good and (pivot >= END_SHARE * min(start, 0.5 * memory.pivot_most) or work.near > m.TRIES)):
             work.try_h, work.try_t, work.end_pivot, work.moved = h, t, pivot, moved
@@ -176,7 +178,7 @@ def _end(
 def _keep(control: Control, memory: Memory, work: Work, own: SeriesWork, last: int) -> None:
     """Make the step that `_end` has left the last one."""
     y, F, X, s = memory.y, memory.dense, own.x, memory.h
-    free, x, v, h, pivot = control.free, work.x, work.v, work.try_h, work.end_pivot
+    free, x, v, h = control.free, work.x, work.v, work.try_h
     z = h / s
     nf, power = free.size, 1.0
     # interpolant: X_j (h/s)^j of positions, its derivative of velocities
@@ -191,63 +193,48 @@ def _keep(control: Control, memory: Memory, work: Work, own: SeriesWork, last: i
         for j in range(last, 1, -1):
             gain = gain * z + j * (j - 1) * X[j, c]
         y[0, i], y[0, nf + i], y[1, i], y[1, nf + i] = x[c], v[c], v[c], gain / (s * s)
-    memory.series, memory.alone = 1, 0
-    memory.steps += 1
-    memory.t_old, memory.h_old, memory.t = memory.t, h, work.try_t
-    memory.pivot, memory.constraint = pivot, work.moved
-    memory.pivot_most = max(memory.pivot_most, pivot)
+    memory.constraint = work.moved
+    accept(memory, h, work.try_t, work.end_pivot, 1)
 
 
 @kernel_bare
-def _pivot_at(eq: Equations, ws: Workspace, memory: Memory, control: Control, work: Work, c: float) -> float:
+def _pivot_at(run: Run, c: float) -> float:
     """Smallest pivot at the fraction c of the last step."""
-    x, v, free, F = work.x, work.v, control.free, memory.dense
-    # x at the fraction c (Horner)
-    for i in range(free.size):
-        place = 0.0
-        for j in range(F.shape[0] - 1, -1, -1):
-            place = place * c + F[j, i]
-        x[free[i]] = place
-    prepare_rows(eq, ws, memory.t_old + c * memory.h_old, x, v)
-    return factor(eq, ws, x)
+    memory, y = run.memory, run.work.states[0]
+    state_within(memory, c, y)
+    put_state(run.control, y, memory.t_old + c * memory.h_old, run.work)
+    find(run, PIVOT, 0)
+    return run.work.new_pivot
 
 
 @kernel_bare
-def _fastest(eq: Equations, memory: Memory, control: Control, work: Work) -> float:
+def _fastest(run: Run) -> float:
     """Fastest turning (rad/s) of a row between two nodes, at the start, in the middle and at the end of the last step."""
-    x, v, free, y, fastest = work.x, work.v, control.free, work.states[0], 0.0
-    A, B = eq.A, eq.B
-    # |d x d'|/|d|^2 at three places of the step
+    memory, work, A, B, fastest = run.memory, run.work, run.eq.A, run.eq.B, 0.0
     for k in range(3):
-        state_within(memory, 0.5 * k, y)
-        for i in range(free.size):
-            x[free[i]], v[free[i]] = y[i], y[free.size + i]
+        state_within(memory, 0.5 * k, work.states[0])
+        put_state(run.control, work.states[0], memory.t, work)
         for j in range(A.size):
-            a, b = A[j], B[j]
-            dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
-            ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
-            px, py, pz, square = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex, dx * dx + dy * dy + dz * dz
-            if square > 0.0:
-                fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+            fastest = max(fastest, line_turning(work.x, work.v, A[j], B[j]))
     return fastest
 
 
 @kernel_bare
-def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, work: Work, first: float) -> None:
+def _passage(run: Run, first: float) -> None:
     """Enter all places of the last step that went through a singular position: there a pivot, known but for its sign, is zero.
 
     The pivot is about the sine of an angle between rows: it falls about as fast as two of them turn towards each other. So from
     any place the next one to look at is where it could be zero at the earliest. first : the pivot at the start.
     """
+    memory, work = run.memory, run.work
     most, end = memory.pivot_most, memory.pivot
-    turned, highest, s, p, width = _fastest(eq, memory, control, work) * memory.h_old, most, 0.0, first, 1.0 / PROBES
+    turned, highest, s, p, width = _fastest(run) * memory.h_old, most, 0.0, first, 1.0 / PROBES
     if most == 0.0 or first + end > MOST_STEEP * turned:
         return
-    work.factored = -1.0
     slope = 0.0
     # how high and how steep it is, first from a few places
     for k in range(1, PROBES + 1):
-        q = end if k == PROBES else _pivot_at(eq, ws, memory, control, work, k * width)
+        q = end if k == PROBES else _pivot_at(run, k * width)
         highest, slope = max(highest, q), max(slope, 1.5 * abs(q - p) / width)
         p = q
     slope = max(slope, STEEPEST * turned * highest)
@@ -259,15 +246,15 @@ def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, wor
         new = s + max(p, NEAREST * most) / slope
         if new >= 1.0:
             new = 1.0
-        q = end if new == 1.0 else _pivot_at(eq, ws, memory, control, work, new)
+        q = end if new == 1.0 else _pivot_at(run, new)
         if new < 1.0 and q < TOO_NEAR * p:  # whether the passage is before or behind cannot be seen from here
             new = s + 0.7 * (new - s)
-            q = _pivot_at(eq, ws, memory, control, work, new)
+            q = _pivot_at(run, new)
         width, both, change = new - s, p + q, abs(p - q)
         through = both <= 1.05 * slope * width and abs(both - seen * width) < abs(change - seen * width)
         if through or (new == 1.0 and q < SINGULAR * most):
             work.left, work.left_f, work.right, work.right_f = s, p, new, q
-            _enter(eq, ws, memory, control, work)
+            _enter(run)
             change = both if through else change
         seen = change / width
         slope = max(slope, 1.2 * seen)
@@ -275,15 +262,16 @@ def _passage(eq: Equations, ws: Workspace, memory: Memory, control: Control, wor
 
 
 @kernel_bare
-def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, work: Work) -> None:
+def _enter(run: Run) -> None:
     """Where the pivot vanishes between the fractions left and right, by its slope to either side; an entry where it does.
 
     left_f, right_f : the pivots there.
     """
+    memory, work = run.memory, run.work
     a, b, most, k = work.left, work.right, memory.pivot_most, memory.passages_met
     slope = (work.left_f + work.right_f) / (b - a)
     where = a + work.left_f / slope
-    low = _pivot_at(eq, ws, memory, control, work, where)
+    low = _pivot_at(run, where)
     # a step towards zero to either side; where both go too far, the pivot is steeper than it seemed
     steep = slope
     # secant steps on |p| to both sides of its zero
@@ -291,11 +279,11 @@ def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, work:
         if low < 0.01 * SINGULAR * most or where + low / steep == where:
             break
         right, left = min(where + low / steep, b), max(where - low / steep, a)
-        p = _pivot_at(eq, ws, memory, control, work, right)
+        p = _pivot_at(run, right)
         if p < low:
             low, where = p, right
             continue
-        p = _pivot_at(eq, ws, memory, control, work, left)
+        p = _pivot_at(run, left)
         if p < low:
             low, where = p, left
         else:
@@ -314,14 +302,13 @@ def _enter(eq: Equations, ws: Workspace, memory: Memory, control: Control, work:
     memory.passages_met = k + 1
 
 
-@kernel_late
-def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, work: Work, own: SeriesWork) -> int:
-    """One step. Returns 0 where there is none, and why in `code` of `work`."""
-    x, v, free = work.x, work.v, control.free
-    nf = free.size
-    # state at the start
-    for i in range(nf):
-        x[free[i]], v[free[i]] = memory.y[0, i], memory.y[0, nf + i]
+@kernel_bare
+def _step(run: Run, own: SeriesWork) -> None:
+    """One step; where there is none, `code` says why."""
+    eq, ws, control, memory, work = run.eq, run.ws, run.control, run.memory, run.work
+    x, v = work.x, work.v
+    largest_pivot(run)
+    put_state(control, memory.y[0], memory.t, work)
     prepare_rows(eq, ws, memory.t, x, v)
     first = work.factored
     if first < 0.0:
@@ -334,14 +321,32 @@ def taylor_step(eq: Equations, ws: Workspace, control: Control, memory: Memory, 
     most, last = _size(control, memory, own)
     if fixed > 0.0:
         most, last = fixed, own.x.shape[0] - 1
-    if not _end(eq, ws, control, memory, work, own, last, most):
+    if not _end(run, own, last, most):
         finite = most > 0.0 and work.spoilt == 0
         work.code = m.STEP_TOO_SMALL if finite else m.NOT_FINITE
         if finite and first < CLEAR * memory.pivot_most and memory.alone == 0:
             work.code = m.UNDETERMINED
-        return False
+        return
     _keep(control, memory, work, own, last)
     work.factored = work.end_pivot
-    _passage(eq, ws, memory, control, work, first)
+    _passage(run, first)
     memory.h = most
-    return True
+
+
+@kernel
+def taylor_steps(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    control = run.control
+    tape = Tape(control.tape_ints, control.tape_reals)
+    _steps(run, samples, series_work(run.eq, control.stand, int(control.orders), tape))
+
+
+@kernel_bare
+def _steps(run: Run, samples: Samples, own: SeriesWork) -> None:
+    memory = run.memory
+    while goes_on(run, samples):
+        # a singular start is left by steps whose stages lie beside it
+        if memory.pivot < AT_SINGULAR * memory.pivot_most:
+            dop853_step(run)
+        else:
+            _step(run, own)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from kinetruss.kernels.compiled.jit import kernel
+from kinetruss.kernels.compiled.jit import kernel, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Ints
 
-__all__ = ["distances", "end_tensions", "lengths", "turn_rates"]
+__all__ = ["distances", "end_tensions", "lengths", "line_turning", "turn_rates"]
 
 
 @kernel
@@ -62,17 +62,20 @@ def end_tensions(p: Ints, q: Ints, x: F2, joint: Floats, out: Floats) -> None:
             out[i, m, 1] = second * inverse
 
 
+@kernel_inline
+def line_turning(x: F1, v: F1, a: int, b: int) -> float:
+    """|d x d'|/|d|^2 (rad/s) : how fast the line between two nodes turns; 0 where it has no length."""
+    dx, dy, dz = x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]
+    ex, ey, ez = v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]
+    px, py, pz, square = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex, dx * dx + dy * dy + dz * dz
+    return math.sqrt(px * px + py * py + pz * pz) / square if square > 0.0 else 0.0
+
+
 @kernel
 def turn_rates(p: Ints, q: Ints, x: F2, v: F2, out: F1) -> None:
-    """Fill out (times,) with the fastest turning of the lines between nodes p and q (k,), |d x d'|/|d|^2, rad/s."""
-    # |d x d'|/|d|^2, the largest over the lines
+    """Fill out (times,) with the fastest turning of the lines between nodes p and q (k,), rad/s."""
     for i in range(x.shape[0]):
-        fastest = 0.0
+        fastest, places, speeds = 0.0, x[i], v[i]
         for m in range(p.size):
-            A, B = 3 * p[m], 3 * q[m]
-            dx, dy, dz = x[i, B] - x[i, A], x[i, B + 1] - x[i, A + 1], x[i, B + 2] - x[i, A + 2]
-            ex, ey, ez = v[i, B] - v[i, A], v[i, B + 1] - v[i, A + 1], v[i, B + 2] - v[i, A + 2]
-            px, py, pz, square = dy * ez - dz * ey, dz * ex - dx * ez, dx * ey - dy * ex, dx * dx + dy * dy + dz * dz
-            if square > 0.0:
-                fastest = max(fastest, math.sqrt(px * px + py * py + pz * pz) / square)
+            fastest = max(fastest, line_turning(places, speeds, 3 * p[m], 3 * q[m]))
         out[i] = fastest

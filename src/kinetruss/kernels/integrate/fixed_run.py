@@ -1,7 +1,6 @@
-"""Integration over a time: steps chosen by the error (DOP853, power series, Radau IIA) or of fixed size.
+"""Steps of fixed size one after another: what is foreseen for the next, its interpolant, and steps next to singular positions.
 
-Steps never end at wanted times: samples come from the dense output, projected. Where a stage of DOP853 comes near a singular
-position, the step is given another size, such that the position lies in a wide gap between stages.
+One driver for the three methods: energy-momentum midpoint rule, generalised alpha, RATTLE.
 """
 
 from __future__ import annotations
@@ -9,143 +8,17 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
-from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.record import F1, I1
-from kinetruss.kernels.coordinates.tape import Tape
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.dop853_step import begin_step, target
+from kinetruss.kernels.integrate.answers import Run
 from kinetruss.kernels.integrate.fixed_steps import Step, new_step, rattle_step, solve_damped, solve_step
-from kinetruss.kernels.integrate.machine import proceed
-from kinetruss.kernels.integrate.radau_matrices import new_matrices
-from kinetruss.kernels.integrate.radau_step import ASIDE, new_stages, radau_step
-from kinetruss.kernels.integrate.roots import DEEPEST, DEGREE
+from kinetruss.kernels.integrate.loop import accept, goes_on, target
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
-from kinetruss.kernels.integrate.taylor_step import taylor_step
-from kinetruss.kernels.series.orders import series_work
-from kinetruss.kernels.solve.kkt import accelerate, evaluate, factor, kinetic, potential, prepare_rows, project, project_near
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
 from kinetruss.kernels.structure.equations import Equations, Workspace
-
-_, INTEGERS, REALS = m.Work.COUNT
-
-
-@kernel
-def new_work(control: Control, memory: Memory, samples: Samples, budget: int, explicit: int) -> Work:
-    """Scratch of a call, and where the machine begins."""
-    size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
-    degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
-    deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
-    # in the order of the fields
-    shapes = (
-        (14, 1),
-        (16, size),
-        (5, size),
-        (n, 1),
-        (n, 1),
-        (n, 1),
-        (rows, 1),
-        (size - 2 * control.free.size, 1),
-        (5, degree + 1),
-        (deep, degree + 3),
-        (most, 3),
-        (64 * most, 3),
-        (16, 2),
-    )
-    ints, reals = laid_out(shapes, INTEGERS, REALS)
-    work = m.Work(ints, reals)
-    work.last_sample, work.budget, work.explicit = samples.times.size, budget, explicit
-    return work
-
-
-@kernel
-def integrate_explicit(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
-
-    The run in any number of calls is bit for bit that in one.
-    """
-    by_series = control.method == m.TAYLOR
-    work = new_work(control, memory, samples, budget, m.BY_SERIES if by_series else 1)
-    orders = int(control.orders) if by_series else 2
-    own = series_work(eq, control.stand, orders, Tape(control.tape_ints, control.tape_reals))
-    x, v, tolerance = work.x, work.v, control.tolerance
-    a, N = work.a, work.N
-    work.factored = -1.0
-    # prescribed coordinates at rest keep their places
-    for i in range(x.size):
-        x[i] = control.stand[i]
-    # reverse communication: the step control asks, the equations of motion answer
-    while True:
-        ask, pivot = proceed(control, memory, samples, work), -1.0
-        ws.pivot[1] = memory.pivot_most
-        if ask == m.FINISH:
-            return work.code, work.next_sample
-        if ask & m.STEP:
-            work.ok = 1.0 if taylor_step(eq, ws, control, memory, work, own) else 0.0
-        if ask & (m.PROJECT | m.EVALUATE | m.PIVOT_ONLY):
-            work.factored = -1.0
-        if ask & m.PROJECT:
-            # behind a step the factors at hand are of its last stage; next to a singular position every digit counts
-            far = work.lowest >= control.pivot_limit * memory.pivot_most
-            near = far and work.phase == m.GOT_NEW
-            ok, work.moved, _, pivot = project_near(eq, ws, work.ask_t, x, v, tolerance, near)
-            work.ok = 1.0 if ok else 0.0
-        if ask & (m.EVALUATE | m.PIVOT_ONLY):
-            if pivot == -1.0:  # no factors of these places are left by a projection
-                prepare_rows(eq, ws, work.ask_t, x, v)
-                pivot = factor(eq, ws, x)
-            work.new_pivot = pivot
-        if ask & m.EVALUATE:
-            accelerate(eq, ws, user, work.ask_t, x, v, a, N)
-            memory.evaluations += 1
-        if ask & m.ENERGY:
-            work.kinetic, work.potential = kinetic(eq, ws, x, v), potential(eq, x)
-
-
-# Steps of Radau IIA, chosen by the error; next to singular positions DOP853 steps instead (see kernels.integrate.radau_step).
-
-
-@kernel
-def integrate_radau(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
-
-    The run in any number of calls is bit for bit that in one.
-    """
-    work = new_work(control, memory, samples, budget, m.BY_COLLOCATION)
-    laws = eq.law_A.size
-    matrices, own = new_matrices(control, laws), new_stages(control, laws)
-    x, v = work.x, work.v
-    for i in range(x.size):
-        x[i] = control.stand[i]
-    while True:
-        ask = proceed(control, memory, samples, work)
-        if ask == m.FINISH:
-            return work.code, work.next_sample
-        if ask & m.STEP:
-            taken = radau_step(eq, ws, user, control, memory, work, matrices, own)
-            work.ok = 1.0 if taken else 0.0
-            if taken == ASIDE:
-                begin_step(control, memory, work)
-        if ask & m.PROJECT:
-            ok, work.moved, _ = project(eq, ws, work.ask_t, x, v, control.tolerance)
-            work.ok = 1.0 if ok else 0.0
-        if ask & m.EVALUATE:
-            work.new_pivot = evaluate(eq, ws, user, work.ask_t, x, v, work.a, work.N)
-            memory.evaluations += 1
-        if ask & m.PIVOT_ONLY:
-            prepare_rows(eq, ws, work.ask_t, x, v)
-            work.new_pivot = factor(eq, ws, x)
-        if ask & m.ENERGY:
-            work.kinetic, work.potential = kinetic(eq, ws, x, v), potential(eq, x)
-
-
-# Steps of fixed size: energy-momentum midpoint rule, generalised alpha, RATTLE. One kernel for the three.
 
 NEAR, EXTRAPOLATED_MOST = 0.2, 12
 """Scaled pivot, relative to the largest one, and number of steps for which accelerations may be extrapolated."""
-
 LOW = 0.95
 """Scaled pivot, relative to the largest one, below which the pivot at the end of a step is computed."""
 TURNED = 0.1
@@ -240,9 +113,7 @@ def _end(free: I1, control: Control, memory: Memory, step: Step) -> None:
     # multipliers of this step
     for k in range(N.size):
         memory.multiplier[k] = N[k]
-    memory.t_old, memory.h_old, memory.t = memory.t, h, step.t_1
-    memory.pivot_most = max(memory.pivot_most, memory.pivot)
-    memory.steps += 1
+    accept(memory, h, step.t_1, memory.pivot, 0)
 
 
 @kernel_bare
@@ -313,22 +184,23 @@ def _passing(eq: Equations, ws: Workspace, memory: Memory, work: Work, step: Ste
 
 
 @kernel_bare
-def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, work: Work, step: Step) -> bool:
-    """One step of the method."""
+def _step(run: Run, step: Step) -> None:
+    """One step; where there is none, `code` says so."""
+    eq, ws, control, memory, work = run.eq, run.ws, run.control, run.memory, run.work
     free, method = eq.free, control.method
     step.h, step.t_1 = target(control, memory, control.fixed_step)
     if memory.steps == 0:
         memory.pivot_0, memory.pivot_1 = -1.0, memory.pivot
     _begin(free, memory, work.x, step)
     if method == m.RATTLE:
-        good = rattle_step(eq, ws, user, control, memory, step)
+        good = rattle_step(eq, ws, run.user, control, memory, step)
     else:
         _bases(free, control, memory, step)
-        good = solve_step(eq, ws, user, control, memory, step)
+        good = solve_step(eq, ws, run.user, control, memory, step)
         if not good and control.place.size > 0 and not memory.pivot < NEAR * memory.pivot_most:
             _begin(free, memory, work.x, step)
             _bases(free, control, memory, step)
-            good = solve_damped(eq, ws, user, control, memory, step) == 1
+            good = solve_damped(eq, ws, run.user, control, memory, step) == 1
         good = good and _goes_on(free, memory, step)
     if good:
         memory.carried = 0
@@ -337,39 +209,17 @@ def _step(eq: Equations, ws: Workspace, user: int, control: Control, memory: Mem
     if good:
         _end(free, control, memory, step)
         _passing(eq, ws, memory, work, step)
-    return good
+    else:
+        work.code = m.NOT_CONVERGED
 
 
 @kernel
-def integrate_implicit(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
+def steps_of_fixed_size(run: Run, samples: Samples) -> None:
+    """Steps while the run goes on."""
+    _steps(run, samples, new_step(run.work.x.size, run.memory.multiplier.size))
 
-    The run in any number of calls is bit for bit that in one.
-    """
-    work = new_work(control, memory, samples, budget, 0)
-    x, v, tolerance = work.x, work.v, 1e-13
-    step = new_step(x.size, memory.multiplier.size)
-    # prescribed coordinates at rest keep their places
-    for i in range(x.size):
-        x[i] = control.stand[i]
-    # reverse communication: the step control asks, the equations of motion answer
-    while True:
-        ask = proceed(control, memory, samples, work)
-        if ask == m.FINISH:
-            return work.code, work.next_sample
-        if ask & m.STEP:
-            work.ok = 1.0 if _step(eq, ws, user, control, memory, work, step) else 0.0
-            work.code = m.NOT_CONVERGED
-        if ask & m.PROJECT:
-            ok, work.moved, _ = project(eq, ws, work.ask_t, x, v, tolerance)
-            work.ok = 1.0 if ok else 0.0
-        if ask & m.EVALUATE:
-            work.new_pivot = evaluate(eq, ws, user, work.ask_t, x, v, work.a, work.N)
-            memory.evaluations += 1
-        if ask & m.PIVOT_ONLY:
-            prepare_rows(eq, ws, work.ask_t, x, v)
-            work.new_pivot = factor(eq, ws, x)
-        if ask & m.ENERGY:
-            work.kinetic, work.potential = kinetic(eq, ws, x, v), potential(eq, x)
+
+@kernel_bare
+def _steps(run: Run, samples: Samples, step: Step) -> None:
+    while goes_on(run, samples):
+        _step(run, step)
