@@ -201,6 +201,16 @@ def swinging_frame(storeys: int, steps: int) -> Callable[[], object]:
     return lambda: kt.dynamics.simulate(model, steps * 1e-3, samples=3, method=method)
 
 
+def stiff(bays: int, t_end: float) -> Callable[[], object]:
+    """A chain of bays on springs, let go, by Radau."""
+    import kinetruss as kt
+    from kinetruss.library import vgt
+
+    model = vgt.double_octahedral(bays)
+    tasks = {name: kt.Free() for name in model.all_drives}
+    return lambda: kt.dynamics.simulate(model, t_end, samples=3, method=kt.Radau(), tasks=tasks)
+
+
 def turned(model: Any, samples: int) -> Callable[[], object]:
     """Motion and forces of a model whose drives turn."""
     import kinetruss as kt
@@ -221,7 +231,7 @@ CASES: dict[str, Callable[[], Callable[[], object]]] = {
     "follow small": lambda: follow(0, 1000), "follow large": lambda: follow(50, 100),
     "inverse small": lambda: inverse(0, 1000), "inverse large": lambda: inverse(50, 100),
     "simulate small": lambda: simulate(1, 1.0), "simulate large": lambda: simulate(1000, 0.05),
-    "implicit large": lambda: springs(10, 20),
+    "implicit large": lambda: springs(10, 20), "radau": lambda: stiff(5, 0.02),
     "linear small": lambda: linear(10), "linear large": lambda: linear(2000),
     "linearise": lambda: linearise(5),
     "beams linear": lambda: frame(40, large=False), "beams at rest": lambda: frame(4, large=True),

@@ -19,7 +19,7 @@ SECTION = kt.General(area=1.0, I2=0.01, I3=0.01, c2=0.1, c3=0.1, J=0.02)
 
 def turned(model: kt.Model, node: str) -> np.ndarray:
     """Axes of the frame of a node in equilibrium, as rows."""
-    at = kt.statics.equilibrium(model).position
+    at = kt.statics.equilibrium(model).whole["position"]
     axes = [at.sel(node=f"{node}.d{k + 1}").values - at.sel(node=node).values for k in range(model.dim)]
     return np.array([axis / np.linalg.norm(axis) for axis in axes])
 
@@ -37,7 +37,7 @@ def test_an_arc_turns_exactly_and_closes_with_the_sixth_power_of_its_angle(count
     turn, R = 1.0, 1.0
     couple = kt.BodyCouple(body=f"N{count}", moment=SOFT.E * SECTION.I3 * turn)
     model = kt.Model(**row(line(count), section=SECTION, loads={"M": couple}) | {"material": SOFT})
-    at = kt.statics.equilibrium(model).position
+    at = kt.statics.equilibrium(model).whole["position"]
     axes = turned(model, f"N{count}")
     assert math.atan2(axes[0, 1], axes[0, 0]) == pytest.approx(turn, rel=1e-12)
     x, y = at.sel(node=f"N{count}").values

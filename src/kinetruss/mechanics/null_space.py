@@ -12,12 +12,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import csc_array, csr_array, eye_array
-from scipy.sparse.linalg import splu
+from scipy.sparse import csr_array, eye_array
 
 from kinetruss.errors import InputError
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE
-from kinetruss.mechanics.rows import structural_rank
+from kinetruss.mechanics.rows import diagonal_factors, structural_rank
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -195,8 +194,7 @@ class _Iteration:
     def __init__(self, A: csr_array) -> None:
         self.A = A
         self.top = _largest(A)
-        square = csc_array(A.T @ A + (SHIFT * self.top**2) * eye_array(A.shape[1]))
-        self.factors = splu(square, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        self.factors = diagonal_factors(A.T @ A + (SHIFT * self.top**2) * eye_array(A.shape[1]))
         self.chance = np.random.default_rng(1)
 
     def lowest(self, count: int = 0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:

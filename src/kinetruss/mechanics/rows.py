@@ -48,6 +48,11 @@ def factors_of(matrix: Any, **options: Any) -> Any:
         return None
 
 
+def diagonal_factors(matrix: Any) -> Any:
+    """`factors_of` a matrix with a symmetric pattern, pivots on the diagonal, in an order of minimum degree."""
+    return factors_of(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, **SYMMETRIC)
+
+
 def matched(square: Any, *, symmetric: bool) -> bool:
     """Whether every row of a square matrix has a column of its own in which it has an entry.
 

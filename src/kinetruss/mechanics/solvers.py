@@ -8,7 +8,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE
-from kinetruss.kernels.solve.kkt_sparse import OWN, REDUNDANT
+from kinetruss.kernels.solve.ldl import REDUNDANT, ROW
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.mechanics.measures import flats_of
 from kinetruss.mechanics.sparse_plan import sparse_arrays
@@ -176,7 +176,7 @@ def _dense(system: System, masses: dict[str, Any], bare: bool) -> tuple[int, dic
 def mark_dropped(eq: Equations, ws: Workspace) -> bool:
     """Mark as redundant the rows that the last sparse factorisation found dependent on others; True if there are any."""
     gone = ws.values[eq.sparse_below.size + eq.sparse_row_place] == 0.0
-    eq.sparse_sort[eq.sparse_row_place] = np.where(gone, REDUNDANT, OWN)
+    eq.sparse_sort[eq.sparse_row_place] = np.where(gone, REDUNDANT, ROW)
     eq.ints[eq.place_of("redundant_row")] = gone
     return bool(gone.any())
 

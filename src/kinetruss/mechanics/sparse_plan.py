@@ -13,7 +13,7 @@ from scipy.sparse.csgraph import reverse_cuthill_mckee
 from scipy.sparse.linalg import spilu
 
 from kinetruss.elements.kinds import present
-from kinetruss.kernels.solve.kkt_sparse import NODE, OWN, sparse_targets, sparse_tree
+from kinetruss.kernels.solve.ldl import COORDINATE, ROW, ldl_pattern, ldl_targets
 from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.mechanics.system import System
 
@@ -38,8 +38,7 @@ def sparse_arrays(
     inner = [(i, j), _pairs(varying), _pairs(six), _pairs(bars), *apart]
     pattern = [*inner, _rows(touched, nf)]
     place, ptr, below, skyline = _best_order(touched, inner, pattern, nf, r)
-    target = np.zeros(0 if skyline else max(1, sparse_targets(ptr, below, np.zeros(0, np.int64))), np.int64)
-    sparse_targets(ptr, below, target)
+    target = np.zeros(0, np.int64) if skyline else _targets(ptr, below)
     at = _Finder(ptr, below)
     nowhere = len(below) + nf + r
     base = np.zeros(nowhere + 1)
@@ -49,8 +48,8 @@ def sparse_arrays(
         np.where(one >= 0, at(place[np.maximum(one, 0)], place[nf + k]), nowhere)
         for one, k in zip(sums, system.sums, strict=True)
     ]
-    sort = np.full(nf + r, NODE, np.int64)
-    sort[place[nf:]] = OWN
+    sort = np.full(nf + r, COORDINATE, np.int64)
+    sort[place[nf:]] = ROW
     return {
         "sparse_ptr": ptr,
         "sparse_below": below,
@@ -204,13 +203,7 @@ def _symbolic(place: NDArray[np.int64], pattern: list[tuple[Any, Any]], n: int) 
     upper = csc_array((np.ones(off.sum()), (low[off], high[off])), shape=(n, n))
     upper.sum_duplicates()
     start, rows = upper.indptr.astype(np.int64), upper.indices.astype(np.int64)
-    parent, flag, count = np.empty(n, np.int64), np.empty(n, np.int64), np.zeros(n, np.int64)
-    sparse_tree(n, start, rows, parent, flag, count, np.zeros(0, np.int64))
-    ptr = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
-    below = np.empty(ptr[-1], np.int64)
-    if len(below):
-        sparse_tree(n, start, rows, parent, flag, ptr[:-1].copy(), below)
-    return ptr, below
+    return _columns(n, start, rows)
 
 
 class _Finder:
@@ -339,22 +332,31 @@ def _tangent_pairs(member: Ints) -> tuple[Ints, Ints]:
 
 def _pattern(n: int, i: Ints, j: Ints) -> tuple[Ints, Ints, Ints]:
     """Columns of L below the diagonal, and where each product of two entries of a column goes."""
-    from kinetruss.kernels.solve.kkt_sparse import sparse_targets, sparse_tree
-
     good = (i >= 0) & (j >= 0) & (i != j)
     low, high = np.minimum(i, j)[good], np.maximum(i, j)[good]
     upper = csr_array(coo_array((np.ones(low.size), (high, low)), shape=(n, n)))
     upper.sort_indices()
     ptr, row = upper.indptr.astype(np.int64), upper.indices.astype(np.int64)
+    starts, below = _columns(n, ptr, row)
+    return starts, below, _targets(starts, below)
+
+
+def _columns(n: int, upper_ptr: Ints, upper_row: Ints) -> tuple[Ints, Ints]:
+    """Columns of L below the diagonal: two passes, first how long they are, then their rows."""
     parent, flag, count = np.zeros(n, np.int64), np.zeros(n, np.int64), np.zeros(n, np.int64)
-    # two passes: column counts of L, then its rows
-    sparse_tree(n, ptr, row, parent, flag, count, np.zeros(0, np.int64))
-    starts = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
-    below = np.zeros(int(starts[-1]), np.int64)
-    sparse_tree(n, ptr, row, parent, flag, starts[:-1].copy(), below)
-    target = np.zeros(int(np.sum(count * (count - 1) // 2)), np.int64)
-    sparse_targets(starts, below, target)
-    return starts, below, target
+    ldl_pattern(n, upper_ptr, upper_row, parent, flag, count, np.zeros(0, np.int64))
+    ptr = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
+    below = np.zeros(int(ptr[-1]), np.int64)
+    if len(below):
+        ldl_pattern(n, upper_ptr, upper_row, parent, flag, ptr[:-1].copy(), below)
+    return ptr, below
+
+
+def _targets(ptr: Ints, below: Ints) -> Ints:
+    """Where each product of two entries of a column goes; never empty, which would mean a skyline."""
+    target = np.zeros(max(1, ldl_targets(ptr, below, np.zeros(0, np.int64))), np.int64)
+    ldl_targets(ptr, below, target)
+    return target
 
 
 def _finder(ptr: Ints, below: Ints) -> Any:

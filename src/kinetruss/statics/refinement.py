@@ -15,14 +15,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import csc_array, csr_array, diags_array
-from scipy.sparse.linalg import LinearOperator, onenormest, splu
+from scipy.sparse import csr_array, diags_array
+from scipy.sparse.linalg import LinearOperator, onenormest
 
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import System, constraint_jacobian, row_directions, row_ends
 from kinetruss.mechanics.mobility import moves_text, ranked
 from kinetruss.mechanics.null_space import Spaces
-from kinetruss.mechanics.rows import SYMMETRIC, factors_of
+from kinetruss.mechanics.rows import SYMMETRIC, diagonal_factors, factors_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -211,8 +211,7 @@ def fill_order(pattern: Any) -> NDArray[np.int64]:
     unit = csr_array((np.ones(pattern.nnz), pattern.indices, pattern.indptr), shape=pattern.shape)
     wide = np.asarray(unit.sum(axis=1)).reshape(-1)
     unit.setdiag(2.0 * wide + 1.0)
-    factors = splu(csc_array(unit), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    return np.argsort(factors.perm_c)
+    return np.argsort(diagonal_factors(unit).perm_c)
 
 
 def _largest(values: NDArray[np.float64]) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
 from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, constraint_jacobian, rearrange
-from kinetruss.mechanics.rows import SYMMETRIC, factors_of, null_basis
+from kinetruss.mechanics.rows import diagonal_factors, factors_of, null_basis
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -182,7 +182,7 @@ def inertia(K: Any, J: Any) -> tuple[int, int]:
     size = float(np.abs(K.data).max(initial=0.0)) or 1.0
     rows = J.shape[0]
     matrix: Any = csc_array(block_array([[K / size, J.T], [J, -RELAXED * eye_array(rows)]])) if rows else csc_array(K / size)
-    factors = factors_of(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, **SYMMETRIC)
+    factors = diagonal_factors(matrix)
     if factors is None:
         return 0, 1
     pivots = factors.U.diagonal()

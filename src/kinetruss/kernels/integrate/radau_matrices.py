@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
-from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
+from kinetruss.kernels.compiled.record import F1, F2, Record, record
 from kinetruss.kernels.integrate.state import Control
-from kinetruss.kernels.integrate.tangent import ldl_factor, ldl_solve, tangent_fill
+from kinetruss.kernels.integrate.tangent import tangent_fill
 from kinetruss.kernels.solve.kkt import prepare_rows, row_gradients
+from kinetruss.kernels.solve.ldl import ldl_factor, ldl_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_slopes, length_rate
 
@@ -116,19 +117,18 @@ RE2, IM2 = (TURNED * TURNED).real, (TURNED * TURNED).imag
 
 @record
 class Matrices(Record):
-    """Values in the pattern, lower triangle and diagonal: mass : M and J. stiff : K. damp : C. real; re, im : factors of the
-    real and of the complex matrix. b, c, d (n,) : vectors in the order of the pattern. u (3, laws), slope (2, laws) : of bars
-    with a law directions, dN/dL (N/m) and dN/dL' (N s/m).
+    """Values in the pattern, lower triangle and diagonal: mass : M and J. stiff : K. damp : C. real, complex_ : factors of the
+    real and of the complex matrix. b, d (n,), z : vectors in the order of the pattern. In complex_ and z each imaginary part
+    follows its real part. u (3, laws), slope (2, laws) : of bars with a law directions, dN/dL (N/m) and dN/dL' (N s/m).
     """
 
     mass: F1
     stiff: F1
     damp: F1
     real: F1
-    re: F1
-    im: F1
+    complex_: F1
     b: F1
-    c: F1
+    z: F1
     d: F1
     u: F2
     slope: F2
@@ -143,7 +143,7 @@ def new_matrices(control: Control, laws: int) -> Matrices:
     values, n = control.values.size, control.space.size
     # in the order of the fields
     one = (values, 1)
-    shapes = (one, one, one, one, one, one, (n, 1), (n, 1), (n, 1), (3, laws), (2, laws))
+    shapes = (one, one, one, one, (2 * values, 1), (n, 1), (2 * n, 1), (n, 1), (3, laws), (2, laws))
     ints, reals = laid_out(shapes, INTEGERS, REALS)
     return Matrices(ints, reals)
 
@@ -171,58 +171,15 @@ def matrices_at(eq: Equations, ws: Workspace, control: Control, t: float, x: F1,
 @kernel_bare
 def factor_both(control: Control, h: float, own: Matrices) -> None:
     """Factor the real and the complex matrix of a step h (s)."""
-    mass, stiff, damp, real, re, im = own.mass, own.stiff, own.damp, own.real, own.re, own.im
+    mass, stiff, damp, real, turned = own.mass, own.stiff, own.damp, own.real, own.complex_
     r, rr, p, q, pp, qq = h * REAL, (h * REAL) ** 2, h * RE, h * IM, h * h * RE2, h * h * IM2
     # M + h l C + (h l)^2 K, l real, and the real and imaginary part with l complex
     for i in range(mass.size):
         real[i] = mass[i] + r * damp[i] + rr * stiff[i]
-        re[i] = mass[i] + p * damp[i] + pp * stiff[i]
-        im[i] = q * damp[i] + qq * stiff[i]
+        turned[2 * i] = mass[i] + p * damp[i] + pp * stiff[i]
+        turned[2 * i + 1] = q * damp[i] + qq * stiff[i]
     ldl_factor(control.ptr, control.below, control.target, real)
-    _complex_factor(control.ptr, control.below, control.target, re, im)
-
-
-@kernel_bare
-def _complex_factor(ptr: I1, below: I1, target: I1, re: F1, im: F1) -> None:
-    """L D L^T of a symmetric complex matrix in place, as `ldl_factor`."""
-    entries, at = below.size, 0
-    # column j over its pivot d = p + i q, its outer product taken off the columns behind
-    for j in range(ptr.size - 1):
-        p, q = re[entries + j], im[entries + j]
-        square = p * p + q * q
-        p, q = p / square, -q / square
-        re[entries + j], im[entries + j] = p, q
-        for k in range(ptr[j], ptr[j + 1]):
-            y, z = re[k], im[k]
-            u, w = y * p - z * q, y * q + z * p
-            re[k], im[k] = u, w
-            re[entries + below[k]] -= u * y - w * z
-            im[entries + below[k]] -= u * z + w * y
-            for n in range(k + 1, ptr[j + 1]):
-                re[target[at]] -= u * re[n] - w * im[n]
-                im[target[at]] -= u * im[n] + w * re[n]
-                at += 1
-
-
-@kernel_bare
-def _complex_solve(ptr: I1, below: I1, re: F1, im: F1, b: F1, c: F1) -> None:
-    """Solve for b + i c in place with the factors of `_complex_factor`."""
-    n, entries = ptr.size - 1, below.size
-    # forward substitution L z = b + i c
-    for j in range(n):
-        p, q = b[j], c[j]
-        for k in range(ptr[j], ptr[j + 1]):
-            b[below[k]] -= re[k] * p - im[k] * q
-            c[below[k]] -= re[k] * q + im[k] * p
-    # D^-1 and back substitution
-    for j in range(n - 1, -1, -1):
-        p = b[j] * re[entries + j] - c[j] * im[entries + j]
-        q = b[j] * im[entries + j] + c[j] * re[entries + j]
-        for k in range(ptr[j], ptr[j + 1]):
-            u, w = b[below[k]], c[below[k]]
-            p -= re[k] * u - im[k] * w
-            q -= re[k] * w + im[k] * u
-        b[j], c[j] = p, q
+    ldl_factor(control.ptr, control.below, control.target, turned.view(np.complex128))
 
 
 @kernel_bare
@@ -268,23 +225,24 @@ def _elongation(eq: Equations, own: Matrices, k: int, w: F1) -> float:
 @kernel_bare
 def solve_both(eq: Equations, control: Control, h: float, own: Matrices, r: F2, q: F2) -> None:
     """Replace the residuals r (3, nf) and q (3, laws), one of the real part and both of the complex part, by the changes."""
-    place, b, c, d = control.place, own.b, own.c, own.d
+    place, b, d, z = control.place, own.b, own.d, own.z
     for j in range(b.size):
         b[j] = 0.0
     _times(control, own.mass, r[0], -1.0, d, b)
     _add_tensions(eq, control, own, q[0], b)
-    ldl_solve(control.ptr, control.below, own.real, b)
+    ldl_solve(control.ptr, control.below, control.target, own.real, b)
     for i in range(place.size):
         r[0, i] = b[place[i]]
-    for j in range(b.size):
-        b[j] = c[j] = 0.0
-    _times(control, own.mass, r[1], -1.0, d, b)
-    _times(control, own.mass, r[2], -1.0, d, c)
-    _add_tensions(eq, control, own, q[1], b)
-    _add_tensions(eq, control, own, q[2], c)
-    _complex_solve(control.ptr, control.below, own.re, own.im, b, c)
+    for k in range(2):
+        for j in range(b.size):
+            b[j] = 0.0
+        _times(control, own.mass, r[1 + k], -1.0, d, b)
+        _add_tensions(eq, control, own, q[1 + k], b)
+        for j in range(b.size):
+            z[2 * j + k] = b[j]
+    ldl_solve(control.ptr, control.below, control.target, own.complex_.view(np.complex128), z.view(np.complex128))
     for i in range(place.size):
-        r[1, i], r[2, i] = b[place[i]], c[place[i]]
+        r[1, i], r[2, i] = z[2 * place[i]], z[2 * place[i] + 1]
     # S changes by (k (h l)^2 + c h l) G w - q
     for k in range(q.shape[1]):
         stiffness, damping = h * h * own.slope[0, k], h * own.slope[1, k]
@@ -306,7 +264,7 @@ def filtered(control: Control, own: Matrices, h: float, ex: F1, ev: F1) -> None:
             b[j] = 0.0
         _times(control, own.mass, ev, 1.0, own.d, b)
         _times(control, own.stiff, ex, -g, own.d, b)
-        ldl_solve(control.ptr, control.below, own.real, b)
+        ldl_solve(control.ptr, control.below, control.target, own.real, b)
         for i in range(ev.size):
             ev[i] = b[place[i]]
     # dx = ex + g dv

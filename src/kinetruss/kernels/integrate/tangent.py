@@ -10,6 +10,7 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 from kinetruss.kernels.integrate.state import Control
+from kinetruss.kernels.solve.ldl import ldl_factor, ldl_solve
 from kinetruss.kernels.structure.element_table import element_tangents
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.laws import law_slopes, law_tension, length_rate
@@ -53,40 +54,6 @@ def _add_rows(kind: I1, u: F2, target: F2, N: F1, at: I2, gradient_at: I2, beta:
 
 
 @kernel_bare
-def ldl_factor(ptr: I1, below: I1, target: I1, value: F1) -> None:
-    """L D L^T in place: entries below the diagonal by columns, then reciprocals of D."""
-    entries, at = below.size, 0
-    # right-looking: column j scaled by its pivot, its outer product taken off the columns behind
-    for j in range(ptr.size - 1):
-        inverse = 1.0 / value[entries + j]
-        value[entries + j] = inverse
-        for p in range(ptr[j], ptr[j + 1]):
-            y = value[p]
-            w = y * inverse
-            value[p] = w
-            value[entries + below[p]] -= w * y
-            for q in range(p + 1, ptr[j + 1]):
-                value[target[at]] -= w * value[q]
-                at += 1
-
-
-@kernel_bare
-def ldl_solve(ptr: I1, below: I1, value: F1, b: F1) -> None:
-    """Solve for b (n,) in place with the factors of `ldl_factor`."""
-    n, entries = ptr.size - 1, below.size
-    # forward substitution L z = b
-    for j in range(n):
-        for p in range(ptr[j], ptr[j + 1]):
-            b[below[p]] -= value[p] * b[j]
-    # D^-1 and back substitution L^T y = D^-1 z
-    for j in range(n - 1, -1, -1):
-        y = b[j] * value[entries + j]
-        for p in range(ptr[j], ptr[j + 1]):
-            y -= value[p] * b[below[p]]
-        b[j] = y
-
-
-@kernel_bare
 def tangent_fill(
     eq: Equations, ws: Workspace, record: Control, x: F1, v: F1, N: F1, weights: tuple[float, float], value: F1
 ) -> None:
@@ -122,7 +89,7 @@ def tangent_solve(eq: Equations, record: Control, f: F1, g: F1, a: F1, N: F1) ->
     # residual of the constraints
     for k in range(row_place.size):
         b[row_place[k]] = g[k]
-    ldl_solve(record.ptr, record.below, record.values, b)
+    ldl_solve(record.ptr, record.below, record.target, record.values, b)
     # da of the free coordinates
     for i in range(free.size):
         a[free[i]] = b[place[i]]

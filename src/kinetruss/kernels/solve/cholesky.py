@@ -39,20 +39,32 @@ def cholesky(D: F2, n: int) -> bool:
 
 
 @kernel_bare
-def cholesky_solve(D: F2, n: int, b: F1) -> None:
-    """R^T R y = b in place, with the factor of `cholesky`."""
-    # forward substitution R^T z = b
-    for i in range(n):
-        value = b[i] * D[i, i]
-        b[i] = value
-        for j in range(i + 1, n):
-            b[j] -= D[i, j] * value
-    # back substitution R y = z
-    for i in range(n - 1, -1, -1):
-        value = b[i]
-        for j in range(i + 1, n):
-            value -= D[i, j] * b[j]
-        b[i] = value * D[i, i]
+def forward(R: F2, n: int, b: F1) -> None:
+    """R^T y = b in place, with the factors of `cholesky` or `drop_cholesky`; zero at dependent rows."""
+    for k in range(n):
+        value = b[k] * R[k, k]
+        b[k] = value
+        if value != 0.0:
+            for j in range(k + 1, n):
+                b[j] -= R[k, j] * value
+
+
+@kernel_bare
+def backward(R: F2, n: int, b: F1) -> None:
+    """R y = b in place, first n rows; zero at dependent rows."""
+    for k in range(n - 1, -1, -1):
+        value = b[k]
+        if R[k, k] != 0.0:
+            for j in range(k + 1, n):
+                value -= R[k, j] * b[j]
+        b[k] = value * R[k, k]
+
+
+@kernel_bare
+def cholesky_solve(R: F2, n: int, b: F1) -> None:
+    """R^T R y = b in place."""
+    forward(R, n, b)
+    backward(R, n, b)
 
 
 # S = R^T R of a Schur complement S = J M^-1 J^T some of whose rows depend on others.
@@ -69,11 +81,11 @@ DROP = 1e-11
 
 @kernel_bare
 def drop_cholesky(S: F2, diagonal: F1, redundant: I1, sure: bool, dependent: I1, order: I1) -> float:
-    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal in `diagonal`; dependent rows are marked.
+    """S = R^T R in the upper triangle of S (n, n), reciprocals of R's diagonal on its diagonal; dependent rows are marked.
 
-    redundant : as many rows are redundant as are marked here; sure : wherever the motion leads, so that no more are kept.
-    order (n,) : the row at each place of R. Returns the square root of the smallest ratio of a pivot to its diagonal, over rows
-    that are not redundant.
+    diagonal (n,) : scratch. redundant : as many rows are redundant as are marked here; sure : wherever the motion leads, so
+    that no more are kept. order (n,) : the row at each place of R. Returns the square root of the smallest ratio of a pivot to
+    its diagonal, over rows that are not redundant.
     """
     n, smallest, wanted = S.shape[0], 1.0, S.shape[0]
     # diagonal of S before elimination, and the number of independent rows
@@ -90,11 +102,11 @@ def drop_cholesky(S: F2, diagonal: F1, redundant: I1, sure: bool, dependent: I1,
             smallest = ratio if ratio > 0.0 else 0.0
         if not ratio > DROP or (sure and k >= wanted):
             dependent[k] = 1
-            diagonal[k] = 0.0
+            S[k, k] = 0.0
             continue
         dependent[k] = 0
         inverse = 1.0 / math.sqrt(S[k, k])
-        diagonal[k] = inverse
+        S[k, k] = inverse
         eliminate(S, n, k, inverse)
     return math.sqrt(smallest)
 
@@ -125,34 +137,9 @@ def _bring_largest(S: F2, diagonal: F1, order: I1, k: int) -> None:
 
 
 @kernel_bare
-def forward(S: F2, diagonal: F1, b: F1) -> None:
-    """R^T y = b in place; zero at dependent rows."""
-    n = S.shape[0]
-    # forward substitution
-    for k in range(n):
-        value = b[k] * diagonal[k]
-        b[k] = value
-        if value != 0.0:
-            for j in range(k + 1, n):
-                b[j] -= S[k, j] * value
-
-
-@kernel_bare
-def backward(S: F2, n: int, diagonal: F1, b: F1) -> None:
-    """R y = b in place, first n rows; zero at dependent rows."""
-    # back substitution
-    for k in range(n - 1, -1, -1):
-        value = b[k]
-        if diagonal[k] != 0.0:
-            for j in range(k + 1, n):
-                value -= S[k, j] * b[j]
-        b[k] = value * diagonal[k]
-
-
-@kernel_bare
 def share(ws: Workspace, weight: F1, N: F1) -> None:
     """Share N, by place, over the states of self-stress: for each dependent row one, 1 there and -R^-1 R_k at the kept rows."""
-    S, diagonal, dependent, order = ws.S, ws.diagonal, ws.dependent, ws.order
+    S, dependent, order = ws.S, ws.dependent, ws.order
     states, square, z = ws.states, ws.matrix, ws.z
     n, count = S.shape[0], 0
     # null vectors of J^T by dependent rows: states of self-stress
@@ -160,7 +147,7 @@ def share(ws: Workspace, weight: F1, N: F1) -> None:
         if dependent[k]:
             for j in range(n):
                 states[count, j] = -S[j, k] if j < k and not dependent[j] else 0.0
-            backward(S, k, diagonal, states[count])
+            backward(S, k, states[count])
             states[count, k] = 1.0
             count += 1
     # normal equations of min sum w (N + S z)^2: (S^T W S) z = -S^T W N

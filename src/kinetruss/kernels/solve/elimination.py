@@ -6,16 +6,18 @@ Sparse Matrices, 2017, section 5.2). Of a row, the first entry that is not small
 keeps few entries.
 
 The reduced rows lie in place of the matrix, multipliers L at the pivot columns before that of the row, U at the others.
+
+Small full blocks with more columns than rows are eliminated with complete pivoting: the columns left over are independent.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
 
-__all__ = ["Reduced", "reduce_rows", "solve_columns", "solve_rows"]
+__all__ = ["Reduced", "complete_pivots", "reduce_rows", "solve_columns", "solve_rows"]
 
 SHARE = 0.25
 """A pivot is at least this share of the largest entry of its row."""
@@ -164,3 +166,40 @@ def solve_rows(one: Reduced, count: int, b: F2, share: F2) -> None:
                 for m in range(one.n_low[k]):
                     c = one.col[one.low[k, m]]
                     b[t, c] -= value * one.a[one.row[k], c]
+
+
+@kernel_inline
+def complete_pivots(lu: F1, at: int, n: int, width: int, row_at: I1, r: int, col_at: I1, c: int) -> float:
+    """P A Q = L U of a full block (n, width) in place, row-major at lu[at:]; returns the smallest pivot.
+
+    row_at[r:], col_at[c:] : what stands at its rows and columns, swapped with them. Reciprocals of pivots on the diagonal, 0 of
+    those that vanish.
+    """
+    smallest = 1.0
+    # the largest entry left is the next pivot
+    for k in range(n):
+        best, i_best, j_best = -1.0, k, k
+        for i in range(k, n):
+            for j in range(k, width):
+                size = abs(lu[at + i * width + j])
+                if size > best:
+                    best, i_best, j_best = size, i, j
+        if i_best != k:
+            row_at[r + k], row_at[r + i_best] = row_at[r + i_best], row_at[r + k]
+            for j in range(width):
+                lu[at + k * width + j], lu[at + i_best * width + j] = lu[at + i_best * width + j], lu[at + k * width + j]
+        if j_best != k:
+            col_at[c + k], col_at[c + j_best] = col_at[c + j_best], col_at[c + k]
+            for i in range(n):
+                lu[at + i * width + k], lu[at + i * width + j_best] = lu[at + i * width + j_best], lu[at + i * width + k]
+        if not best >= smallest:
+            smallest = best
+        inverse = 1.0 / lu[at + k * width + k] if best > 1e-14 else 0.0
+        lu[at + k * width + k] = inverse
+        for i in range(k + 1, n):
+            factor = lu[at + i * width + k] * inverse
+            if factor != 0.0:
+                lu[at + i * width + k] = factor
+                for j in range(k + 1, width):
+                    lu[at + i * width + j] -= factor * lu[at + k * width + j]
+    return smallest

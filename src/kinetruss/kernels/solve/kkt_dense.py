@@ -11,7 +11,7 @@ from __future__ import annotations
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
-from kinetruss.kernels.solve.cholesky import backward, cholesky, cholesky_solve, drop_cholesky, forward, share
+from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve, drop_cholesky, share
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 from kinetruss.kernels.structure.structure import Structure
@@ -113,8 +113,7 @@ def _schur(D: F2, W: F2, S: F2) -> None:
 @kernel_bare
 def _drop(eq: Equations, ws: Workspace) -> float:
     """Factor ws.S. Returns the smallest scaled pivot."""
-    scratch = ws.diagonal
-    return drop_cholesky(ws.S, scratch, eq.redundant_row, eq.sure != 0, ws.dependent, ws.order)
+    return drop_cholesky(ws.S, ws.diagonal, eq.redundant_row, eq.sure != 0, ws.dependent, ws.order)
 
 
 @kernel_late
@@ -237,7 +236,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     mode, inverse = eq.mode, eq.dense_inverse
     free, local, A, B = eq.free, eq.local, eq.A, eq.B
     augmented_row, augmentation = eq.augmented_row, eq.augmentation[0]
-    u, D, S, diagonal = ws.u, ws.D, ws.S, ws.diagonal
+    u, D, S = ws.u, ws.D, ws.S
     b, y, rhs, dependent, order = ws.b, ws.c, ws.rhs, ws.dependent, ws.order
     n, sums, sum_row = A.size, eq.sum_row.size > 0, eq.sum_row
     # f of the free coordinates
@@ -267,8 +266,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
     for k in range(n):
         rhs[k] = N[order[k]]
         missing = missing or dependent[k] != 0
-    forward(S, diagonal, rhs)
-    backward(S, n, diagonal, rhs)
+    cholesky_solve(S, n, rhs)
     if missing:
         share(ws, eq.weight, rhs)
     # N from (J M^-1 J^T) N = J M^-1 f - gamma

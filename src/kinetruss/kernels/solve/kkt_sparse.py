@@ -1,76 +1,29 @@
 """[[M, J^T], [J, 0]] = L D L^T on a pattern that is found once; the numbers are refreshed without a search.
 
 The order comes from approximate minimum degree, with each row put behind all coordinates it touches, so that no pivot is zero
-where the rows are independent. Values stand in one array: entries below the diagonal column by column, then the diagonal,
-then one place that nobody reads. A row whose pivot is below 1e-11 of what the coordinates give to it depends on rows before it
-and is dropped. Where rows are redundant, the forces N_0 that are found without them are shared: N = W^-1 J y with
+where the rows are independent; rows that depend on others are dropped (solve.ldl). Behind the diagonal is one place that nobody
+reads. Where rows are redundant, the forces N_0 that are found without them are shared: N = W^-1 J y with
 J^T W^-1 J y = J^T N_0, the forces of the same load J^T N that make sum w N^2 least, on the same pattern.
 """
 
 from __future__ import annotations
 
-import math
-
-from kinetruss.kernels.compiled.jit import kernel, kernel_bare
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Vector
-from kinetruss.kernels.compiled.words import view
+from kinetruss.kernels.compiled.record import F1, F2, I2, Vector
+from kinetruss.kernels.solve.ldl import COORDINATE, ldl_dropped, ldl_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 from kinetruss.kernels.structure.rows import add_row_forces, along_rows
 from kinetruss.kernels.structure.sums import add_sum_forces, sum_along, sum_entries
 
-__all__ = ["NODE", "OWN", "REDUNDANT", "sparse_factor", "sparse_solve", "sparse_targets", "sparse_tree"]
+__all__ = ["sparse_factor", "sparse_solve"]
 
-NODE, OWN, REDUNDANT = 2, 0, 1
-"""What stands at a place: a coordinate, a row, a redundant row."""
-DROP = 1e-11
 EASE = 1e-12
 """Stiffness of motions that no bar resists, as a share of that of the stiffest bar."""
 REFINED = 1e-13
 MOST = 6
-
-
-@kernel
-def sparse_tree(n: int, upper_ptr: I1, upper_row: I1, parent: I1, flag: I1, count: I1, below: I1) -> None:
-    """Elimination tree and, in two passes, the pattern of L: with empty `below` the column counts, else the rows.
-
-    upper_ptr, upper_row : rows above the diagonal of each column. Davis (2006), Direct Methods, section 4.1.
-    """
-    fill = below.size > 0
-    # row k of L: paths in the elimination tree from the entries of row k of the matrix up to k
-    for k in range(n):
-        flag[k] = k
-        if not fill:
-            parent[k] = -1
-        for at in range(upper_ptr[k], upper_ptr[k + 1]):
-            i = upper_row[at]
-            while flag[i] != k:
-                if not fill and parent[i] == -1:
-                    parent[i] = k
-                if fill:
-                    below[count[i]] = k
-                count[i] += 1
-                flag[i] = k
-                i = parent[i]
-
-
-@kernel
-def sparse_targets(ptr: I1, below: I1, target: I1) -> int:
-    """Where each product of two entries of a column goes, in the order in which `sparse_factor` makes them."""
-    at = 0
-    # column j updates entry (below[b], below[a]) of column below[a]
-    for j in range(ptr.size - 1):
-        for a in range(ptr[j], ptr[j + 1]):
-            p = ptr[below[a]]
-            for b in range(a + 1, ptr[j + 1]):
-                while below[p] != below[b]:
-                    p += 1
-                if at < target.size:
-                    target[at] = p
-                at += 1
-    return at
 
 
 @kernel_bare
@@ -147,103 +100,7 @@ def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
         kept[c] = x[c]
     if eq.shared:
         _factor_share(eq, ws, ws.values_share, gain)
-    return _eliminate(sort, ptr, below, target, value, gain)
-
-
-@kernel_bare
-def _pivot(j: int, sort: I1, d: float, gain: F1, smallest: float) -> tuple[float, float]:
-    """Reciprocal of the pivot at place j, 0 where it is dropped, and the smallest scaled pivot so far."""
-    if sort[j] == NODE:
-        return (1.0 / d, smallest) if 0.0 < d < math.inf else (0.0, 0.0)
-    share = -d / gain[j] if gain[j] > 0.0 else 0.0
-    if sort[j] == OWN and not share >= smallest:
-        smallest = share if share > 0.0 else 0.0
-    return (1.0 / d if DROP < share < math.inf else 0.0), smallest
-
-
-@kernel_bare
-def _eliminate(sort: I1, ptr: I1, below: I1, target: I1, value: F1, gain: F1) -> float:
-    """L D L^T of the values in place, right-looking; the reciprocals of D are left in its place.
-
-    Without targets, the columns reach without a gap as far as they reach (a skyline), and products go side by side.
-    """
-    n, entries, at = sort.size, below.size, 0
-    smallest, skyline = 1.0, target.size == 0
-    # gain: diagonal of J M^-1 J^T, summed as the coordinates are eliminated
-    for j in range(n):
-        gain[j] = 0.0
-    # right-looking: column j scaled by its pivot, its outer product taken off the columns behind
-    for j in range(n):
-        inverse, smallest = _pivot(j, sort, value[entries + j], gain, smallest)
-        value[entries + j] = inverse
-        first, last = ptr[j], ptr[j + 1]
-        for a in range(first, last):
-            y = value[a]
-            factor = y * inverse
-            value[a] = factor
-            i = below[a]
-            change = factor * y
-            value[entries + i] -= change
-            if sort[j] == NODE:
-                gain[i] += change
-            if skyline:
-                if factor != 0.0:
-                    more = last - a - 1
-                    to, rest = view(value, ptr[i], more), view(value, a + 1, more)
-                    for b in range(more):
-                        to[b] -= factor * rest[b]
-            else:
-                for b in range(a + 1, last):
-                    value[target[at]] -= factor * value[b]
-                    at += 1
-    return math.sqrt(smallest)
-
-
-@kernel_bare
-def _solve(ptr: I1, below: I1, target: I1, value: F1, b: F1) -> None:
-    """L D L^T y = b in place."""
-    n, entries = ptr.size - 1, below.size
-    if target.size == 0:
-        _solve_skyline(ptr, entries, value, b)
-        return
-    # forward substitution L z = b
-    for j in range(n):
-        y = b[j]
-        for a in range(ptr[j], ptr[j + 1]):
-            b[below[a]] -= value[a] * y
-    # D^-1 and back substitution L^T y = D^-1 z
-    for j in range(n - 1, -1, -1):
-        y = b[j] * value[entries + j]
-        for a in range(ptr[j], ptr[j + 1]):
-            y -= value[a] * b[below[a]]
-        b[j] = y
-
-
-@kernel_bare
-def _solve_skyline(ptr: I1, entries: int, value: F1, b: F1) -> None:
-    """The same where columns have no gaps."""
-    n = ptr.size - 1
-    # forward substitution L z = b
-    for j in range(n):
-        count, y = ptr[j + 1] - ptr[j], b[j]
-        column, rest = view(value, ptr[j], count), view(b, j + 1, count)
-        for a in range(count):
-            rest[a] -= column[a] * y
-    # D^-1 and back substitution L^T y = D^-1 z
-    for j in range(n - 1, -1, -1):
-        count = ptr[j + 1] - ptr[j]
-        column, rest = view(value, ptr[j], count), view(b, j + 1, count)
-        # four sums side by side: one would wait for itself
-        p, q, r, s = 0.0, 0.0, 0.0, 0.0
-        whole = count - count % 4
-        for a in range(0, whole, 4):
-            p += column[a] * rest[a]
-            q += column[a + 1] * rest[a + 1]
-            r += column[a + 2] * rest[a + 2]
-            s += column[a + 3] * rest[a + 3]
-        for a in range(whole, count):
-            p += column[a] * rest[a]
-        b[j] = b[j] * value[entries + j] - ((p + q) + (r + s))
+    return ldl_dropped(ptr, below, target, value, sort, gain)
 
 
 @kernel_bare
@@ -273,7 +130,7 @@ def _once(eq: Equations, ws: Workspace, f: F1, gamma: F1, b: F1) -> None:
                 b[place[p]] -= force
             if q >= 0:
                 b[place[q]] += force
-    _solve(eq.sparse_ptr, eq.sparse_below, eq.sparse_target, ws.values, b)
+    ldl_solve(eq.sparse_ptr, eq.sparse_below, eq.sparse_target, ws.values, b)
 
 
 @kernel_bare
@@ -289,11 +146,11 @@ def _factor_share(eq: Equations, ws: Workspace, value: F1, gain: F1) -> None:
         value[i] = 0.0
     # a small diagonal where the coordinates are free to move
     for j in range(sort.size):
-        value[below.size + j] = EASE * typical if sort[j] == NODE else 0.0
+        value[below.size + j] = EASE * typical if sort[j] == COORDINATE else 0.0
     # J^T W^-1 J: bars of stiffness 1/w
     for k in range(weight.size):
         _put_augmented(block, k, value, u, k, 1.0 / weight[k])
-    _eliminate(sort, ptr, below, target, value, gain)
+    ldl_dropped(ptr, below, target, value, sort, gain)
 
 
 @kernel_bare
@@ -319,7 +176,7 @@ def _share(eq: Equations, ws: Workspace, N: F1) -> None:
             b[j] = 0.0
         for i in range(free.size):
             b[place[i]] = rest[free[i]]
-        _solve(ptr, below, target, ws.values_share, b)
+        ldl_solve(ptr, below, target, ws.values_share, b)
         for i in range(free.size):
             y[free[i]] = b[place[i]]
         along_rows(A, B, u, y, left)

@@ -12,6 +12,7 @@ from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
+from kinetruss.kernels.solve.elimination import complete_pivots
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import between, dot, mass_times
 
@@ -66,32 +67,9 @@ def _eliminate(eq: Equations, ws: Workspace, plan: int) -> float:
             if not best >= smallest:
                 smallest = best
             continue
-        # complete pivoting: the largest entry left is the next pivot; columns left over are independent coordinates
-        for k in range(n):
-            best, i_best, j_best = -1.0, k, k
-            for i in range(k, n):
-                for j in range(k, width):
-                    size = abs(lu[at + i * width + j])
-                    if size > best:
-                        best, i_best, j_best = size, i, j
-            if i_best != k:
-                row_at[r + k], row_at[r + i_best] = row_at[r + i_best], row_at[r + k]
-                for j in range(width):
-                    lu[at + k * width + j], lu[at + i_best * width + j] = lu[at + i_best * width + j], lu[at + k * width + j]
-            if j_best != k:
-                col_at[c + k], col_at[c + j_best] = col_at[c + j_best], col_at[c + k]
-                for i in range(n):
-                    lu[at + i * width + k], lu[at + i * width + j_best] = lu[at + i * width + j_best], lu[at + i * width + k]
-            if not best >= smallest:
-                smallest = best
-            inverse = 1.0 / lu[at + k * width + k] if best > 1e-14 else 0.0
-            lu[at + k * width + k] = inverse
-            for i in range(k + 1, n):
-                factor = lu[at + i * width + k] * inverse
-                if factor != 0.0:
-                    lu[at + i * width + k] = factor
-                    for j in range(k + 1, width):
-                        lu[at + i * width + j] -= factor * lu[at + k * width + j]
+        best = complete_pivots(lu, at, n, width, row_at, r, col_at, c)
+        if not best >= smallest:
+            smallest = best
     return smallest
 
 

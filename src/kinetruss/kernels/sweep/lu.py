@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.compiled.words import B2, U1, U2
@@ -189,25 +190,34 @@ def _pivot(lu: F2, r: int, c: int) -> tuple[float, float]:
     return (-sign if inverse < 0.0 else sign), inverse
 
 
+@kernel_inline
+def _take_off(lu: F2, order: Order, k: int) -> tuple[float, float]:
+    """Eliminate with pivot k of an order: multipliers in its column, rank-one update of the rows below.
+
+    Returns the sign of the pivot (0: it vanished), and the largest multiplier.
+    """
+    r, c, largest = order.row[k], order.col[k], 0.0
+    sign, inverse = _pivot(lu, r, c)
+    for m in range(order.n_low[k]):
+        i = order.low[k, m]
+        factor = lu[i, c] * inverse
+        lu[i, c] = factor
+        largest = larger(largest, abs(factor))
+        for s in range(order.n_up[k]):
+            j = order.up[k, s]
+            lu[i, j] -= factor * lu[r, j]
+    return sign, largest
+
+
 @kernel_bare
 def sparse_again(lu: F2, order: Order, first: int, last: int) -> float:
     """Factor in the known order, in place. Returns the product of the pivots' signs, or FAILED with the matrix spoilt."""
-    row, col, low, up, n_low, n_up = order
     sign = 1.0
-    # elimination on the known pattern: multipliers in column c, rank-one update of the rows below
     for k in range(first, last):
-        r, c = row[k], col[k]
-        one, inverse = _pivot(lu, r, c)
+        one, largest = _take_off(lu, order, k)
+        if not largest <= LARGEST:
+            return FAILED
         sign *= one
-        for m in range(n_low[k]):
-            i = low[k, m]
-            factor = lu[i, c] * inverse
-            if not abs(factor) <= LARGEST:
-                return FAILED
-            lu[i, c] = factor
-            for s in range(n_up[k]):
-                j = up[k, s]
-                lu[i, j] -= factor * lu[r, j]
     return sign
 
 
@@ -241,14 +251,7 @@ def sparse_first(lu: F2, full: B2, left: B2, order: Order, first: int, n: int) -
                     full[i, up[k, s]] = True
         n_low[k], n_up[k] = below, beside
         work += below * beside
-        one, inverse = _pivot(lu, first + r, c)
-        sign *= one
-        for m in range(below):
-            i = low[k, m]
-            factor = lu[i, c] * inverse
-            lu[i, c] = factor
-            for s in range(beside):
-                lu[i, up[k, s]] -= factor * lu[first + r, up[k, s]]
+        sign *= _take_off(lu, order, k)[0]
     return _parity(row, col, first, first + n), sign, work
 
 
