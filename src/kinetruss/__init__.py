@@ -77,6 +77,7 @@ if TYPE_CHECKING:
         CosineCoordinate as CosineCoordinate,
         Coupling as Coupling,
         Cyclic as Cyclic,
+        Cylinder as Cylinder,
         DistanceCoordinate as DistanceCoordinate,
         Docking as Docking,
         DriveLoad as DriveLoad,

@@ -34,6 +34,7 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
     "um": (1e-6, _M),
     "in": (0.0254, _M),
     "ft": (0.3048, _M),
+    "l": (1e-3, (0, 3, 0, 0, 0)),
     "kg": (1.0, _KG),
     "g": (1e-3, _KG),
     "t": (1e3, _KG),
@@ -58,6 +59,7 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
     "kPa": (1e3, _PA),
     "MPa": (1e6, _PA),
     "GPa": (1e9, _PA),
+    "bar": (1e5, _PA),
     "psi": (6894.757293168361, _PA),
     "ksi": (6894757.293168361, _PA),
     "A": (1.0, _A),
@@ -149,6 +151,7 @@ _SPELLINGS = {
     "GPA": "GPa",
     "m²": "m^2",
     "m³": "m^3",
+    "L": "l",
 }
 
 
@@ -196,6 +199,9 @@ QUANTITIES: dict[str, Quantity] = {
     "second moment of area": _quantity("m^4"),
     "density": _quantity("kg/m^3"),
     "stress": _quantity("Pa", "N/m^2"),
+    "pressure": _quantity("Pa", "N/m^2"),
+    "volume flow": _quantity("m^3/s"),
+    "flow per pressure": _quantity("m^3/s/Pa"),
     "force": _quantity("N"),
     "force per length": _quantity("N/m"),
     "torque": _quantity("N m", "N m/rad"),

@@ -95,6 +95,14 @@ MODELS = {
         "of six nodes": _meshed(SIX, membranes={"m": SIX.membrane(thickness=0.01, strain="linear")}),
         "in space": kt.Model(nodes=LIFTED, material=SOFT, membranes={"m": SQUARE.membrane(thickness=0.01)}),
     },
+    "cylinder": {
+        "of given pressures": SPACE.with_(
+            cylinders={"ram": kt.Cylinder(nodes=("A", "E"), bore=0.02, rod=0.01, pressure_A=1e4, flow_limit=1e-3)}
+        ),
+        "of a given flow": SPACE.with_(
+            cylinders={"ram": kt.Cylinder(member="CE", bore=0.02, rod=0.01, flow=1e-4, leak=3e-8, relief=1e6)}
+        ),
+    },
     "solid": {"of four nodes": _meshed(CUBE, solids={"s": CUBE.solid()})},
     "beam": {
         "in the plane": _beams(2), "in space": _beams(3), "that shears": _beams(3, shear_coefficient=0.1),
@@ -110,8 +118,8 @@ CASES = [(kind, name) for kind, models in MODELS.items() for name in models]
 STEP = 1e-6
 GROUNDED: tuple[str, ...] = ()
 """Kinds to which rigid motions matter; there are none."""
-FEEDING: tuple[str, ...] = ()
-"""Kinds that give energy which they do not store; there are none."""
+FEEDING = ("cylinder",)
+"""Kinds that give energy which they do not store."""
 STORING = [one for one in CASES if one[0] not in FEEDING]
 BY_THE_MIDDLE = ("on a hinge", "of two terms", "on an offset")
 """Steps by the midpoint rule keep the energy of these to the order of the step alone."""

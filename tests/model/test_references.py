@@ -48,6 +48,10 @@ PLANE = STOCK | {
     "active": {"jack": {"ends": ["Ant", "Cat"], "base": PART, "tube": PART, "screw": "fine", **TRAIN}},
     "section": "round",
     "material": "steel",
+    "cylinders": {
+        "ram": {"member": "crank", "bore": 0.04, "rod": 0.02, "pressure_A": 1e6},
+        "free": {"nodes": ["Ant", "Cat"], "bore": 0.04, "rod": 0.02, "pressure_A": 1e6},
+    },
     "bodies": {"plate": {"nodes": ["Cat", "Dog"], "carriers": ["Cat", "Dog"], "mass": 1}},
     "joints": {
         "foot": {

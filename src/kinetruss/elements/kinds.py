@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements import beam_kernels, beam_matrices, continua, continua_matrices, on_nodes, scalars
+from kinetruss.elements import beam_kernels, beam_matrices, continua, continua_matrices, cylinder, on_nodes, scalars
 from kinetruss.elements.caching import cached
 from kinetruss.elements.element import Element
 from kinetruss.elements.loads import along, body_loads, nodal, pressures
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 ON_COORDINATES = {"friction": pins, "spring": springs, "stop": stops}
 """Kinds of elements on coordinates (elements.scalars): friction, whose elements have no names, and those of a model."""
 
-ON_NODES: tuple[Callable[[System], on_nodes.Part | None], ...] = ()
+ON_NODES: tuple[Callable[[System], on_nodes.Part | None], ...] = (cylinder.cylinders,)
 """Kinds of elements on nodes whose law is an expression (elements.on_nodes)."""
 
 

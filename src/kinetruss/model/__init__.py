@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from kinetruss.model.checks import faults as faults, trajectory_faults as trajectory_faults
     from kinetruss.model.collecting import Lost as Lost, rests_on as rests_on
     from kinetruss.model.continua import Membrane as Membrane, Orthotropic as Orthotropic, Solid as Solid
+    from kinetruss.model.cylinder import Cylinder as Cylinder
     from kinetruss.model.data import FORMAT as FORMAT, Safety as Safety, TitleBlock as TitleBlock
     from kinetruss.model.description import contents as contents, field_texts as field_texts
     from kinetruss.model.drives import (

@@ -11,6 +11,7 @@ from kinetruss.errors import shown
 from kinetruss.model.beams import Beam
 from kinetruss.model.bodies import Body
 from kinetruss.model.continua import Membrane, Solid
+from kinetruss.model.cylinder import Cylinder
 from kinetruss.model.drives import (
     AngleDrive,
     Coupling,
@@ -170,6 +171,8 @@ class ModelData(Record):
     """Springs, dampers, friction and play on lengths and angles."""
     stops: Table[Name, Stop] = ReadOnly()
     """Stops on lengths, angles and other coordinates: a gap, and contact behind it."""
+    cylinders: Table[Name, Cylinder] = ReadOnly()
+    """Hydraulic cylinders along members or between nodes."""
     poses: Table[Name, Pose] = ReadOnly()
     """Coordinates of a platform or tip by name, for trajectories and tasks."""
     trajectories: Table[Name, Trajectory] = ReadOnly()
