@@ -20,6 +20,8 @@ from kinetruss.elements.kinds import spans_of
 from kinetruss.elements.loads.load import Spread
 from kinetruss.mechanics import System
 from kinetruss.mechanics.elements import scalar_motions
+from kinetruss.mechanics.frames import across_bars, cross
+from kinetruss.model.data import FORCE_ELEMENTS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,7 +29,7 @@ if TYPE_CHECKING:
     from kinetruss.mechanics.loads import Loads
 
 
-GIVEN = ("load", "body", "friction", "spring", "hub", "bearing", "couple", "hinge")
+GIVEN = ("load", "body", "friction", *FORCE_ELEMENTS, "hub", "bearing", "couple", "hinge")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
 
 
@@ -60,11 +62,6 @@ class Instants:
     carried: CarriedBy | None = None
     found: dict[str, NDArray[np.float64]] = field(default_factory=dict, init=False)
 
-    def along(self, i: int) -> NDArray[np.float64]:
-        """From end A of member i to its end B, (t, 3) m."""
-        d: NDArray[np.float64] = self.x[:, self.system.q[i]] - self.x[:, self.system.p[i]]
-        return d
-
     @cached_property
     def pin_torque(self) -> NDArray[np.float64]:
         """Torques of friction about pins (t, pairs), N m, of the pairs of `pins_of`."""
@@ -75,23 +72,22 @@ class Instants:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Action:
-    """An action on a member.
+    """An action on a member: forces, a couple, or both.
 
     source : name of a drive, coupling, load, body, hub or bearing, or of the node of a pin with friction; kind : which of them.
-    member : index.
-    worth : function for the equivalent end forces f_A, f_B (t, 2, 3), N. place : function for the fraction from A (t,), or a
-        number; or how it is spread. counted : the row belongs to the member itself, so that its joint forces include
-        the action.
-    torque : gives the couple about z (t,), N m, of an action that is nothing else; else it follows from worth and place.
+    member : index. place : the fraction from A, or a function for it (t,), or how it is spread.
+    worth : function for the equivalent end forces f_A, f_B (t, 2, 3), N. couple : function for a couple (t, 3), N m, of which
+        the part across the member counts: f_B = C x u/L = -f_A.
+    counted : the row belongs to the member itself, so that its joint forces include the action.
     """
 
     source: str
     kind: str
     member: int
-    worth: Callable[[Instants], NDArray[np.float64]]
     place: float | Callable[[Instants], NDArray[np.float64]] | Spread
+    worth: Callable[[Instants], NDArray[np.float64]] | None = None
+    couple: Callable[[Instants], NDArray[np.float64]] | None = None
     counted: bool = False
-    torque: Callable[[Instants], NDArray[np.float64]] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,46 +114,25 @@ class Acting:
 
 def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
     """Actions at some instants. A place beyond the ends of its bar counts as the end, with the couple of the arm."""
-    count = len(here.x)
-    worth, place = np.zeros((count, len(actions), 2, 3)), np.empty((count, len(actions)))
-    couple = np.zeros((count, len(actions), 3))
+    count, system = len(here.x), here.system
+    worth, place = np.zeros((count, len(actions), 2, 3)), np.full((count, len(actions)), np.nan)
     for k, action in enumerate(actions):
-        worth[:, k] = action.worth(here)
-        if isinstance(action.place, Spread):
-            place[:, k] = np.nan
-        else:
-            place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
-        if action.torque is not None:
-            couple[:, k, 2] = action.torque(here)
-    levers = np.array(
-        [k for k, one in enumerate(actions) if one.torque is None and not isinstance(one.place, Spread)], np.int64
-    )
-    if len(levers):
-        member, ends = np.array([actions[k].member for k in levers]), worth[:, levers]
-        d = here.x[:, here.system.q[member]] - here.x[:, here.system.p[member]]
-        couple[:, levers] = cross(d, ends[:, :, 1] - place[:, levers, None] * (ends[:, :, 0] + ends[:, :, 1]))
+        if action.worth is not None:
+            worth[:, k] = action.worth(here)
+        if not isinstance(action.place, Spread):
+            place[:, k] = np.clip(action.place(here) if callable(action.place) else action.place, 0.0, 1.0)
+    member = np.array([one.member for one in actions], np.int64)
+    if turning := [(k, action.couple(here)) for k, action in enumerate(actions) if action.couple is not None]:
+        which = [k for k, _ in turning]
+        across = across_bars(system, here.x, member[which], np.stack([one for _, one in turning], axis=1))
+        worth[:, which] += np.stack([-across, across], axis=2)
+    d = here.x[:, system.q[member]] - here.x[:, system.p[member]]
+    couple = cross(d, worth[:, :, 1] - place[:, :, None] * worth.sum(axis=2))
+    couple[:, [isinstance(one.place, Spread) for one in actions]] = 0.0
     return Acting(worth=worth, place=place, couple=couple)
 
 
 def couple_on_ends(system: System, x: NDArray[np.float64], i: int, couple: NDArray[np.float64]) -> NDArray[np.float64]:
     """f_B = C x u/L and f_A = -f_B, (t, 2, 3) N, of the part of a couple C (t, 3) across bar i."""
-    found = np.empty((len(x), 2, 3))
-    found[:, 1] = across_bars(system, x, np.array([i]), couple[:, None])[:, 0]
-    np.negative(found[:, 1], out=found[:, 0])
-    return found
-
-
-def across_bars(
-    system: System, x: NDArray[np.float64], members: NDArray[np.int64], couple: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """f_B = C x u/L, (t, k, 3) N, of the parts of couples C (t, k, 3) across bars; members (k,)."""
-    d = x[:, system.q[members]] - x[:, system.p[members]]
-    return cross(couple, d / np.einsum("tkc,tkc->tk", d, d)[:, :, None])
-
-
-def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """a x b (t, k, 3); of a few hundred vectors numpy.cross takes three times as long."""
-    found = np.empty_like(b)
-    for c, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        found[..., c] = a[..., i] * b[..., j] - a[..., j] * b[..., i]
-    return found
+    across = across_bars(system, x, np.array([i]), couple[:, None])[:, 0]
+    return np.stack([-across, across], axis=1)

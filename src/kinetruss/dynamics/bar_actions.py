@@ -60,7 +60,7 @@ def actions_of(system: System, case: str) -> BarActions:
         *actions_of_bodies(system, bars),
         *actions_of_loads(system, bars, loads),
         *actions_of_friction(system),
-        *actions_of_hubs(system, bars),
+        *actions_of_hubs(system),
         *actions_of_hinges(system, bars),
         *couples_through_members(system, loads),
         *actions_of_bearings(system),
@@ -111,10 +111,9 @@ def acting_along(
 
     Forces of elements follow from their laws if none are given.
     """
-    amounts = {("drive", name): drive[:, k] for k, name in enumerate(system.drives)}
-    amounts |= {("coupling", name): coupling[:, k] for k, name in enumerate(system.model.couplings)}
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
-    amounts |= _of_elements(system, named_motions(system, x, v).force if element is None else element)
+    element = named_motions(system, x, v).force if element is None else element
+    amounts = _amounts(system, drive, coupling, element)
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads, carried=carried)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -136,19 +135,19 @@ def mean_tension_at_rest(
     actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
     if not actions:
         return np.zeros(len(system.members))
-    amounts = {("drive", name): drive[k : k + 1] for k, name in enumerate(system.drives)}
-    amounts |= {("coupling", name): coupling[k : k + 1] for k, name in enumerate(system.model.couplings)}
     still = np.zeros((1, *x.shape))
     force = named_motions(system, x[None]).force[0] if element is None else element
-    amounts |= _of_elements(system, force[None])
+    amounts = _amounts(system, drive[None], coupling[None], force[None])
     here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts, carried=carried)
     return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
 
 
-def _of_elements(system: System, force: NDArray[np.float64]) -> dict[tuple[str, str], NDArray[np.float64]]:
-    """Forces of elements on coordinates (times, force_elements), N or N m, by source."""
+def _amounts(system: System, *forces: NDArray[np.float64]) -> dict[tuple[str, str], NDArray[np.float64]]:
+    """Forces of drives, couplings and elements on coordinates (times, ...), N or N m, by source."""
     own = system.model.force_elements
-    return {(own[name][0], name): one for name, one in zip(system.force_elements, force.T, strict=True)}
+    keys = [("drive", one) for one in system.drives] + [("coupling", one) for one in system.model.couplings]
+    keys += [(own[name][0], name) for name in system.force_elements]
+    return dict(zip(keys, np.concatenate(forces, axis=1).T, strict=True))
 
 
 def adds_tension(action: Action) -> bool:
@@ -159,12 +158,11 @@ def adds_tension(action: Action) -> bool:
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Mean axial force of each member by drives, couplings, elements and hubs (times, members), N: f_A . u - (1 - s) q . u."""
     found = np.zeros((len(x), len(system.members)))
-    place = x.reshape(len(x), prod(x.shape[1:]) // 3, 3)
-    for k, action in enumerate(actions):
-        if adds_tension(action):
-            u = ends_of(system, place, action.member)[2]
-            ends, left = acting.worth[:, k], 1.0 - acting.place[:, k]
-            found[:, action.member] += np.sum((ends[:, 0] - left[:, None] * ends.sum(axis=1)) * u, axis=1)
+    kept = [k for k, action in enumerate(actions) if adds_tension(action)]
+    member = np.array([actions[k].member for k in kept], np.int64)
+    u = ends_of(system, x.reshape(len(x), prod(x.shape[1:]) // 3, 3), member)[2]
+    ends, left = acting.worth[:, kept], 1.0 - acting.place[:, kept]
+    np.add.at(found.T, member, np.sum((ends[:, :, 0] - left[:, :, None] * ends.sum(axis=2)) * u, axis=2).T)
     return found
 
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.action_couples import hinges_of
-from kinetruss.dynamics.actions import Action, Instants, across_bars, couple_on_ends, cross
+from kinetruss.dynamics.actions import Action, Instants, couple_on_ends
 from kinetruss.errors import InputError
 from kinetruss.mechanics import cached
+from kinetruss.mechanics.frames import across_bars, cross
 from kinetruss.model.hub_arms import is_grounded
 from kinetruss.model.hub_expansion import seat_of
 

@@ -9,19 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from kinetruss.dynamics.action_couples import bars_of_hinges, hinge_bodies, hinges_of
-from kinetruss.dynamics.actions import Action, Instants, NotOnBars, couple_on_ends
+from kinetruss.dynamics.action_couples import bars_of_hinges, hinge_bodies, hinges_of, through_arm
+from kinetruss.dynamics.actions import Action, Instants, NotOnBars
 from kinetruss.dynamics.bearing_friction import friction_on_hub
 from kinetruss.elements.kinds import LOADS
 from kinetruss.elements.loads.body_loads import bar_of, hub_bodies, share
 from kinetruss.elements.loads.load import OnMember, Spread
 from kinetruss.elements.pin_friction import pins_of
-from kinetruss.mechanics import cached, ends_of, turned
+from kinetruss.mechanics import cached
 from kinetruss.mechanics.bars import Bars, bars_of
+from kinetruss.mechanics.frames import bar_pushes
 from kinetruss.model import BodyCouple, body_mass
 from kinetruss.model.hub_arms import arm_through, clamped_at, is_grounded, loops
 
@@ -29,138 +30,120 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
-    from kinetruss.model import Body
+
+
+class HubFrame(NamedTuple):
+    """A hub as the frame of its arms and of the members clamped to it.
+
+    joints : by arm or clamped member, which of its ends is not at the centre, and the nodes there: its joint and those on the
+    axis of a hinge. braces : bars that hold them. loads : names of those on its body. grounded : bolted to the ground.
+    shared : others join its nodes too, so that statics alone does not give the moments in its arms.
+    """
+
+    hub: str
+    joints: dict[int, tuple[int, list[int]]]
+    braces: list[int]
+    loads: frozenset[str]
+    grounded: bool
+    shared: bool
 
 
 @cached()
-def braces_of_hubs(system: System) -> frozenset[int]:
-    """Braces whose forces the arms of hubs take: the free body of a node has the arms instead."""
-    bars, model, found = bars_of(system), system.model, set[int]()
+def frames_of_hubs(system: System) -> tuple[HubFrame, ...]:
+    """The hubs of a model."""
+    model, bars, found = system.model, bars_of(system), list[HubFrame]()
     for hub in model.hubs:
-        if not _shared(system, bars, hub):
-            found.update(_braces(system, bars, hub))
-    return frozenset(found) | bars_of_hinges(system)
-
-
-def grounded_tips(system: System, node: str) -> list[str] | None:
-    """The tips of a hub on the ground by its centre; an empty list at a tip of one; None at other nodes."""
-    model = system.model
-    for hub in model.hubs:
-        if is_grounded(model, hub):
-            tips = [arm.name for arm in model.inner.arms[hub]]
-            tips += [at for one in hinges_of(system) if one.hub == hub for at in one.nodes]
-            if node == hub:
-                return tips
-            if node in tips:
-                return []
-    return None
-
-
-def _braces(system: System, bars: Bars, hub: str) -> list[int]:
-    return [i for i, name in enumerate(system.members) if bars.brace[i] and name.startswith(f"{hub}.hub.")]
-
-
-def _arms(system: System, bars: Bars, hub: str) -> list[int]:
-    arms = [bars.index[arm.name] for arm in system.inner.arms[hub]]
-    return arms + [bars.index[name] for name in clamped_at(system.given, hub)]
-
-
-def _shared(system: System, bars: Bars, hub: str) -> bool:
-    """Whether others share the moments of a hub, so that statics alone does not give them."""
-    return hub in loops(system.given) or _shared_with_others(system, bars, hub, set(_arms(system, bars, hub)))
-
-
-def actions_of_hubs(system: System, bars: Bars) -> Iterator[Action | NotOnBars]:
-    """What braces and supports at the tips of arms do to them; hubs whose moments statics alone does not give."""
-    model = system.model
-    for hub in model.hubs:
-        arms = _arms(system, bars, hub)
-        tips = {i: int(system.nodes[bars.ends(i)[0]] == hub) for i in arms}
-        if _shared(system, bars, hub):
-            nodes = tuple(system.nodes[bars.ends(i)[tip]] for i, tip in tips.items())
-            yield NotOnBars(source=hub, kind="hub", nodes=(hub, *nodes), members=tuple(system.members[i] for i in arms))
-            continue
-        braces = _braces(system, bars, hub)
-        on_body = (name for name, load in model.loads.items() if getattr(load, "body", None) == f"{hub}.hub")
-        own = frozenset(on_body)
-        for i, tip in tips.items():
+        joints = {}
+        for name in (*(arm.name for arm in model.inner.arms[hub]), *clamped_at(system.given, hub)):
+            i = bars.index[name]
+            tip = int(system.nodes[system.p[i]] == hub)
             joint = bars.ends(i)[tip]
-            axes = [node for one in hinges_of(system) if one.tip == system.nodes[joint] for node in one.nodes]
-            at = (joint, *(system.node_index(node) for node in axes))
-            pulled = tuple((k, bars.ends(k).index(node)) for k in braces for node in at if node in bars.ends(k))
-            worth = partial(_passed_on, hub, tip, at, pulled, own, is_grounded(model, hub))
-            yield Action(source=hub, kind="hub", member=i, worth=worth, place=float(1 - tip))
+            axes = (node for one in hinges_of(system) if one.tip == system.nodes[joint] for node in one.nodes)
+            joints[i] = tip, [joint, *map(system.node_index, axes)]
+        braces = [i for i, name in enumerate(system.members) if bars.brace[i] and name.startswith(f"{hub}.hub.")]
+        loads = frozenset(name for name, load in model.loads.items() if getattr(load, "body", None) == f"{hub}.hub")
+        shared = hub in loops(system.given) or _shared_with_others(system, bars, hub, joints)
+        found.append(HubFrame(hub, joints, braces, loads, is_grounded(model, hub), shared))
+    return tuple(found)
 
 
-def couples_through_members(system: System, names: Iterable[str]) -> Iterator[Action]:
-    """Couples that enter a hub through a member: across its arm the couple acts at the tip and its opposite at the centre."""
-    model, bars = system.model, bars_of(system)
-    for name in names:
-        load = model.loads[name]
-        if not isinstance(load, BodyCouple) or load.member is None:
-            continue
-        if (arm := arm_through(model, load.body, load.member)) is None:
-            continue
-        i = bars.index[arm.name]
-        tip = int(system.nodes[bars.ends(i)[0]] == arm.hub)
-        for source, sign, place in ((name, 1.0, tip), (arm.hub, -1.0, 1 - tip)):
-            yield Action(source=source, kind="couple", member=i, worth=partial(_bent, i, name, sign), place=float(place))
-
-
-def _bent(i: int, load: str, sign: float, here: Instants) -> NDArray[np.float64]:
-    """Two opposite forces (t, 2, 3), N, equivalent to the part of a couple across arm i."""
-    if here.loads is None or load not in here.loads.amounts:
-        return np.zeros((len(here.x), 2, 3))
-    return couple_on_ends(here.system, here.x, i, sign * here.loads.amounts[load])
-
-
-def _shared_with_others(system: System, bars: Bars, hub: str, own: set[int]) -> bool:
+def _shared_with_others(system: System, bars: Bars, hub: str, own: Iterable[int]) -> bool:
     """Whether other rigid bars or bodies join nodes of the hub too, so that they share its moments."""
     model = system.model
     body = model.bodies.get(f"{hub}.hub")
     if body is None:
         return False
     nodes = set(body.nodes)
-    edges = [{system.nodes[n] for n in bars.ends(i)} for i in own]
-    hinged = [{one.tip, *one.nodes} for one in hinges_of(system)]
+    alone = [{system.nodes[n] for n in bars.ends(i)} for i in own] + [{one.tip, *one.nodes} for one in hinges_of(system)]
     for name, other in model.bodies.items():
         shared = nodes & set(other.nodes)
-        if name != f"{hub}.hub" and len(shared) > 1 and not any(shared <= edge for edge in [*edges, *hinged]):
+        if name != f"{hub}.hub" and len(shared) > 1 and not any(shared <= some for some in alone):
             return True
-    inside = {i for i in range(len(bars.brace)) if not bars.brace[i] and {system.nodes[n] for n in bars.ends(i)} <= nodes}
-    return bool(inside - own)
+    return not set(bars.inside({system.node_index(node) for node in nodes})) <= {system.members[i] for i in own}
 
 
-def _passed_on(
-    hub: str,
-    tip: int,
-    nodes: tuple[int, ...],
-    pulled: tuple[tuple[int, int], ...],
-    own: frozenset[str],
-    fixed: bool,
-    here: Instants,
-) -> NDArray[np.float64]:
-    """Two opposite forces (t, 2, 3), N, on an arm: at its tip those that braces and supports exert on the nodes there, which
-    are the joint and the axis of its hinge.
-    """
-    found = np.zeros((len(here.x), 2, 3))
+@cached()
+def braces_of_hubs(system: System) -> frozenset[int]:
+    """Braces whose forces the arms of hubs take: the free body of a node has the arms instead."""
+    return bars_of_hinges(system).union(*(one.braces for one in frames_of_hubs(system) if not one.shared))
+
+
+def grounded_tips(system: System, node: str) -> list[str] | None:
+    """The tips of a hub on the ground by its centre; an empty list at a tip of one; None at other nodes."""
+    for one in frames_of_hubs(system):
+        joints = [nodes for _, nodes in one.joints.values()]
+        tips = [system.nodes[at] for at in (*(nodes[0] for nodes in joints), *(at for nodes in joints for at in nodes[1:]))]
+        if one.grounded and node in (one.hub, *tips):
+            return tips if node == one.hub else []
+    return None
+
+
+def loads_of_hubs(system: System) -> dict[str, int]:
+    """Loads on the bodies of hubs whose arms take them, with the node at the centre."""
+    return {load: system.node_index(one.hub) for one in frames_of_hubs(system) if not one.shared for load in one.loads}
+
+
+def actions_of_hubs(system: System) -> Iterator[Action | NotOnBars]:
+    """What braces and supports at the tips of arms do to them; hubs whose moments statics alone does not give."""
+    for one in frames_of_hubs(system):
+        if one.shared:
+            names = (one.hub, *(system.nodes[at[0]] for _, at in one.joints.values()))
+            yield NotOnBars(source=one.hub, kind="hub", nodes=names, members=tuple(system.members[i] for i in one.joints))
+            continue
+        for i, (tip, nodes) in one.joints.items():
+            yield Action(source=one.hub, kind="hub", member=i, place=float(1 - tip), worth=partial(_passed_on, one, tip, nodes))
+
+
+def _passed_on(frame: HubFrame, tip: int, nodes: list[int], here: Instants) -> NDArray[np.float64]:
+    """Two opposite forces (t, 2, 3), N, on an arm: at its tip those that braces and supports exert on the nodes there."""
     if here.carried is None:
-        return found * np.nan
-    push = found[:, tip]
-    for k, end in pulled:
-        d = here.along(k) * (1.0 if end else -1.0)  # outward from the brace at its end
-        push -= (here.carried.tension[:, k] / np.linalg.norm(d, axis=1))[:, None] * d
+        return np.full((len(here.x), 2, 3), np.nan)
+    pushes = bar_pushes(here.system, here.x, frame.braces, here.carried.tension[:, frame.braces], nodes)
+    push: NDArray[np.float64] = pushes.sum(axis=1)
     if here.loads is not None:  # loads on the body of a hub act at its centre
-        for k, (load, at) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):
-            if at in nodes and load in own:
-                push += here.loads.force[:, k]
-    for at, force in friction_on_hub(here, hub):  # acts at the centre too, but for the couple that enters through the arm
+        for load, at, force in zip(here.loads.loads, here.loads.node, np.moveaxis(here.loads.force, 1, 0), strict=True):
+            if at in nodes and load in frame.loads:
+                push += force
+    for at, force in friction_on_hub(here, frame.hub):  # acts at the centre too, but for the couple that enters through the arm
         if at in nodes:
             push += force
-    if fixed:
-        push += here.carried.support[:, list(nodes)].sum(axis=1)
-    found[:, 1 - tip] = -push
-    return found
+    if frame.grounded:
+        push += here.carried.support[:, nodes].sum(axis=1)
+    return np.stack([push, -push] if tip == 0 else [-push, push], axis=1)
+
+
+def couples_through_members(system: System, names: Iterable[str]) -> Iterator[Action]:
+    """Couples that enter a hub through a member: across its arm the couple acts at the tip and its opposite at the centre."""
+    for name in names:
+        load = system.model.loads[name]
+        if isinstance(load, BodyCouple) and load.member and (arm := arm_through(system.model, load.body, load.member)):
+            yield from through_arm(system, arm.name, (name, arm.hub), "couple", partial(_given, name))
+
+
+def _given(load: str, here: Instants) -> NDArray[np.float64]:
+    """A couple (t, 3), N m, that is a load."""
+    none = np.zeros((len(here.x), 3))
+    return none if here.loads is None else here.loads.amounts.get(load, none)
 
 
 # Friction about a pin: a couple on each of its bars, at the pin.
@@ -169,21 +152,17 @@ def _passed_on(
 def actions_of_friction(system: System) -> Iterator[Action]:
     """The couples on bars that turn about pins with friction."""
     pins = pins_of(system)
-    second = pins.second >= 0
-    member, node = np.append(pins.first, pins.second[second]), np.append(pins.node, pins.node[second])
-    for i, at in sorted(set(zip(member.tolist(), node.tolist(), strict=True))):
-        place = float(system.q[i] == at)
-        yield Action(source=system.nodes[at], kind="friction", member=i, worth=partial(_pin_forces, i, at), place=place)
+    both = {(int(i), int(at)) for members in (pins.first, pins.second) for i, at in zip(members, pins.node, strict=True)}
+    for i, at in sorted(one for one in both if one[0] >= 0):
+        couple = partial(_pin_couple, i, at)
+        yield Action(source=system.nodes[at], kind="friction", member=i, place=float(system.q[i] == at), couple=couple)
 
 
-def _pin_forces(i: int, node: int, here: Instants) -> NDArray[np.float64]:
-    """Forces at the ends of bar i, (times, 2, 3) N, equivalent to the couple of all its pairs at a node."""
-    pins, torque = pins_of(here.system), here.pin_torque
-    at = pins.node == node
-    couple = torque[:, at & (pins.second == i)].sum(axis=1) - torque[:, at & (pins.first == i)].sum(axis=1)
-    _, L, u = ends_of(here.system, here.x, i)
-    push = (couple / L)[:, None] * turned(u)
-    return np.stack([-push, push], axis=1)
+def _pin_couple(i: int, node: int, here: Instants) -> NDArray[np.float64]:
+    """Couple on bar i (t, 3), N m, of all its pairs at a node."""
+    pins = pins_of(here.system)
+    sign = np.where(pins.node == node, (pins.second == i).astype(float) - (pins.first == i), 0.0)
+    return np.multiply.outer(here.pin_torque @ sign, (0.0, 0.0, 1.0))
 
 
 # The bars that carry bodies and loads: an action on the two nodes of one bar acts on that bar.
@@ -197,18 +176,42 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
     Bars inside larger bodies are reported instead: the weight of the body, and actions at its other nodes, act on them through
     braces.
     """
-    for name, body in system.model.bodies.items():
-        i = bar_of(system, bars, body)
-        if i >= 0:
-            if body.mass:
-                place = Spread() if body.center is None else share(system, bars, i, body, None)
-                worth = partial(_inertia, i, *_mass(system, bars, i, body))
-                yield Action(source=name, kind="body", member=i, worth=worth, place=place)
+    model, on_bars = system.model, bodies_on_bars(system)
+    for name, body in model.bodies.items():
+        if name in on_bars:
+            i, m, skew = on_bars[name]
+            place = Spread() if body.center is None else share(system, bars, i, body, None)
+            yield Action(source=name, kind="body", member=i, place=place, worth=partial(_inertia, i, m, skew))
             continue
         own = {system.node_index(node) for node in body.nodes}
-        inside = () if name in hub_bodies(system) | hinge_bodies(system) else bars.inside(own)
-        if inside and (body.mass or bars.braced(own)):
+        if bar_of(system, bars, body) >= 0 or name in hub_bodies(system) | hinge_bodies(system):
+            continue
+        if (inside := bars.inside(own)) and (body.mass or bars.braced(own)):
             yield NotOnBars(source=name, kind="body", nodes=tuple(body.nodes), members=inside)
+
+
+@cached()
+def bodies_on_bars(system: System) -> dict[str, tuple[int, NDArray[np.float64], float]]:
+    """By body with mass the bar that carries it, m_ij (2, 2) and the skew part, kg, in the order of the bar's ends."""
+    found = {}
+    for name, body in system.model.bodies.items():
+        if body.mass and (i := bar_of(system, bars_of(system), body)) >= 0:
+            m, skew = body_mass(system.model, body)
+            same = body.carried_by(system.dim)[0] == system.nodes[system.p[i]]
+            found[name] = (i, m, skew) if same else (i, m[::-1, ::-1], -skew)
+    return found
+
+
+def of_two_masses(m: NDArray[np.float64], skew: float, b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Forces (t, 2, 3), N, at the ends of a bar with a body: sum_j m_ij b_j and the skew part; b alike, m/s^2."""
+    turned = np.zeros_like(b)
+    turned[..., 0], turned[..., 1] = -b[..., 1], b[..., 0]
+    return np.asarray(np.einsum("ij,tjc->tic", m, b) + skew * np.stack([turned[:, 1], -turned[:, 0]], axis=1))
+
+
+def _inertia(i: int, m: NDArray[np.float64], skew: float, here: Instants) -> NDArray[np.float64]:
+    """Weight less inertia of a body on bar i, at its ends."""
+    return of_two_masses(m, skew, here.gravity - here.a[:, [here.system.p[i], here.system.q[i]]])
 
 
 def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
@@ -222,21 +225,6 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
                 )
             else:
                 yield NotOnBars(source=name, kind="load", nodes=one.nodes, members=one.members)
-
-
-def _mass(system: System, bars: Bars, i: int, body: Body) -> tuple[NDArray[np.float64], float]:
-    """m_ij (2, 2) and the skew part, kg, in the order of the bar's ends."""
-    m, skew = body_mass(system.model, body)
-    if body.carried_by(system.dim)[0] == system.nodes[bars.ends(i)[0]]:
-        return m, skew
-    return m[::-1, ::-1], -skew
-
-
-def _inertia(i: int, m: NDArray[np.float64], skew: float, here: Instants) -> NDArray[np.float64]:
-    """Weight less inertia of a body on bar i, at its ends: sum_j m_ij (g - a_j) and the skew part."""
-    b = here.gravity - here.a[:, [here.system.p[i], here.system.q[i]]]
-    turned = np.stack([-b[..., 1], b[..., 0], np.zeros_like(b[..., 0])], axis=-1)
-    return np.asarray(np.einsum("ij,tjc->tic", m, b) + skew * np.stack([turned[:, 1], -turned[:, 0]], axis=1))
 
 
 def _load(i: int, name: str, here: Instants) -> NDArray[np.float64]:

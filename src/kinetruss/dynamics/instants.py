@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.dynamics.actions import Action, CarriedBy
 from kinetruss.dynamics.bar_actions import acting_along
+from kinetruss.dynamics.hub_arms import bodies_on_bars, loads_of_hubs, of_two_masses
 from kinetruss.elements.beam_matrices import mode_gradients
 from kinetruss.elements.kinds import present
 from kinetruss.elements.loads.load import Spread
@@ -19,6 +20,7 @@ from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, compile, direction_rates, measure_gradients
 from kinetruss.mechanics.elements import element_forces, element_tangents, strained_forces
+from kinetruss.mechanics.frames import source_of
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
@@ -108,11 +110,10 @@ class Instant:
         """Present length of member i, m."""
         return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
 
-    def _on_bars(self, unit: bool, still: bool) -> tuple[OnBar, ...]:
-        """Actions on members; `unit`: of 1 N or 1 N m of every drive, coupling and spring, `still`: without accelerations."""
+    def _on_bars(self, unit: bool) -> tuple[OnBar, ...]:
+        """Actions on members; `unit`: of 1 N or 1 N m of every drive, coupling and spring."""
         system, dim = self.system, self.system.dim
-        moving = (self.x, self.rate, 0 * self.a if still else self.a)
-        states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in moving))
+        states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in (self.x, self.rate, self.a)))
         drive, coupling, element = (
             np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.force_elements)
         )
@@ -147,62 +148,55 @@ class Instant:
     @cached_property
     def on_bars(self) -> tuple[OnBar, ...]:
         """Actions on members besides their weight and inertia."""
-        return self._on_bars(unit=False, still=False)
+        return self._on_bars(unit=False)
 
     @cached_property
     def on_bars_of_unit(self) -> tuple[OnBar, ...]:
         """Actions of 1 N or 1 N m of every drive, coupling and spring."""
-        return self._on_bars(unit=True, still=False)
-
-    def taken(self, node: int, key: tuple[str, str], of: tuple[OnBar, ...]) -> NDArray[np.float64]:
-        """The part of the force of one source on a node that acts on members instead, (dim,) N."""
-        found, system = np.zeros(self.system.dim), self.system
-        for one in of:
-            if one.key == key and not one.action.counted:
-                for e, end in enumerate((system.p[one.action.member], system.q[one.action.member])):
-                    found += one.worth[e] * (end == node)
-        return found
+        return self._on_bars(unit=True)
 
     def left_on(self, node: int, name: str) -> NDArray[np.float64]:
         """Force (dim,) on a node of 1 N or 1 N m of a drive, coupling or spring, without the part that acts on members."""
-        force = self.several[name][1][node]
-        left = force - self.taken(node, (self.kind_of(name), name), self.on_bars_of_unit)
-        return np.where(np.abs(left) > LEFT * np.abs(self.several[name][1]).max(), left, 0.0)
+        return np.asarray(self._left[name][node])
+
+    @cached_property
+    def _left(self) -> dict[str, NDArray[np.float64]]:
+        """The forces (n, dim) of `left_on` by source."""
+        whole = {(self.kind_of(name), name): force for name, (_, force) in self.several.items()}
+        left = {key: force.copy() for key, force in whole.items()}
+        for one in self.on_bars_of_unit:
+            if one.key in left and not one.action.counted:
+                left[one.key][[self.system.p[one.action.member], self.system.q[one.action.member]]] -= one.worth
+        return {key[1]: np.where(np.abs(one) > LEFT * np.abs(whole[key]).max(), one, 0.0) for key, one in left.items()}
 
     def kind_of(self, name: str) -> str:
         """Whose coordinate has this name: a drive, coupling or spring."""
-        model = self.system.model
-        return "coupling" if name in model.couplings else model.force_elements.get(name, ("drive",))[0]
+        return source_of(self.system.model, name)[0]
 
     def loads_on(self, node: int) -> list[tuple[str, NDArray[np.float64]]]:
         """Name and force (dim,), N, of every load on a node; one on a bar is not on its nodes, one on a hub at its centre."""
         on_bars = {one.action.source for one in self.on_bars if one.action.kind == "load"}
-        found: dict[str, NDArray[np.float64]] = {}
+        found, of_hubs = dict[str, Any](), loads_of_hubs(self.system)
         for name, at, force in zip(self.loads.loads, self.loads.node, self.loads.force[0], strict=True):
-            if name not in on_bars and self._of_hubs.get(name, at) == node:
+            if name not in on_bars and of_hubs.get(name, at) == node:
                 found[name] = found.get(name, 0.0) + force[: self.system.dim]
         return list(found.items())
 
-    @cached_property
-    def _of_hubs(self) -> dict[str, int]:
-        """Loads on the bodies of hubs whose arms take them, with the node at the centre."""
-        taken = {one.action.source for one in self.on_bars if one.action.kind == "hub"}
-        centres = {f"{hub}.hub": self.system.node_index(hub) for hub in taken}
-        loads = ((name, getattr(load, "body", "")) for name, load in self.system.model.loads.items())
-        return {name: centres[body] for name, body in loads if body in centres}
-
     def bodies_at(self, node: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """M a and M g of bodies at a node, (dim,) N each; a body on a bar does not act on its nodes."""
-        dim = self.system.dim
-        rows = body_masses(self.system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
-        inertia, weight = (np.einsum("ijk,jk->i", rows, y) for y in (self.a, np.tile(self.gravity, (len(self.x), 1))))
-        for still, moving in zip(self._on_bars(unit=False, still=True), self.on_bars, strict=True):
-            if still.action.kind == "body":
-                on_bar = self.taken(node, still.key, (still,))
-                inertia, weight = inertia - (on_bar - self.taken(node, still.key, (moving,))), weight - on_bar
-        largest = max(float(np.abs(rows).sum()) * float(np.abs(y).max(initial=0.0)) for y in (self.a, self.gravity))
-        least = LEFT * largest  # smaller forces are round-off
-        return np.where(np.abs(inertia) > least, inertia, 0.0), np.where(np.abs(weight) > least, weight, 0.0)
+        dim, system = self.system.dim, self.system
+        rows = body_masses(system)[[3 * node + c for c in range(dim)]].toarray().reshape(dim, len(self.x), 3)[:, :, :dim]
+        found, largest = [], 0.0
+        for y in (self.a, np.tile(self.gravity, (len(self.x), 1))):
+            total = np.einsum("ijk,jk->i", rows, y)
+            for i, m, skew in bodies_on_bars(system).values():
+                ends = np.array([system.p[i], system.q[i]])
+                total -= of_two_masses(m, skew, y[None, ends])[0, ends == node].sum(axis=0)
+            found.append(total)
+            largest = max(largest, float(np.abs(rows).sum()) * float(np.abs(y).max(initial=0.0)))
+        # smaller forces are round-off
+        inertia, weight = (np.where(np.abs(one) > LEFT * largest, one, 0.0) for one in found)
+        return inertia, weight
 
     @cached_property
     def several(self) -> dict[str, tuple[float, NDArray[np.float64]]]:

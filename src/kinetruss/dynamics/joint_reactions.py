@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.action_couples import FIRST, LAST, term_weights
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.free_bodies import determined
 from kinetruss.errors import InputError
-from kinetruss.kernels.coordinates.forms import AROUND, FIXED_AXIS
 from kinetruss.kinematics.joint_motion import shared_nodes
 from kinetruss.kinematics.poses import carried, nodes_of
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.frames import resultant, side_forces, sides_of
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.model import Model, Pressure, body_mass, nearest
@@ -80,7 +79,7 @@ def joint_reaction(
     push = _pushes(model, found, body, names)
     place = _spatial(found.motion.whole["position"].sel(node=list(names)).values)
     about = place.mean(axis=1) if point is None else _spatial(found.motion.whole["position"].sel(node=[point]).values)[:, 0]
-    force, moment = push.sum(axis=1), np.cross(place - about[:, None], push).sum(axis=1)
+    force, moment = resultant(place, push, about)
     if frame is not None:
         R = carried(model, found.motion, frame, None).R
         force, moment = (np.einsum("tji,tj->ti", R, y) for y in (force, moment))
@@ -201,23 +200,14 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
 
 
 def _own_couples(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
-    """Nodes and forces (time, nodes, 3) on this body by the couples of drives, couplings and springs about axes.
-
-    Each acts on the nodes of the hinge and on one node off it; on the body, this is a couple.
-    """
+    """Nodes and forces (time, nodes, 3) on this body by the couples of drives, couplings and springs about axes."""
     system, own = compile(model), set(model.whole.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
-    for m, name in enumerate(system.measures):
-        kind = "coupling" if name in system.model.couplings else model.force_elements.get(name, ("drive",))[0]
-        torque = forces.whole[f"{kind}_force"].sel({kind: name}).values
-        for t in range(system.measure_ptr[m], system.measure_ptr[m + 1]):
-            if (form := system.term_kind[t]) not in (FIXED_AXIS, AROUND):
-                continue
-            for end in (FIRST, LAST) if form == AROUND else (FIRST,):
-                flats = system.term_at[t, [end, 1, 2] if form == AROUND else [end, 1]]
-                names = tuple(system.nodes[flat // 3] for flat in flats.tolist())
-                if own.issuperset(names):
-                    yield names, torque[:, None, None] * term_weights(system, t, x, end)[0][:, : len(names)]
+    for side in sides_of(system):
+        names, (kind, name) = tuple(system.nodes[node] for node in side.nodes), side.source
+        if side.turns and own.issuperset(names):
+            torque = forces.whole[f"{kind}_force"].sel({kind: name}).values
+            yield names, torque[:, None, None] * side_forces(system, side, x)
 
 
 def _own_bars(model: Model, body: str) -> list[str]:

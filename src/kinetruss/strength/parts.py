@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.action_couples import couples_at_hinges
+from kinetruss.dynamics.action_couples import hinge_wrench
 from kinetruss.dynamics.bar_actions import actions_of
 from kinetruss.dynamics.bearing_friction import friction_on_arms
 from kinetruss.elements.loads.load import Spread
@@ -213,13 +213,15 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
                 own = by_end.setdefault((arm.member, 0), f"{arm.end}") == f"{arm.end}"
                 yield arm.name, arm.member if own else "", arm.end, given[name]
     if model.whole.inner.pivots:
-        coupling = arrays["coupling_force"].values if model.whole.couplings else np.zeros((len(x), 0))
-        hinges = couples_at_hinges(compile(model), x, arrays["member_force"].values, coupling)
-        rubbed = {}
+        system, pivots = compile(model), model.whole.inner.pivots
+        rubbed: dict[int, NDArray[np.float64]] = {}
+        tension, names = arrays["member_force"].values, list(model.whole.couplings)
+        amounts = dict(zip(names, arrays["coupling_force"].values.T, strict=True)) if names else {}
         if "bearing_couple" in arrays:
-            rubbed = friction_on_arms(compile(model), x, arrays["bearing_couple"].values)
-        for pivot, couple in hinges:
-            alone = not pivot.clamped and [one.member for one, _ in hinges].count(pivot.member) == 1
+            rubbed = friction_on_arms(system, x, arrays["bearing_couple"].values)
+        for k, pivot in enumerate(pivots):
+            couple = hinge_wrench(system, k, x, tension, amounts)[1]
+            alone = not pivot.clamped and [one.member for one in pivots].count(pivot.member) == 1
             own = not alone and pivot.member not in twisted
             twisted.add(pivot.member)
             more = rubbed.get(list(model.whole.members).index(pivot.tip), 0.0)
