@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.actions import Action, CarriedBy
-from kinetruss.dynamics.bar_actions import acting_along
+from kinetruss.dynamics.actions import Action
+from kinetruss.dynamics.bar_actions import acting_along, actions_of
 from kinetruss.dynamics.hub_arms import bodies_on_bars, loads_of_hubs, of_two_masses
 from kinetruss.elements.beam_matrices import mode_gradients
 from kinetruss.elements.kinds import present
@@ -25,8 +25,6 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.rotating_base import rates_in_space
 from kinetruss.mechanics.tables import body_masses, continua_mass
 from kinetruss.model import Model
-from kinetruss.results.user_parts import held_forces
-from kinetruss.results.wide_tables import coordinate_axes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -110,50 +108,31 @@ class Instant:
         """Present length of member i, m."""
         return float(np.linalg.norm(self.x[self.system.q[i]] - self.x[self.system.p[i]]))
 
-    def _on_bars(self, unit: bool) -> tuple[OnBar, ...]:
-        """Actions on members; `unit`: of 1 N or 1 N m of every drive, coupling and spring."""
-        system, dim = self.system, self.system.dim
-        states = States(*(np.pad(y, ((0, 0), (0, 3 - dim))).reshape(1, -1) for y in (self.x, self.rate, self.a)))
-        drive, coupling, element = (
-            np.ones((1, len(names))) for names in (system.drives, system.model.couplings, system.force_elements)
-        )
-        if not unit:
-            drive = self.data["drive_force"].values[None]
-            coupling = self.data["coupling_force"].values[None] if system.model.couplings else coupling
-            kinds = coordinate_axes(system)
-            element = np.concatenate([*(self.data[f"{kind}_force"].values for kind in kinds), np.zeros(0)])[None]
-        carried = None if unit else self._carried()
-        found, acting = acting_along(system, self.loads, states, drive, coupling, element, carried)
+    def _on_bars(self, worth: NDArray[np.float64], place: NDArray[np.float64]) -> tuple[OnBar, ...]:
+        """Actions on members by their equivalent forces (k, 2, dim), N, and places (k,)."""
         made = []
-        for k, action in enumerate(found.actions):
-            worth, L, axes = acting.worth[0, k, :, :dim], self.length(action.member), self.axes[action.member]
-            place = 0.5 if isinstance(action.place, Spread) else acting.place[0, k]
-            lever = L * (turning(axes) @ (worth[1] - place * worth.sum(axis=0)))
-            made.append(OnBar(action=action, at=place * L, force=worth.sum(axis=0), couple=lever, worth=worth))
+        for action, ends, at in zip(actions_of(self.system, self.loads.name).actions, worth, place, strict=True):
+            L, at = self.length(action.member), 0.5 if isinstance(action.place, Spread) else at
+            lever = L * (turning(self.axes[action.member]) @ (ends[1] - at * ends.sum(axis=0)))
+            made.append(OnBar(action=action, at=at * L, force=ends.sum(axis=0), couple=lever, worth=ends))
         return tuple(made)
-
-    def _carried(self) -> CarriedBy | None:
-        """Forces of bars and supports, which load the arms of hubs."""
-        if not (self.system.model.hubs or self.system.model.bearings):
-            return None
-        couple = np.zeros((1, 0, 3))
-        if "bearing_couple" in self.data:
-            values = self.data["bearing_couple"].values
-            couple = np.pad(values, ((0, 0), (3 - values.shape[1], 0)))[None]
-        support = np.zeros((1, *self.system.x0.shape))
-        for name, force in zip(*held_forces(self.data), strict=True):
-            support[0, self.system.node_index(name), : self.system.dim] = force
-        return CarriedBy(self.data["member_force"].values[None], support, couple)
 
     @cached_property
     def on_bars(self) -> tuple[OnBar, ...]:
         """Actions on members besides their weight and inertia."""
-        return self._on_bars(unit=False)
+        if "action_force" not in self.data:
+            return ()
+        return self._on_bars(self.data["action_force"].values, self.data["action_place"].values)
 
     @cached_property
     def on_bars_of_unit(self) -> tuple[OnBar, ...]:
         """Actions of 1 N or 1 N m of every drive, coupling and spring."""
-        return self._on_bars(unit=True)
+        system, pad = self.system, ((0, 0), (0, 3 - self.system.dim))
+        states = States(*(np.pad(y, pad).reshape(1, -1) for y in (self.x, self.rate, self.a)))
+        names = (system.drives, system.model.couplings, system.force_elements)
+        drive, coupling, element = (np.ones((1, len(one))) for one in names)
+        acting = acting_along(system, self.loads, states, drive, coupling, element)[1]
+        return self._on_bars(acting.worth[0, :, :, : system.dim], acting.place[0])
 
     def left_on(self, node: int, name: str) -> NDArray[np.float64]:
         """Force (dim,) on a node of 1 N or 1 N m of a drive, coupling or spring, without the part that acts on members."""
