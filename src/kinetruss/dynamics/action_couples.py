@@ -284,10 +284,11 @@ def hinge_bodies(system: System) -> set[str]:
 def bars_of_hinges(system: System) -> frozenset[int]:
     """Bars whose forces the members and arms of hinges take."""
     bars = bars_of(system)
-    return frozenset(k for one in hinges_of(system) for k in _bars(system, bars, one))
+    return frozenset(k for one in hinges_of(system) for k in bars_of_hinge(system, bars, one))
 
 
-def _bars(system: System, bars: Bars, pivot: Pivot) -> list[int]:
+def bars_of_hinge(system: System, bars: Bars, pivot: Pivot) -> list[int]:
+    """The bars that join the nodes on the axis of a hinge with its member."""
     if not pivot.steady:
         return [bars.index[name] for name in pivot.bars]
     return [i for i, name in enumerate(system.members) if bars.brace[i] and name.startswith(f"{pivot.body}.")]
@@ -347,7 +348,7 @@ def _couple_of_hinge(here: Instants, tensions: NDArray[np.float64], k: int) -> t
     system, pivot = here.system, hinges_of(here.system)[k]
     group = {system.node_index(node) for node in (pivot.tip, *pivot.nodes)}
     joint = here.x[:, system.node_index(pivot.tip)]
-    for n, i in enumerate(_bars(system, bars_of(system), pivot)):
+    for n, i in enumerate(bars_of_hinge(system, bars_of(system), pivot)):
         tension = tensions[:, i]
         if not pivot.steady:  # a positive force of the coupling lengthens the first bar and shortens the second
             tension = here.amounts["coupling", pivot.coupling] * (1.0 if n else -1.0)
