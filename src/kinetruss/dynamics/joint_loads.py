@@ -283,7 +283,7 @@ class _Loads:
             raise NotImplementedError("a bearing on an arm of a hub on the ground")
         share = -1.0 if seat.end == tip else 1.0
         for i, end in pulled:
-            self._brace(k, i, share if end else -share)
+            self._brace(k, i, -share if end else share)  # they pull outward
         self._loads(k, own, lambda node: float(node in nodes), share)
         own_nodes = bearings_of(self.system).node // 3
         for row in rows_on_hub(self.system, hub):
