@@ -253,12 +253,18 @@ def accelerate(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, 
 @kernel_bare
 def accelerate_under(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, a: F1, N: F1) -> None:
     """`accelerate` under the forces in ws.f."""
+    accelerate_smoothly(eq, ws, x, v, a, N)
+    if eq.bearing_ints.size:
+        rub(eq, ws, t, x, v, a, N)
+
+
+@kernel_inline
+def accelerate_smoothly(eq: Equations, ws: Workspace, x: F1, v: F1, a: F1, N: F1) -> None:
+    """`accelerate_under` without the friction of bearings."""
     f, gamma = ws.f, ws.gamma
     row_gammas(eq, ws, x, v, gamma)
     _take_prescribed(eq, ws, x, a, f, gamma)
     solve_refined(eq, ws, x, f, gamma, a, N)
-    if eq.bearing_ints.size:
-        _rub(eq, ws, t, x, v, a, N)
 
 
 # Friction of bearings follows from the joint forces of the same instant. They are linear in the couples: R = R_0 + sum c_j B_j,
@@ -266,8 +272,8 @@ def accelerate_under(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, a: F1
 
 
 @kernel_late(allocates=True)
-def _rub(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, a: F1, N: F1) -> None:
-    """Add what the friction of bearings changes to a (3 n,) and N (r,), and put the couples into ws.couple (k,), N m.
+def rub(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, a: F1, N: F1) -> None:
+    """Add what the friction of bearings changes to a (3 n,) and N (r,) without it; the couples into ws.couple (k,), N m.
 
     ws.jammed[0] : 1 + the bearing whose couple does not settle, else 0; a is then not a number.
     """
