@@ -53,6 +53,9 @@ class Body(Protocol):
     def at(self, t: float, interval: int, y: Floats, near: list[float]) -> None:
         """Evaluate at t (s) of an interval between two jumps; angles are counted on from those of `near` (k,)."""
 
+    def bends(self, w: list[float]) -> bool:
+        """True if thrust and mass were not those at the accelerations w (k,), where `at` was called last; they are now."""
+
     def pushed(self, w: list[float]) -> list[float]:
         """F (k,), with the accelerations w (k,), where `at` was called last."""
 
@@ -89,6 +92,10 @@ class Coordinate:
         self.value[0], self.rate[0] = y.item(0), y.item(1)
         self.thrust[0] = self.thrusts[interval](t, self.value[0])
 
+    def bends(self, w: list[float]) -> bool:  # noqa: ARG002 - the thrust does not depend on it
+        """Never."""
+        return False
+
     def pushed(self, w: list[float]) -> list[float]:
         """The whole thrust, with the mass that is accelerated."""
         return [self.thrust[0] + self.mass[0][0] * w[0]]
@@ -120,6 +127,8 @@ class Coordinate:
 # A state is: the body's own numbers, currents (k,), values of the driven lengths and angles (k,), which tell the turn that an
 # angle is in, and per motor the energies of `ENERGIES`.
 
+ROUNDS = 60
+"""Most of them for accelerations whose joint forces change the friction that changes them."""
 AT_LIMIT = 1e-9
 """Share of its largest speed within which a motor is at it."""
 SAME_TURN = 0.1
@@ -218,6 +227,10 @@ class MotorModes:
             torque.append(model.torque_constant * given.current)
             driven.append(s if mode.speed != HELD else 0)
         w, jammed = slipping(self.models, driven, torque, body.thrust, body.mass)
+        for _ in range(ROUNDS):
+            if jammed or not body.bends(w):
+                break
+            w, jammed = slipping(self.models, driven, torque, body.thrust, body.mass)
         return rates, own, inputs, w, body.pushed(w), jammed
 
     def instant(self, t: float, interval: int, y: Floats) -> Instant:

@@ -83,7 +83,7 @@ def _pressed(system: System, bars: Bars, k: int, side: Side) -> Found:
         found, centres = [i] if not system.two_rods[i] else [], ()
     for i in found:
         columns = [side.nodes.index(node) for node in bars.ends(i)]
-        yield _action(side, i, partial(_share, columns, k, side), partial(_forces, columns, np.ones(2), k, side))
+        yield _action(side, i, partial(_share, columns, k, side), partial(side_push, columns, np.ones(2), k, side))
     for M in () if found else centres:
         spokes = [(column, bars.between(M, n)) for column, n in enumerate(side.nodes) if n != M]
         if min(i for _, i in spokes) >= 0:
@@ -103,7 +103,7 @@ def _action(
 def _spoke(bars: Bars, k: int, side: Side, column: int, i: int, place: int) -> Action:
     """The force on one node of a side as two opposite forces on bar i, which ends there."""
     signs = np.array([1.0, -1.0] if bars.ends(i)[0] == side.nodes[column] else [-1.0, 1.0])
-    return _action(side, i, float(place), partial(_forces, [column, column], signs, k, side))
+    return _action(side, i, float(place), partial(side_push, [column, column], signs, k, side))
 
 
 def _units(k: int, side: Side, here: Instants) -> NDArray[np.float64]:
@@ -112,7 +112,7 @@ def _units(k: int, side: Side, here: Instants) -> NDArray[np.float64]:
     return here.found[name]
 
 
-def _forces(columns: list[int], signs: NDArray[np.float64], k: int, side: Side, here: Instants) -> NDArray[np.float64]:
+def side_push(columns: list[int], signs: NDArray[np.float64], k: int, side: Side, here: Instants) -> NDArray[np.float64]:
     """Forces on two nodes of a side, (t, 2, 3) N."""
     return np.asarray(here.amounts[side.source][:, None, None] * (signs[:, None] * _units(k, side, here)[:, columns]))
 
@@ -183,10 +183,11 @@ def hinge_bodies(system: System) -> set[str]:
 def bars_of_hinges(system: System) -> frozenset[int]:
     """Bars whose forces the members and arms of hinges take."""
     bars = bars_of(system)
-    return frozenset(k for one in hinges_of(system) for k in _bars(system, bars, one))
+    return frozenset(k for one in hinges_of(system) for k in bars_of_hinge(system, bars, one))
 
 
-def _bars(system: System, bars: Bars, pivot: Pivot) -> list[int]:
+def bars_of_hinge(system: System, bars: Bars, pivot: Pivot) -> list[int]:
+    """The bars that join the nodes on the axis of a hinge with its member."""
     if not pivot.steady:
         return [bars.index[name] for name in pivot.bars]
     return [i for i, name in enumerate(system.members) if bars.brace[i] and name.startswith(f"{pivot.body}.")]
@@ -205,10 +206,10 @@ def actions_of_hinges(system: System, bars: Bars) -> Iterator[Action]:
     """The couples of hinges on their members, with the axial force of their bars, and on the arms."""
     met = set[str]()
     for k, pivot in enumerate(hinges_of(system)):
-        i, couple = bars.index[pivot.member], partial(_couple, k)
+        i, couple = bars.index[pivot.member], partial(hinge_couple, k)
         # of a member clamped at its other end the hub there has the axial force, and takes the couple
-        worth = None if pivot.member in met or pivot.clamped else partial(_pull, k, i)
-        opposite = partial(_couple, k, sign=-1.0)
+        worth = None if pivot.member in met or pivot.clamped else partial(hinge_pull, k, i)
+        opposite = partial(hinge_couple, k, sign=-1.0)
         yield Action(source=pivot.hub, kind="hinge", member=i, place=float(pivot.end), worth=worth, couple=opposite)
         met.add(pivot.member)
         if pivot.clamped:
@@ -225,7 +226,7 @@ def hinge_wrench(
     """
     pivot = hinges_of(system)[k]
     nodes = [system.node_index(node) for node in (pivot.tip, *pivot.nodes)]
-    own = _bars(system, bars_of(system), pivot)
+    own = bars_of_hinge(system, bars_of(system), pivot)
     # a positive force of the coupling lengthens the first bar and shortens the second
     tensions = tension[:, own] if pivot.steady else np.multiply.outer(amounts[pivot.coupling], (-1.0, 1.0))
     return resultant(x[:, nodes], bar_pushes(system, x, own, tensions, nodes), x[:, nodes[0]])
@@ -241,11 +242,12 @@ def _wrench(k: int, here: Instants) -> NDArray[np.float64]:
     return here.found[f"hinge {k}"]
 
 
-def _couple(k: int, here: Instants, sign: float = 1.0) -> NDArray[np.float64]:
+def hinge_couple(k: int, here: Instants, sign: float = 1.0) -> NDArray[np.float64]:
+    """The couple (t, 3), N m, of `hinge_wrench`."""
     return np.asarray(sign * _wrench(k, here)[1])
 
 
-def _pull(k: int, i: int, here: Instants) -> NDArray[np.float64]:
+def hinge_pull(k: int, i: int, here: Instants) -> NDArray[np.float64]:
     """Two opposite forces (t, 2, 3), N, on member i: the axial force of the bars of hinge k."""
     u, end = ends_of(here.system, here.x, i)[2], hinges_of(here.system)[k].end
     along = np.einsum("tc,tc->t", _wrench(k, here)[0], u)[:, None] * u

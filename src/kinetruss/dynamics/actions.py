@@ -130,9 +130,3 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
     couple = cross(d, worth[:, :, 1] - place[:, :, None] * worth.sum(axis=2))
     couple[:, [isinstance(one.place, Spread) for one in actions]] = 0.0
     return Acting(worth=worth, place=place, couple=couple)
-
-
-def couple_on_ends(system: System, x: NDArray[np.float64], i: int, couple: NDArray[np.float64]) -> NDArray[np.float64]:
-    """f_B = C x u/L and f_A = -f_B, (t, 2, 3) N, of the part of a couple C (t, 3) across bar i."""
-    across = across_bars(system, x, np.array([i]), couple[:, None])[:, 0]
-    return np.stack([-across, across], axis=1)

@@ -127,7 +127,8 @@ def _assembled(
         "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
         "value": np.where(drive < 0, system.row_value[row], start[drive]),
     }
-    eq = Equations.of(fields | solving | rows | _sums(system, row, fields))
+    without_bearings = dict.fromkeys(("bearing_ints", "bearing_reals", "pressed_ints", "pressed_reals"), np.zeros(0))
+    eq = Equations.of(fields | solving | rows | _sums(system, row, fields) | without_bearings)
     return eq, workspace_for(eq)
 
 
@@ -206,15 +207,13 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
     """Nodal loads and given drive forces as tables in time; a constant force is a table of one entry."""
     found: list[tuple[int, int, int, int, Any, Any]] = []
     turning: list[Turning] = []
-    model = system.model
-    case = LoadCase() if load_case is None else model.load_cases[load_case]
-    factors = dict.fromkeys(model.loads, 1.0) if case.loads is None else case.loads
-    for name, share in factors.items():
-        _load(system, name, share, found, turning)
+    for name, share in loads_of_case(system, load_case).items():
+        constant, more = load_tables(system, name, share)
+        found += [(-1, COORDINATE_FORCE, flat, flat, times, amounts) for flat, times, amounts in constant]
+        turning += more
     for name, task in tasks.items():
         if isinstance(task, GivenForce):
-            times, amounts = ((0.0,), (task.constant,)) if task.times is None else (task.times, task.table)
-            found.append((system.drives.index(name), *_target(system, name), times, amounts))
+            found.append((system.drives.index(name), *_target(system, name), *force_history(task)))
         elif not isinstance(task, (Free, Hold, *TRAJECTORY_TASKS)):
             raise InputError(f"task {type(task).__name__} of drive {name!r} is not simulated with the truss. Give a force.")
     columns: Any = zip(*found, strict=True) if found else ((), (), (), (), (), ())
@@ -230,12 +229,25 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
     } | load_arrays(turning)
 
 
-def _load(system: System, name: str, share: float, found: list[Any], turning: list[Turning]) -> None:
-    """A load: constant forces on coordinates, else such as depend on positions."""
+def loads_of_case(system: System, load_case: str | None) -> Mapping[str, float]:
+    """The loads of a load case with their factors; None takes all with factor 1."""
+    case = LoadCase() if load_case is None else system.model.load_cases[load_case]
+    return dict.fromkeys(system.model.loads, 1.0) if case.loads is None else case.loads
+
+
+def force_history(task: GivenForce) -> tuple[Any, Any]:
+    """Times, s, and amounts of a given force; a constant one is a table of one entry."""
+    return ((0.0,), (task.constant,)) if task.times is None else (task.times, task.table)
+
+
+def load_tables(system: System, name: str, share: float) -> tuple[list[tuple[int, Any, Any]], list[Turning]]:
+    """A load times a share: flat coordinates, times and amounts of constant forces; else such as depend on positions."""
+    found: list[tuple[int, Any, Any]] = []
+    turning: list[Turning] = []
     load = system.model.loads[name]
     times = load.times or (0.0,)
     if not (units := unit_loads_of(system, name)):
-        return
+        return found, turning
     for unit, amount in zip(units, share * history_of(load, np.array(times)).T, strict=True):
         if not np.any(amount):
             continue
@@ -243,9 +255,8 @@ def _load(system: System, name: str, share: float, found: list[Any], turning: li
             turning.append(Turning(unit, times, amount))
             continue
         for node, force in zip(unit.nodes, unit.forces(np.zeros((len(unit.nodes), 3))), strict=True):
-            for c in np.flatnonzero(force):
-                flat = 3 * int(node) + int(c)
-                found.append((-1, COORDINATE_FORCE, flat, flat, times, force[c] * amount))
+            found += [(3 * int(node) + int(c), times, force[c] * amount) for c in np.flatnonzero(force)]
+    return found, turning
 
 
 def _target(system: System, name: str) -> tuple[int, int, int]:

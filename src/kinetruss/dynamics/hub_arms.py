@@ -111,10 +111,10 @@ def actions_of_hubs(system: System) -> Iterator[Action | NotOnBars]:
             yield NotOnBars(source=one.hub, kind="hub", nodes=names, members=tuple(system.members[i] for i in one.joints))
             continue
         for i, (tip, nodes) in one.joints.items():
-            yield Action(source=one.hub, kind="hub", member=i, place=float(1 - tip), worth=partial(_passed_on, one, tip, nodes))
+            yield Action(source=one.hub, kind="hub", member=i, place=float(1 - tip), worth=partial(arm_push, one, tip, nodes))
 
 
-def _passed_on(frame: HubFrame, tip: int, nodes: list[int], here: Instants) -> NDArray[np.float64]:
+def arm_push(frame: HubFrame, tip: int, nodes: list[int], here: Instants) -> NDArray[np.float64]:
     """Two opposite forces (t, 2, 3), N, on an arm: at its tip those that braces and supports exert on the nodes there."""
     if here.carried is None:
         return np.full((len(here.x), 2, 3), np.nan)
@@ -154,11 +154,11 @@ def actions_of_friction(system: System) -> Iterator[Action]:
     pins = pins_of(system)
     both = {(int(i), int(at)) for members in (pins.first, pins.second) for i, at in zip(members, pins.node, strict=True)}
     for i, at in sorted(one for one in both if one[0] >= 0):
-        couple = partial(_pin_couple, i, at)
+        couple = partial(pin_couple, i, at)
         yield Action(source=system.nodes[at], kind="friction", member=i, place=float(system.q[i] == at), couple=couple)
 
 
-def _pin_couple(i: int, node: int, here: Instants) -> NDArray[np.float64]:
+def pin_couple(i: int, node: int, here: Instants) -> NDArray[np.float64]:
     """Couple on bar i (t, 3), N m, of all its pairs at a node."""
     pins = pins_of(here.system)
     sign = np.where(pins.node == node, (pins.second == i).astype(float) - (pins.first == i), 0.0)
@@ -181,7 +181,7 @@ def actions_of_bodies(system: System, bars: Bars) -> Found:
         if name in on_bars:
             i, m, skew = on_bars[name]
             place = Spread() if body.center is None else share(system, bars, i, body, None)
-            yield Action(source=name, kind="body", member=i, place=place, worth=partial(_inertia, i, m, skew))
+            yield Action(source=name, kind="body", member=i, place=place, worth=partial(body_push, i, m, skew))
             continue
         own = {system.node_index(node) for node in body.nodes}
         if bar_of(system, bars, body) >= 0 or name in hub_bodies(system) | hinge_bodies(system):
@@ -209,7 +209,7 @@ def of_two_masses(m: NDArray[np.float64], skew: float, b: NDArray[np.float64]) -
     return np.asarray(np.einsum("ij,tjc->tic", m, b) + skew * np.stack([turned[:, 1], -turned[:, 0]], axis=1))
 
 
-def _inertia(i: int, m: NDArray[np.float64], skew: float, here: Instants) -> NDArray[np.float64]:
+def body_push(i: int, m: NDArray[np.float64], skew: float, here: Instants) -> NDArray[np.float64]:
     """Weight less inertia of a body on bar i, at its ends."""
     return of_two_masses(m, skew, here.gravity - here.a[:, [here.system.p[i], here.system.q[i]]])
 
@@ -221,13 +221,13 @@ def actions_of_loads(system: System, bars: Bars, names: Iterable[str]) -> Found:
         for one in LOADS[type(load)].places(system, bars, load):
             if isinstance(one, OnMember):
                 yield Action(
-                    source=name, kind="load", member=one.member, worth=partial(_load, one.member, name), place=one.place
+                    source=name, kind="load", member=one.member, worth=partial(load_push, one.member, name), place=one.place
                 )
             else:
                 yield NotOnBars(source=name, kind="load", nodes=one.nodes, members=one.members)
 
 
-def _load(i: int, name: str, here: Instants) -> NDArray[np.float64]:
+def load_push(i: int, name: str, here: Instants) -> NDArray[np.float64]:
     """Equivalent forces of a load at the ends of bar i."""
     found = np.zeros((len(here.x), 2, 3))
     if here.loads is not None:

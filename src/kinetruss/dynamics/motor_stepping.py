@@ -143,7 +143,7 @@ class MotorStepper(Stepper):
         )
         solver = method_from(modes, interval, t, y, until, given)
         step = step_of(solver, watch(modes, interval))
-        if self.problem.user.error is not None or step is None:
+        if self.problem.error is not None or step is None:
             self._failed(t, y, until)
             return None
         evaluations, last = int(solver.nfev), np.nextafter(until, -np.inf)
@@ -175,7 +175,7 @@ class MotorStepper(Stepper):
     def _failed(self, t: float, y: NDArray[np.float64], until: float) -> None:
         self.memory.h = 10 * np.spacing(t)
         bad = not np.isfinite(self.modes.rates(int(self.memory.interval))(min(t, np.nextafter(until, 0)), y)).all()
-        self.failure = m.NOT_FINITE if bad or self.problem.user.error is not None else m.STEP_TOO_SMALL
+        self.failure = m.NOT_FINITE if bad or self.problem.error is not None else m.STEP_TOO_SMALL
 
     def _commit(self, step: _Taken) -> None:
         """Stand at the end of a step, in the mode behind it."""

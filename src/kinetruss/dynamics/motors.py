@@ -146,6 +146,8 @@ def _refuse_redundant(names: list[str], start: StructureBody) -> None:
 
 TOLERANCE = 1e-13
 """Of projections, in parts of a length."""
+CLOSE = 1e-14
+"""Change of accelerations that counts as none, relative to the largest."""
 REST = 1e-12
 """Of the largest velocity: below this share a coordinate is at rest at the start."""
 
@@ -162,7 +164,7 @@ class StructureBody:
     def __init__(self, eq: Equations, ws: Workspace, user: Any, rows: NDArray[np.int64], period: Floats, stand: Floats) -> None:
         k, size, count = len(rows), eq.local.size, len(eq.A)
         self.eq, self.ws, self.user, self.rows, self.period, self.stand = eq, ws, user, rows, period, stand
-        shapes: dict[str, Any] = dict.fromkeys(("rows", "value", "rate", "scale"), (k,))
+        shapes: dict[str, Any] = dict.fromkeys(("rows", "value", "rate", "scale", "w"), (k,))
         shapes |= {"a": (size,), "N": (count,), "da": (k, size), "dN": (k, count)}
         self._response = made = MotorResponse.zeros(shapes)
         made.rows[:] = rows
@@ -177,8 +179,12 @@ class StructureBody:
         x[free], v[free] = y[: len(free)], y[len(free) : 2 * len(free)]
         return x, v
 
-    def evaluate(self, t: float, x: Floats, v: Floats, near: Any) -> StructureBody:
-        """Evaluate; prescribed coordinates of x and v are set. Angles are counted on from the turn that `near` (k,) is in."""
+    def evaluate(self, t: float, x: Floats, v: Floats, near: Any, w: Sequence[float] = ()) -> StructureBody:
+        """Evaluate; prescribed coordinates of x and v are set. Angles are counted on from the turn that `near` (k,) is in.
+
+        w : the accelerations (k,) whose friction of bearings counts, by default none.
+        """
+        self._last, self._response.w[:] = (t, x, v, near), w or 0.0
         self.pivot = motor_response(self.eq, self.ws, self.user.call, t, x, v, self._response)
         self.value = unwrapped(self._response.value, near, self.period).tolist()
         self.rate = self._response.rate.tolist()
@@ -189,6 +195,18 @@ class StructureBody:
     def at(self, t: float, interval: int, y: Floats, near: list[float]) -> None:  # noqa: ARG002 - the equations know their jumps
         """Evaluate at t (s) of a state."""
         self.evaluate(t, *self.state(y), near)
+
+    def bends(self, w: list[float]) -> bool:
+        """True if the straight lines were not those at these accelerations of the coordinates; they are now.
+
+        The friction of bearings follows from joint forces, and so from w.
+        """
+        own = self._response.w
+        if not self.eq.bearing_ints.size or np.abs(own - w).max() <= CLOSE * np.abs(w).max():
+            return False
+        t, x, v, near = self._last
+        self.evaluate(t, x, v, near, w)
+        return True
 
     def found(self, w: list[float]) -> tuple[Floats, Floats]:
         """a (3 n,) and N (r,) with these accelerations of the coordinates."""

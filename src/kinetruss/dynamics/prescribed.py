@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, seats_of
+from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
-from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
@@ -159,24 +158,12 @@ def with_friction(
             return solved | {"bearing": couple}
         solved = solve(with_bearing_friction(system, loads, x, couple))
     worst = seats[int(np.argmax(np.abs(couple).max(axis=(0, 2))))].name
-    raise jammed(worst)
-
-
-def jammed(worst: str) -> AnalysisError:
-    """The error of couples that do not settle."""
-    return AnalysisError(
-        f"The friction of bearing {worst!r} does not settle: the joint jams. Give it less friction or a smaller radius, or "
-        "stay farther from positions in which its members line up."
-    )
+    raise jam(worst)
 
 
 def with_bearing_friction(system: System, loads: Loads, x: NDArray[np.float64], couple: NDArray[np.float64]) -> Loads:
     """Loads and the nodal forces of couples of friction."""
-    return with_friction_of(loads, *couples_on_ends(system, x, couple))
-
-
-def with_friction_of(loads: Loads, nodes: NDArray[np.int64], forces: NDArray[np.float64]) -> Loads:
-    """Loads and nodal forces (times, k, 3), N, of friction on nodes (k,)."""
+    nodes, forces = couples_on_ends(system, x, couple)
     return replace(
         loads,
         loads=(*loads.loads, *("friction" for _ in nodes)),

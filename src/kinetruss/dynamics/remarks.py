@@ -80,7 +80,7 @@ def sentences(work: Integration) -> list[str]:
 
 def _early(work: Integration, t: float) -> str:
     """Why the run ended early, and the fix."""
-    here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.user.error
+    here, error = f"good up to t = {t:.6g} s of {work.t_end:g} s", work.problem.error
     if work.status is Status.USER_FORCE and error is not None:
         return f"The user's force function raised {type(error).__name__}: {error}; {here}."
     if isinstance(error, AnalysisError):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.dynamics.joint_loads import jammed
 from kinetruss.dynamics.user_forces import UserForce
 from kinetruss.kernels.structure.equations import (
     DENSE,
@@ -77,7 +78,12 @@ class Problem:
     def isolated(self) -> bool:
         """True if nothing supplies energy: no moving drive or support, no given force, no user force, no element that feeds."""
         in_time = len(self.eq.force_kind) or len(self.eq.load) or len(self.eq.motion_kind)
-        return not (self.user.given or in_time or fed(self.system))
+        return not (self.user.given or in_time or fed(self.system) or self.eq.bearing_ints.size)
+
+    @property
+    def error(self) -> BaseException | None:
+        """What the user's function raised last, or a joint that jams."""
+        return self.user.error or jammed(self.system, self.ws)
 
     @property
     def solver(self) -> str:

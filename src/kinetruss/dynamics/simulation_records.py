@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,11 +10,12 @@ import numpy as np
 from kinetruss.actuators.modes import unwrapped
 from kinetruss.dynamics.force_tables import force_arrays, solved_in_space
 from kinetruss.dynamics.motors import motor_histories, motor_names
-from kinetruss.dynamics.prescribed import with_bearing_friction
+from kinetruss.dynamics.prescribed import apply_loads, take_sum_forces, with_bearing_friction
 from kinetruss.dynamics.remarks import energy_remark
-from kinetruss.dynamics.simulated_bearings import Rubbing, solved_along, with_forces
-from kinetruss.kernels.solve.kkt import balance
-from kinetruss.kernels.structure.structure import LENGTH, States
+from kinetruss.kernels.compiled.workspace import allocate
+from kinetruss.kernels.solve.kkt import balance, couples_along
+from kinetruss.kernels.structure.rows import row_forces
+from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.turns import refined
 from kinetruss.mechanics.loads import Loads, case_loads
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.integration import Integration
     from kinetruss.dynamics.simulation_problem import Problem
+    from kinetruss.mechanics import System
 
 
 TURN = 2 * np.pi
@@ -114,14 +116,14 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     system = work.problem.system
     loads = case_loads(system, trace.t, work.problem.load_case, rotating=True).at(trace.x)
     loads = _with_user(work.problem, loads, trace)
-    states, user = States(trace.x, trace.v, trace.a), work.problem.user
-    if isinstance(user, Rubbing):
-        each = [user.couples(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)]
-        couple = np.array(each).reshape(len(trace.t), -1, 3)
+    states = States(trace.x, trace.v, trace.a)
+    if count := len(system.model.bearings):
+        couple, eq = np.empty((len(trace.t), count, 3)), work.problem.eq
+        couples_along(eq, trace.t, trace.x, trace.v, trace.a, np.ascontiguousarray(trace.N[:, eq.row]), couple)
         rubbed = with_bearing_friction(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
-        solved = solved_along(system, rubbed, states, trace.N) | {"bearing": couple}
+        solved = _solved(system, rubbed, states, trace.N) | {"bearing": couple}
     else:
-        solved = solved_in_space(system, loads, states, lambda pushed, space: solved_along(system, pushed, space, trace.N))
+        solved = solved_in_space(system, loads, states, lambda pushed, space: _solved(system, pushed, space, trace.N))
     data = force_arrays(system, motion, loads, solved, at_rest=False)
     unsure = list(work.problem.not_unique)
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
@@ -135,13 +137,31 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     )
 
 
+def _solved(system: System, loads: Loads, states: States, N: NDArray[np.float64]) -> dict[str, Any]:
+    """Joint forces and the rest at nodes, as `forces_of` takes them, of solved states and row forces N (times, rows)."""
+    count = len(states.x)
+    joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))
+    apply_loads(system, loads, states, EndForces(joint, rest))
+    p, q = (3 * ends[system.row_member] for ends in (system.p, system.q))
+    row_forces(system.row_member, system.row_kind, p, q, states.x, N, joint, rest)
+    take_sum_forces(system, states.x, N, rest)
+    return {"x": states.x, "v": states.v, "a": states.a, "N": N, "joint": joint, "rest": rest}
+
+
 def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
     """The loads, with the user's force as one more load at each node on which it acts."""
     user = problem.user.own
     if not user.given:
         return loads
     push = np.array([user.at(*one) for one in zip(trace.t, trace.x, trace.v, strict=True)])
-    return with_forces(problem.system, loads, push.reshape(len(trace.t), -1))
+    push = push.reshape(len(push), len(problem.system.nodes), 3)
+    nodes = np.flatnonzero(np.abs(push).max(axis=(0, 2), initial=0.0) > 0)
+    return replace(
+        loads,
+        loads=(*loads.loads, *(f"user force on {problem.system.nodes[i]}" for i in nodes)),
+        node=np.concatenate([loads.node, nodes]),
+        force=np.concatenate([loads.force, push[:, nodes]], axis=1),
+    )
 
 
 def _histories(work: Integration, trace: Trace) -> dict[str, Any]:

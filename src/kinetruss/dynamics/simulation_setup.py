@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.equations import equations, not_prescribed
+from kinetruss.dynamics.joint_loads import jammed, with_bearings
 from kinetruss.dynamics.motors import motors_of, refuse_method, with_motors_fixed
-from kinetruss.dynamics.simulated_bearings import bearing_friction_of
 from kinetruss.dynamics.simulation_problem import Problem
 from kinetruss.dynamics.singular_starts import by_default, refuse_series, singular_note, singular_start
 from kinetruss.dynamics.starting import completed_velocities, given_positions, given_velocities, named_coordinates, start_notes
 from kinetruss.dynamics.user_forces import user_force_of
 from kinetruss.elements.kinds import switches
 from kinetruss.errors import InputError, ModelError, few, shown
-from kinetruss.kernels.solve.kkt import project
+from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.time_tables import table_notes
@@ -104,7 +104,7 @@ def problem_of(model: Model, t_end: float, options: Options) -> Problem:
     ------
     InputError : an option cannot be used.
     """
-    if options.repeatable and not model.bearings:
+    if options.repeatable:
         return _kept(compile(model), seconds(t_end), options).fresh()
     return _set_up(model, t_end, options)
 
@@ -124,6 +124,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     reduced = released(system, not_prescribed(system, held))
     refuse_massless(reduced, _massive(system), x.reshape(-1, 3))
     eq, ws = equations(system, load_case, held, model.trajectory_of(run), method.solver, t_end)
+    eq, ws = with_bearings(system, eq, ws, load_case, held)
     before = x.copy(), v.copy()
     v[np.setdiff1d(np.arange(v.size), eq.free)] = 0.0  # velocities of supports come from their own motion only
     _project(system, eq, ws, x, v)
@@ -132,8 +133,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
     user = user_force_of(system, options.user_force, x, v, load_case)
-    if model.bearings:
-        user = bearing_friction_of(system, options.user_force, eq, ws, load_case, (x, v))
+    _refuse_jammed(system, eq, ws, user, x, v)
     # held constraints would stop the motors
     free = before[1].copy()
     refuse_method(model, run.tasks, method)
@@ -252,6 +252,14 @@ def _project(system: System, eq: Any, ws: Any, x: NDArray[np.float64], v: NDArra
         f"the largest error is at {worst}. "
         "Change its length, or move its nodes."
     )
+
+
+def _refuse_jammed(system: System, eq: Any, ws: Any, user: Any, x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
+    """Raise AnalysisError if a joint jams at the start."""
+    if system.model.bearings:
+        evaluate(eq, ws, user.call, 0.0, x.copy(), v.copy(), np.empty(x.size), np.empty(len(eq.row)))
+        if (error := jammed(system, ws)) is not None:
+            raise error
 
 
 def _still_note(model: Model, system: System, eq: Any) -> list[str]:

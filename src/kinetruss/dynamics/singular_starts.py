@@ -433,6 +433,7 @@ def without_series(problem: Problem) -> str | None:
         (cables, "the cable {!r} may be taut or slack"),
         (eq.load, "a load turns with its body"),
         ([why for one in ELEMENTS if (why := one.without_series(system))], "{}"),
+        (eq.bearing_ints, "bearings have friction"),
         ([problem.user] if problem.user.given else [], problem.user.words),
         ([problem.motors] if problem.motors is not None else [], "motors have inputs"),
     )

@@ -111,7 +111,7 @@ class Stepper(Integration, ABC):
     def _conclude(self, code: int, whole: bool) -> None:
         """Set status and message from the end code of the last call."""
         if self.status is not Status.INTERRUPTED:
-            self.status = ending(code, self.problem.user.error)
+            self.status = ending(code, self.problem.error)
             self.ended = whole or not self.status.ok or self.status is Status.EVENT
         if self.ended:
             self.message = " ".join([*self.problem.notes, *sentences(self)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -136,7 +136,7 @@ def present(system: System) -> list[tuple[Element, Record]]:
 
 def element_arrays(system: System) -> dict[str, NDArray[Any]]:
     """The fields of `Structure` for elements."""
-    return _table("element", [(one.kernels, record) for one, record in present(system)])
+    return table_of_kinds("element", [(one.kernels, record) for one, record in present(system)])
 
 
 def load_arrays(loads: Sequence[Turning]) -> dict[str, NDArray[Any]]:
@@ -145,8 +145,18 @@ def load_arrays(loads: Sequence[Turning]) -> dict[str, NDArray[Any]]:
     for one in loads:
         kinds.setdefault(type(one.load), []).append(one)
     times = np.unique([t for one in loads for t in one.times])
-    rows = [({FORCE: (force, kind.kernel)}, kind.table(own)) for kind, own in kinds.items()]
-    return _table("load", rows) | {"load_time": times.astype(float)}
+    return table_of_kinds("load", [forces_of_loads(own) for own in kinds.values()]) | {"load_time": times.astype(float)}
+
+
+def forces_of_loads(loads: Sequence[Turning]) -> tuple[Mapping[int, tuple[Any, Any]], Record]:
+    """Loads of one class as a row of a table of kinds, with forces alone."""
+    kind = type(loads[0].load)
+    return {FORCE: (force, kind.kernel)}, kind.table(loads)
+
+
+def scalar_forces(system: System, k: int) -> tuple[Mapping[int, tuple[Any, Any]], Record]:
+    """One of the elements on coordinates as a row of a table of kinds, with forces alone."""
+    return {FORCE: scalars.KERNELS[FORCE]}, scalars.alone(cast("scalars.Scalars", on_coordinates(system)), k)
 
 
 def compile_kinds() -> None:
@@ -158,7 +168,7 @@ def compile_kinds() -> None:
         force.address(load.kernel)
 
 
-def _table(name: str, kinds: Sequence[tuple[Mapping[int, tuple[Any, Any]], Record]]) -> dict[str, NDArray[Any]]:
+def table_of_kinds(name: str, kinds: Sequence[tuple[Mapping[int, tuple[Any, Any]], Record]]) -> dict[str, NDArray[Any]]:
     """A table of kinds (kernels.structure.element_table) from their kernels by column, and records."""
     rows: list[NDArray[np.int64]] = []
     ints: list[NDArray[Any]] = [np.zeros(0, np.int64)]

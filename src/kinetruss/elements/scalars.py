@@ -398,6 +398,14 @@ def fields(parts: Sequence[Part]) -> dict[str, NDArray[Any]]:
     }
 
 
+def alone(s: Scalars, k: int) -> Scalars:
+    """The record of element k alone."""
+    own, terms = s.arrays(), slice(s.ptr[k], s.ptr[k + 1])
+    own |= {name: own[name][[k]] for name in ("law", "linear", "loses", "rest", "period", "numbers")}
+    own |= {name: own[name][terms] for name in ("kind", "form", "at", "local", "data")}
+    return Scalars.of(own | {"ptr": own["ptr"][k : k + 2] - own["ptr"][k], "table_ptr": own["table_ptr"][k : k + 2]})
+
+
 def coordinates(s: Scalars) -> NDArray[np.int64]:
     """Coordinates (elements, w) of the nodes of elements, ascending; those that have fewer end with -1."""
     nodes = [np.unique(s.at[first:last]) for first, last in pairwise(s.ptr)]

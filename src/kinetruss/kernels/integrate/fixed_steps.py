@@ -14,7 +14,16 @@ from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Record, record
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.integrate.tangent import tangent_factor, tangent_solve
-from kinetruss.kernels.solve.kkt import add_constraint_forces, factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
+from kinetruss.kernels.solve.kkt import (
+    add_constraint_forces,
+    add_friction,
+    factor,
+    prepare_rows,
+    row_along,
+    row_gaps,
+    row_rate_gaps,
+    solve,
+)
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.element_table import swap_elements
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -172,6 +181,14 @@ def _place(free: I1, step: Step, midpoint: bool) -> None:
         ve[j] = (x1[j] - x0[j]) / h if midpoint else v1[j]
 
 
+@kernel_bare
+def _forces(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: F1, f: F1) -> None:
+    """All forces at t, x, v, where the matrix is factored, into f (3 n,)."""
+    applied(eq, user, t, x, v, f)
+    if eq.bearing_ints.size:
+        add_friction(eq, ws, t, x, v, f)
+
+
 @kernel_inline
 def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, midpoint: bool) -> float:
     """What the equations at t_e (s) and the rows at the end lack with the a and N at hand, into f and gap; factors the matrix.
@@ -180,11 +197,11 @@ def _lacking(eq: Equations, ws: Workspace, user: int, step: Step, t_e: float, mi
     """
     xe, ve, f, gap = step.xe, step.ve, step.f, step.gap
     _place(eq.free, step, midpoint)
-    applied(eq, user, t_e, xe, ve, f)
+    pivot = factor(eq, ws, xe)
+    _forces(eq, ws, user, t_e, xe, ve, f)
     if midpoint:
         _swap_laws(eq, step.x0, step.x1, xe, ve, step.h, f)
         swap_elements(eq, t_e, step.x0, step.x1, xe, ve, step.h, f)
-    pivot = factor(eq, ws, xe)
     _unbalanced(eq, ws, xe, step.a, step.N, f, step.work)
     row_gaps(eq, step.x1, step.target, gap)
     # right-hand side of J da
@@ -345,7 +362,7 @@ def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memor
     prepare_rows(eq, ws, t_0, x0, v0)
     memory.pivot = factor(eq, ws, x0)
     # forces at the start; along the rows, accelerations as foreseen
-    applied(eq, user, t_0, x0, v0, f)
+    _forces(eq, ws, user, t_0, x0, v0, f)
     row_along(eq, ws, a, gap)
     solve(eq, ws, f, gap, a, step.N)
     if not _to_the_rows(eq, ws, control, memory, step):
@@ -357,7 +374,7 @@ def rattle_step(eq: Equations, ws: Workspace, user: int, control: Control, memor
         v1[j] = v0[j] + h * a[j]
     prepare_rows(eq, ws, step.t_1, x1, v1)
     factor(eq, ws, x1)
-    applied(eq, user, step.t_1, x1, v1, f)
+    _forces(eq, ws, user, step.t_1, x1, v1, f)
     # v' = v0 + h/2 a
     for i in range(free.size):
         v1[free[i]] = v0[free[i]] + half * a[free[i]]

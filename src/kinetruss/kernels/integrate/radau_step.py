@@ -172,7 +172,7 @@ def _residuals(run: Run, own: Stages) -> None:
         own.pivots[1 + s] = pivot
         applied(eq, run.user, t, x, v, ws.f)
         _swap_tensions(eq, x, v, own.S[s], own.q[s], ws.f)
-        accelerate_under(eq, ws, x, v, a, work.N)
+        accelerate_under(eq, ws, t, x, v, a, work.N)
         memory.evaluations += 1
         # r_s = a_s - F(t_s, X_s, V_s; S_s)
         for i in range(free.size):

@@ -11,7 +11,8 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
-from kinetruss.kernels.solve.kkt import evaluate, factor, prepare_rows, project, row_rate_gaps, solve
+from kinetruss.kernels.solve.kkt import accelerate_smoothly, factor, prepare_rows, project, row_rate_gaps, rub, solve
+from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.structure import ANGLE, SUM
 from kinetruss.kernels.structure.sums import sum_of
@@ -25,13 +26,15 @@ class MotorResponse(Record):
     """How a structure answers to the accelerations of its motor-driven coordinates.
 
     rows (k,) of the equations; value, rate (k,) m, rad, of their coordinates, scale (k,) of their rows. a (3 n,), N (r,) where
-    none of the coordinates accelerates; a unit of each adds da (k, 3 n), dN (k, r).
+    none of the coordinates accelerates; a unit of each adds da (k, 3 n), dN (k, r). Friction of bearings is no straight line
+    over these accelerations: it is that of w (k,).
     """
 
     rows: I1
     value: F1
     rate: F1
     scale: F1
+    w: F1
     a: F1
     N: F1
     da: F2
@@ -97,7 +100,10 @@ def motor_response(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: 
     for j in range(rows.size):
         value[j], rate[j], scale[j], _ = _coordinate(eq, ws, rows[j], x, v)
         held[rows[j]] = value[j]
-    pivot = evaluate(eq, ws, user, t, x, v, a, N)
+    prepare_rows(eq, ws, t, x, v)
+    pivot = factor(eq, ws, x)
+    applied(eq, user, t, x, v, ws.f)
+    accelerate_smoothly(eq, ws, x, v, a, N)
     f, gamma = ws.f, ws.gamma
     # response to a unit acceleration of each: M da + J^T dN = 0, J da = scale
     for j in range(rows.size):
@@ -113,7 +119,21 @@ def motor_response(eq: Equations, ws: Workspace, user: int, t: float, x: F1, v: 
             a[c] += lacking * da[j, c]
         for k in range(gamma.size):
             N[k] += lacking * dN[j, k]
+    if eq.bearing_ints.size:
+        _move_by(one, 1.0)
+        rub(eq, ws, t, x, v, a, N)
+        _move_by(one, -1.0)
     return pivot
+
+
+@kernel_bare
+def _move_by(one: MotorResponse, share: float) -> None:
+    """Add a share of what the accelerations w do."""
+    for j in range(one.w.size):
+        for c in range(one.a.size):
+            one.a[c] += share * one.w[j] * one.da[j, c]
+        for k in range(one.N.size):
+            one.N[k] += share * one.w[j] * one.dN[j, k]
 
 
 @kernel

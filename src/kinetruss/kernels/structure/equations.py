@@ -37,6 +37,7 @@ class Equations(Structure):
     force_time, force_value; force_drive (g,) or -1.
     Loads that depend on positions: load, load_ints, load_reals, a table of kinds as `element`, with forces alone
     (elements.loads); load_time, at which their amounts bend, s.
+    Friction of bearings: buffers of the records `Bearings` and `JointLoads` of structure.bearings, empty without bearings.
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
@@ -103,6 +104,10 @@ class Equations(Structure):
     load_ints: I1
     load_reals: F1
     load_time: F1
+    bearing_ints: I1
+    bearing_reals: F1
+    pressed_ints: I1
+    pressed_reals: F1
     sum_row: I1
     sum_ptr: I1
     term_form: I2
@@ -127,7 +132,8 @@ class Workspace(Record):
     rate and its reciprocal length; gamma, rhs, multiplier (r,); f, g, h, x, y, rest (3 n,). Dense: D (nf, nf), W (nf, r), S (r,
     r), diagonal (r,), b, c (nf,), dependent, order (r,), states, matrix, z. Sweep: lu, row_at, col_at, taken, T, MT (dof, 3 n),
     R (dof, dof), q (dof,). Sparse: values, gain. terms (t, 24) gradients of sums. pivot (2,) : the scaled one of the
-    last factors, and the largest one along the motion (0: not known).
+    last factors, and the largest one along the motion (0: not known). couple (k,) of bearings in the last accelerations, N m;
+    jammed (1,) : 1 + the one whose couple did not settle there, else 0.
     """
 
     dependent: I1
@@ -135,6 +141,7 @@ class Workspace(Record):
     row_at: I1
     col_at: I1
     taken: I1
+    jammed: I1
     now: F2
     u: F2
     target: F2
@@ -167,3 +174,4 @@ class Workspace(Record):
     terms: F2
     term_work: F1
     pivot: F1
+    couple: F1
