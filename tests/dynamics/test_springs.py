@@ -243,6 +243,22 @@ def test_bars_and_nodes_are_in_balance():
         assert found.matrix @ found.product == pytest.approx(found.right, abs=1e-9)
 
 
+def test_stops_are_given_in_the_equations_of_all_members():
+    """Their forces follow from the motion, as those of springs: no unknowns, so that the equations determine the others."""
+    model = kt.Model(
+        nodes={"O": (0, 0), "G": (1, 0), "A": kt.Node(at=(0.6, 0.5), mass=2.0)}, fixed=["O", "G"], bars={"arm": ("O", "A")},
+        section=kt.Rod(diameter=0.02), material="steel_s235", drives={"turn": kt.AngleDrive("arm")}, gravity=(0, -9.81),
+        stops={"end": kt.Stop(coordinate=kt.HingeDrive(axis="O", start="G", end="A"), lower=0.5, stiffness=300.0)},
+    )  # fmt: skip
+    start = float(np.arctan2(0.5, 0.6))
+    motion = kt.kinematics.follow(model, kt.Quintic(moves={"turn": (start, 0.4)}, duration=0.5), samples=3)
+    forces = kt.dynamics.inverse(model, motion)
+    found = newton_euler(model, motion, forces, time=0.5)
+    assert float(forces.data.stop_force.sel(stop="end")[-1]) == pytest.approx(30.0) and found.unique
+    assert not any("end" in name for name in found.unknowns)
+    assert found.solution == pytest.approx(found.product, abs=1e-9)
+
+
 def test_bending_moment_at_the_root_is_that_of_the_spring():
     model = pendulum(damping=1.0).with_(section=kt.Rectangle(width=0.03, height=0.02), material=kt.library.materials.STEEL_S235)
     run = kt.dynamics.simulate(model, 0.5, samples=11)

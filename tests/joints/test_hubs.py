@@ -313,3 +313,18 @@ def test_what_a_hub_clamps_may_change() -> None:
     assert model.whole.bars["D.rocker"].kind == "free" and "D.rocker" in model.whole.fixed
     off = model.with_(fixed={"A": "xy", "D": "x"})
     assert off.whole.bars["D.rocker"].kind == "rigid" and "D.rocker" not in off.whole.fixed
+
+
+def test_a_load_on_a_hub_is_not_in_its_arms() -> None:
+    """It acts at the centre: a massless arm has what its member does to its tip, -N u . u_arm, by every kind of statics."""
+    push = kt.BodyForce(body="C.hub", at=(0.72, 0.4), force=(300, 200))
+    model = four_bar(**REAL).with_(loads={"push": push}, material=kt.Material(E=2e11, density=0.0))
+    path = kt.statics.path(model, "push", points=3).data
+    found = [kt.statics.linear(model).data, kt.statics.equilibrium(model).data, path.isel(point=-1)]
+    assert abs(path.load_factor.values[-1]) > 0
+    B, C = (np.array(model.whole.nodes[f"{hub}.coupler"].at) for hub in "BC")
+    along, arm = C - B, C - np.array(model.nodes["C"].at)
+    for data in found:
+        N = float(data.member_force.sel(member="coupler"))
+        exact = -N * (along @ arm) / (np.linalg.norm(along) * np.linalg.norm(arm))
+        assert abs(N) > 1 and float(data.member_force.sel(member="C.coupler")) == pytest.approx(exact, rel=1e-9)

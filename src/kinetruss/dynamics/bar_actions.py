@@ -19,7 +19,7 @@ from kinetruss.dynamics.hub_arms import (
     actions_of_loads,
     couples_through_members,
 )
-from kinetruss.kernels.structure.structure import ANGLE
+from kinetruss.kernels.structure.structure import ANGLE, States
 from kinetruss.mechanics import System, cached, compile, ends_of
 from kinetruss.mechanics.bars import bars_of
 from kinetruss.mechanics.elements import named_motions
@@ -30,9 +30,12 @@ from kinetruss.results import Column, variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.kernels.structure.structure import States
     from kinetruss.mechanics.loads import Loads
     from kinetruss.model import Model
+
+
+TENSING = ("drive", "coupling", *FORCE_ELEMENTS, "hub", "hinge")
+"""Kinds of actions that may add to the mean axial force of a member."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -113,7 +116,10 @@ def acting_along(
     """
     x, v, a = (y.reshape(len(y), prod(y.shape[1:]) // 3, 3) for y in states)
     element = named_motions(system, x, v).force if element is None else element
-    amounts = _amounts(system, drive, coupling, element)
+    own = system.model.force_elements
+    keys = [("drive", one) for one in system.drives] + [("coupling", one) for one in system.model.couplings]
+    keys += [(own[name][0], name) for name in system.force_elements]
+    amounts = dict(zip(keys, np.concatenate([drive, coupling, element], axis=1).T, strict=True))
     here = Instants(system=system, x=x, v=v, a=a, gravity=loads.gravity, amounts=amounts, loads=loads, carried=carried)
     found = actions_of(system, loads.name)
     return found, evaluate(found.actions, here)
@@ -121,38 +127,27 @@ def acting_along(
 
 def mean_tension_at_rest(
     system: System,
+    loads: Loads,
     x: NDArray[np.float64],
     drive: NDArray[np.float64],
     coupling: NDArray[np.float64],
     carried: CarriedBy,
     element: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
-    """`mean_tension` (members,) at positions x (n, 3) from the forces of drives (drives,), couplings and elements on
-    coordinates, and those of truss bars and supports, one sample each.
+    """`mean_tension` (members,) at positions x (n, 3), under loads there, from the forces of drives (drives,), couplings and
+    elements on coordinates, and those of truss bars and supports, one sample each.
 
     Forces of elements follow from their laws if none are given.
     """
-    actions = tuple(one for one in actions_of(system, "").actions if adds_tension(one))
-    if not actions:
-        return np.zeros(len(system.members))
-    still = np.zeros((1, *x.shape))
-    force = named_motions(system, x[None]).force[0] if element is None else element
-    amounts = _amounts(system, drive[None], coupling[None], force[None])
-    here = Instants(system=system, x=x[None], v=still, a=still, gravity=np.zeros(3), amounts=amounts, carried=carried)
-    return np.asarray(mean_tension(system, actions, evaluate(actions, here), x[None])[0])
-
-
-def _amounts(system: System, *forces: NDArray[np.float64]) -> dict[tuple[str, str], NDArray[np.float64]]:
-    """Forces of drives, couplings and elements on coordinates (times, ...), N or N m, by source."""
-    own = system.model.force_elements
-    keys = [("drive", one) for one in system.drives] + [("coupling", one) for one in system.model.couplings]
-    keys += [(own[name][0], name) for name in system.force_elements]
-    return dict(zip(keys, np.concatenate(forces, axis=1).T, strict=True))
+    still = np.zeros((1, x.size))
+    given = (drive[None], coupling[None], None if element is None else element[None])
+    found, acting = acting_along(system, loads, States(x.reshape(1, -1), still, still), *given, carried)
+    return np.asarray(mean_tension(system, found.actions, acting, x[None])[0])
 
 
 def adds_tension(action: Action) -> bool:
     """Whether it adds to the mean axial force of its member, which the row of the member does not hold."""
-    return action.kind in ("drive", "coupling", *FORCE_ELEMENTS, "hub", "hinge") and not action.counted
+    return action.kind in TENSING and not action.counted
 
 
 def mean_tension(system: System, actions: tuple[Action, ...], acting: Acting, x: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -43,6 +43,7 @@ class Balance:
     followers : loads that turn with bodies, with their amounts.
     push (m,) N, torque (m,) N m: given forces of drives; positive lengthens or turns counter-clockwise.
     turn (measures,) N m: of drives of hinges and of angles in space.
+    loads : all of them by name.
     """
 
     system: System
@@ -52,6 +53,7 @@ class Balance:
     push: NDArray[np.float64]
     torque: NDArray[np.float64]
     turn: NDArray[np.float64]
+    loads: Loads
     followers: tuple[tuple[UnitLoad, float], ...] = ()
 
     def tension(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -230,6 +232,7 @@ def balance_of(
         push=push,
         torque=torque,
         turn=turn,
+        loads=loads,
         followers=tuple((one, float(amount[0])) for _, one, amount in loads.unit_loads if not one.constant),
     )
 

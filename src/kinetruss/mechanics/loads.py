@@ -72,6 +72,11 @@ class Loads:
     t: NDArray[np.float64] = field(default_factory=lambda: np.zeros(1))
     base: RotatingBase | None = None
 
+    def scaled_with(self, more: Loads, factor: float) -> Loads:
+        """A copy with the nodal forces of other loads times a factor."""
+        force = np.concatenate([self.force, factor * more.force], axis=1)
+        return replace(self, loads=self.loads + more.loads, node=np.concatenate([self.node, more.node]), force=force)
+
     def at(self, x: NDArray[np.float64]) -> Loads:
         """A copy with the loads on bodies turned into nodal forces, at positions x (times, 3 n) or (times, n, 3)."""
         if not self.unit_loads:

@@ -299,7 +299,7 @@ def forces_of(system: System, balance: Balance, x: NDArray[np.float64], N: NDArr
     support = np.where(fixed, -left, 0.0).reshape(1, -1, 3)
     supports = [system.node_index(name) for name in system.supports]
     carried = CarriedBy(mean[None], support, np.zeros((1, 0, 3)))
-    mean = mean + mean_tension_at_rest(system, x, drive, -on_measures[own:last], carried)
+    mean = mean + mean_tension_at_rest(system, balance.loads.at(x[None]), x, drive, -on_measures[own:last], carried)
     units, on = force_units(system)[0], named_motions(system, x[None])
     return (
         {

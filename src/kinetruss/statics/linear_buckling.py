@@ -18,7 +18,7 @@ from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
 from kinetruss.results.user_parts import part_axes
 from kinetruss.statics.large_displacements import must_begin
-from kinetruss.statics.paths import scaled_force, without
+from kinetruss.statics.paths import scaled_force, scaled_loads, without
 from kinetruss.statics.saddle_point import Saddle, rows_of
 from kinetruss.statics.search import SearchResult, find_equilibrium
 from kinetruss.threads import one_thread
@@ -74,7 +74,7 @@ def buckling(
     5.0
     """
     system = compile(model)
-    push = scaled_force(system, load)
+    push = scaled_force(system, scaled_loads(system, load))
     balance = balance_of(without(system, load, load_case), load_case, tasks)
     reached = _at_rest(balance, start, lengths or {})
     free = balance.system.free

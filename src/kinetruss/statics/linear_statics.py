@@ -118,13 +118,14 @@ def solve_with_cables(
 
 class _Known(NamedTuple):
     """Given forces, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all nodal forces; `tension`
-    (rows,) of bars and springs, `continua_force` (3 n,) of membranes and solids in the configuration itself.
+    (rows,) of bars and springs, `continua_force` (3 n,) of membranes and solids in the configuration itself; `loads` by name.
     """
 
     ends: NDArray[np.float64]
     load: NDArray[np.float64]
     tension: NDArray[np.float64]
     continua_force: NDArray[np.float64]
+    loads: Loads
 
 
 class Linear(Result):
@@ -242,7 +243,7 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
 def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> _Known:
     ends = end_weights(system, x, loads.gravity)
     pushed = strained_forces(system, x) + element_forces(system, x, rows=False)
-    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed)
+    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed, loads)
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -263,7 +264,7 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
 
 
 def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCables, known: _Known, G: Any) -> xr.Dataset:
-    solved, (ends, load, _, continua_force) = found.solved, known
+    solved, (ends, load, _, continua_force, loads) = found.solved, known
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
     force, elongation, energy = (np.zeros(members) for _ in range(3))
@@ -279,7 +280,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
     if len(system.measures) or system.model.hubs:
         drive, coupling = _on_measures(held, total)
         acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
-        force = force + mean_tension_at_rest(system, x, drive, coupling, acting, on_coordinates)
+        force = force + mean_tension_at_rest(system, loads, x, drive, coupling, acting, on_coordinates)
     stored = found.stored.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
@@ -314,7 +315,8 @@ def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.f
     """Forces of drives (drives,) and couplings (couplings,) on measures, N or N m, from row forces (rows,)."""
     on = measure_forces(held, total)
     last = len(held.measures) - len(held.force_elements)
-    drive = np.where(held.drive_measure >= 0, -on[held.drive_measure], 0.0)
+    drive, measured = np.zeros(len(held.drives)), held.drive_measure >= 0
+    drive[measured] = -on[held.drive_measure[measured]]
     return drive, -on[last - len(held.model.couplings) : last]
 
 

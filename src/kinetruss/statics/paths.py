@@ -13,7 +13,7 @@ import xarray as xr
 from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.mechanics import System, compile, constraint_jacobian
 from kinetruss.mechanics.balance import Balance, balance_of
-from kinetruss.mechanics.loads import case_loads
+from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes, support_axes
@@ -131,7 +131,8 @@ def path(
         got = f"points={points}, step={step:g}, largest_step={largest_step:g}"
         raise InputError(f"{got} gives no path. Give at least 2 points, and 0 < step <= largest_step.")
     system = compile(model)
-    push = scaled_force(system, load)
+    scaled = scaled_loads(system, load)
+    push = scaled_force(system, scaled)
     balance = balance_of(without(system, load, load_case), load_case, tasks)
     x, wanted, span = must_begin(balance, start, lengths or {})
     reached = find_equilibrium(balance, x, wanted, 1e-13, 500)
@@ -142,7 +143,7 @@ def path(
     walk = _Walk(road, first, step, largest_step)
     good = walk.on(points, to)
     end = "" if good else _end(system, walk.points[-1], span)
-    found = _record(system, balance, road, walk, good or bool(end), end)
+    found = _record(system, balance, scaled, road, walk, good or bool(end), end)
     if good or end or not raise_on_failure:
         return found
     raise AnalysisError(f"{found.status.value} {found.message}", found)
@@ -275,8 +276,8 @@ class _Walk:
         return _Event(kind="limit" if felt > ALIKE else "bifurcation", point=found, arc=s, mode=mode)
 
 
-def scaled_force(system: System, load: str | Mapping[str, float]) -> NDArray[np.float64]:
-    """The force that is scaled (3 n,), N."""
+def scaled_loads(system: System, load: str | Mapping[str, float]) -> Loads:
+    """The loads that are scaled, as nodal forces."""
     model = system.model
     if isinstance(load, str) and load in model.load_cases:
         loads = case_loads(system, np.zeros(1), load)
@@ -291,9 +292,13 @@ def scaled_force(system: System, load: str | Mapping[str, float]) -> NDArray[np.
         loads = case_loads(compile(scaled), np.zeros(1), "scaled")
     if any(not one.constant for _, one, _ in loads.unit_loads):
         raise InputError("The load that is scaled turns with the structure. Give one that keeps its direction.")
-    loads = loads.at(system.x0[None])
+    return loads.at(system.x0[None])
+
+
+def scaled_force(system: System, scaled: Loads) -> NDArray[np.float64]:
+    """The force that is scaled (3 n,), N."""
     push = np.zeros(system.x0.shape)
-    np.add.at(push, loads.node, loads.force[0])
+    np.add.at(push, scaled.node, scaled.force[0])
     flat = push.reshape(-1)
     if not np.any(flat[system.free]):
         raise InputError("The load that is scaled has no force on a free node. Give one that has.")
@@ -319,9 +324,12 @@ def _end(system: System, last: Point, span: float) -> str:
     return f"The path ends at load factor {last.factor:.6g}, where {few(gone, 4)} goes to zero." if gone else ""
 
 
-def _record(system: System, balance: Balance, road: Road, walk: _Walk, good: bool, end: str) -> Path:
+def _record(system: System, balance: Balance, scaled: Loads, road: Road, walk: _Walk, good: bool, end: str) -> Path:
     dim = system.dim
-    forces = [forces_of(system, road.loaded(at.factor), at.x, at.N) for at in walk.points]
+    forces = []
+    for at in walk.points:
+        loads = balance.loads.at(at.x[None]).scaled_with(scaled, at.factor)
+        forces.append(forces_of(system, replace(road.loaded(at.factor), loads=loads), at.x, at.N))
     lowest = [values[0] if len(values) else np.nan for values in walk.values]
     position = np.array([at.x[:, :dim] for at in walk.points])
     d = position[:, system.q] - position[:, system.p]

@@ -248,6 +248,8 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
 
 
 def _described_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+    from kinetruss.dynamics.bar_actions import TENSING
+
     if "action" not in data.coords:
         return [], {}
     members = {name: k for k, name in enumerate(model.whole.members)}
@@ -263,7 +265,7 @@ def _described_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, A
                 "kind": kind,
                 "member": members[member],
                 "spread": along,
-                "mean": kind in ("drive", "coupling", "spring", "hub"),
+                "mean": kind in TENSING,
             }
         )
     return described, {"action_force": data["action_force"].values, "action_place": np.where(np.isnan(place), 0.5, place)}
