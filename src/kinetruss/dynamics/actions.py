@@ -120,7 +120,7 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
         if action.worth is not None:
             worth[:, k] = action.worth(here)
         if not isinstance(action.place, Spread):
-            place[:, k] = np.clip(action.place(here) if callable(action.place) else action.place, 0.0, 1.0)
+            place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
     member = np.array([one.member for one in actions], np.int64)
     if turning := [(k, action.couple(here)) for k, action in enumerate(actions) if action.couple is not None]:
         which = [k for k, _ in turning]
@@ -128,5 +128,6 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
         worth[:, which] += np.stack([-across, across], axis=2)
     d = here.x[:, system.q[member]] - here.x[:, system.p[member]]
     couple = cross(d, worth[:, :, 1] - place[:, :, None] * worth.sum(axis=2))
-    couple[:, [isinstance(one.place, Spread) for one in actions]] = 0.0
+    if spread := [k for k, one in enumerate(actions) if isinstance(one.place, Spread)]:
+        couple[:, spread] = 0.0
     return Acting(worth=worth, place=place, couple=couple)

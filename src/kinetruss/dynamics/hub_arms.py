@@ -22,7 +22,7 @@ from kinetruss.elements.loads.load import OnMember, Spread
 from kinetruss.elements.pin_friction import pins_of
 from kinetruss.mechanics import cached
 from kinetruss.mechanics.bars import Bars, bars_of
-from kinetruss.mechanics.frames import bar_pushes
+from kinetruss.mechanics.frames import bar_pulls, pulled
 from kinetruss.model import BodyCouple, body_mass
 from kinetruss.model.hub_arms import arm_through, clamped_at, is_grounded, loops
 
@@ -111,25 +111,45 @@ def actions_of_hubs(system: System) -> Iterator[Action | NotOnBars]:
             yield NotOnBars(source=one.hub, kind="hub", nodes=names, members=tuple(system.members[i] for i in one.joints))
             continue
         for i, (tip, nodes) in one.joints.items():
-            yield Action(source=one.hub, kind="hub", member=i, place=float(1 - tip), worth=partial(arm_push, one, tip, nodes))
+            worth = partial(arm_push, one, i, tip, nodes)
+            yield Action(source=one.hub, kind="hub", member=i, place=float(1 - tip), worth=worth)
 
 
-def arm_push(frame: HubFrame, tip: int, nodes: list[int], here: Instants) -> NDArray[np.float64]:
-    """Two opposite forces (t, 2, 3), N, on an arm: at its tip those that braces and supports exert on the nodes there."""
+@cached()
+def _pulled(system: System) -> tuple[list[int], dict[tuple[str, int], int], NDArray[np.float64]]:
+    """Braces of all hubs, the column of each joint by hub and member, and which end of a brace is at a joint of its hub."""
+    frames = frames_of_hubs(system)
+    columns = {(one.hub, i): k for k, (one, i) in enumerate((one, i) for one in frames for i in one.joints)}
+    at = np.zeros((sum(len(one.braces) for one in frames), len(columns)))
+    row = 0
+    for one in frames:
+        rows = slice(row, row := row + len(one.braces))
+        for i, (_, nodes) in one.joints.items():
+            at[rows, columns[one.hub, i]] = pulled(system, one.braces, nodes).sum(axis=1)
+    return [i for one in frames for i in one.braces], columns, at
+
+
+def arm_push(frame: HubFrame, i: int, tip: int, nodes: list[int], here: Instants) -> NDArray[np.float64]:
+    """Two opposite forces (t, 2, 3), N, on arm i: at its tip those that braces and supports exert on the nodes there."""
     if here.carried is None:
         return np.full((len(here.x), 2, 3), np.nan)
-    pushes = bar_pushes(here.system, here.x, frame.braces, here.carried.tension[:, frame.braces], nodes)
-    push: NDArray[np.float64] = pushes.sum(axis=1)
-    if here.loads is not None:  # loads on the body of a hub act at its centre
-        for load, at, force in zip(here.loads.loads, here.loads.node, np.moveaxis(here.loads.force, 1, 0), strict=True):
-            if at in nodes and load in frame.loads:
-                push += force
-    for at, force in friction_on_hub(here, frame.hub):  # acts at the centre too, but for the couple that enters through the arm
-        if at in nodes:
+    braces, columns, at = _pulled(here.system)
+    if "braces" not in here.found:
+        pulls = bar_pulls(here.system, here.x, braces, here.carried.tension[:, braces])
+        here.found["braces"] = np.einsum("tmc,mk->tkc", pulls, at)
+    push = here.found["braces"][:, columns[frame.hub, i]].copy()
+    if here.loads is not None and frame.loads:  # loads on the body of a hub act at its centre
+        for k, (load, node) in enumerate(zip(here.loads.loads, here.loads.node, strict=True)):
+            if node in nodes and load in frame.loads:
+                push += here.loads.force[:, k]
+    for node, force in friction_on_hub(here, frame.hub):  # at the centre too, but for the couple that enters through the arm
+        if node in nodes:
             push += force
     if frame.grounded:
         push += here.carried.support[:, nodes].sum(axis=1)
-    return np.stack([push, -push] if tip == 0 else [-push, push], axis=1)
+    found = np.empty((len(push), 2, 3))
+    found[:, tip], found[:, 1 - tip] = push, -push
+    return found
 
 
 def couples_through_members(system: System, names: Iterable[str]) -> Iterator[Action]:

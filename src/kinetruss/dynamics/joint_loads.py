@@ -262,15 +262,15 @@ class _Loads:
         self.rub.append((k, bearing, row))
         self.rub_by.append(share)
 
-    def _arm(self, k: int, seat: Seat, frame: HubFrame, tip: int, nodes: list[int]) -> None:
+    def _arm(self, k: int, seat: Seat, frame: HubFrame, i: int, tip: int, nodes: list[int]) -> None:  # noqa: ARG002
         """What braces, loads and friction do to the tip of a member that a hub clamps, and their opposite at the centre."""
         if frame.grounded:
             raise NotImplementedError("a bearing on an arm of a hub on the ground")
         share, bars = -1.0 if seat.end == tip else 1.0, bars_of(self.system)
-        for i in frame.braces:
-            for end, node in enumerate(bars.ends(i)):
+        for brace in frame.braces:
+            for end, node in enumerate(bars.ends(brace)):
                 if node in nodes:
-                    self._brace(k, i, -share if end else share)  # they pull outward
+                    self._brace(k, brace, -share if end else share)  # they pull outward
         self._loads(k, frame.loads, lambda node: float(node in nodes), share)
         own_nodes = bearings_of(self.system).node // 3
         for row in rows_on_hub(self.system, frame.hub):

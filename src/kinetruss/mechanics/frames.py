@@ -15,6 +15,7 @@ import numpy as np
 from kinetruss.elements.caching import cached
 from kinetruss.kernels.coordinates.forms import AROUND, FIXED_AXIS
 from kinetruss.kernels.structure.terms import term_gradients
+from kinetruss.mechanics.row_gradients import ends_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -116,11 +117,21 @@ def bar_pushes(
     system: System, x: NDArray[np.float64], members: Sequence[int], tension: NDArray[np.float64], nodes: Sequence[int]
 ) -> NDArray[np.float64]:
     """Forces (times, nodes, 3), N, of truss bars on nodes; tension (times, members), N, of these members."""
-    ends = system.p[list(members)], system.q[list(members)]
-    d = x[:, ends[1]] - x[:, ends[0]]
-    pull = (tension / np.linalg.norm(d, axis=2))[:, :, None] * d
-    at = [(one[:, None] == np.array(nodes, np.int64)).astype(float) for one in ends]
-    return np.asarray(np.einsum("tmc,mk->tkc", pull, at[0] - at[1]))
+    at = pulled(system, members, nodes)
+    return np.asarray(np.einsum("tmc,mk->tkc", bar_pulls(system, x, members, tension), at))
+
+
+def pulled(system: System, members: Sequence[int], nodes: Sequence[int]) -> NDArray[np.float64]:
+    """Whether end A (1) or B (-1) of members is at nodes (members, nodes)."""
+    p, q = (ends[list(members), None] == np.array(nodes, np.int64) for ends in (system.p, system.q))
+    return np.asarray(p.astype(float) - q)
+
+
+def bar_pulls(
+    system: System, x: NDArray[np.float64], members: Sequence[int], tension: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Forces (times, members, 3), N, of truss bars on their ends A, opposite to those on B."""
+    return np.asarray(tension[:, :, None] * ends_of(system, x, members)[2])
 
 
 def resultant(
