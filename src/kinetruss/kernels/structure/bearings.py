@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
+from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Record, Vector, record
 from kinetruss.kernels.structure.element_table import forces_of
 from kinetruss.kernels.structure.equations import Equations
@@ -368,7 +369,7 @@ def friction_sizes(b: Bearings, x: F1, v: F1, way: F2, most: F1) -> float:
         most[k] = b.arm[k] * math.tanh(size / b.slip[k])
         for c in range(3):
             way[k, c] = w[c] / size if size > 0.0 else 0.0
-        largest = max(largest, most[k])
+        largest = larger(largest, most[k])
     return largest
 
 
