@@ -50,6 +50,10 @@ BALANCED = 1e-4
 """Residual, as a fraction of the largest nodal load, up to which elastic parts are in balance."""
 ROUND_OFF = 1e-12
 """Residual, as a fraction of the stiffness times the size of the structure, that is round-off."""
+ENDLESS, FLAT = 1e10, 1e-14
+"""Constraint forces, in parts of what acts, from which on a position may be singular; the smallest singular value of its
+constraints, in parts of the largest, below which it is.
+"""
 
 
 def free_forces(
@@ -215,7 +219,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
 
     Raises
     ------
-    InputError : an unknown load case, or a motion of another model. AnalysisError : bearings that jam.
+    InputError : an unknown load case, or a motion of another model. AnalysisError : bearings that jam, a singular position.
 
     Notes
     -----
@@ -311,7 +315,22 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
             EndForces(joint[part], rest[part]),
         )
         solved["not_unique"] = solved["not_unique"] | used.not_unique
+    _refuse_singular(system, values, loads, states, N)
     return solved
+
+
+def _refuse_singular(system: System, values: NDArray[np.float64], loads: Any, states: States, N: NDArray[np.float64]) -> None:
+    """AnalysisError where forces are endless, because what acts has a part along a motion that nothing holds."""
+    largest = np.abs(N).max(axis=1, initial=0.0)
+    mass = sum(float(np.abs(one).sum()) for one in (system.lump, system.pair_mass, system.rods[:, [0, 3]], system.body[:, 0]))
+    acting = float(np.abs(loads.force).max(initial=0.0)) + mass * float(np.abs(states.a).max() + np.abs(loads.gravity).max())
+    for k in np.flatnonzero(~(largest <= ENDLESS * acting)):
+        sizes = np.linalg.svd(jacobian(system, states.x[k].reshape(-1, 3), values[k]), compute_uv=False)
+        if sizes[-1] < FLAT * sizes[0]:
+            raise AnalysisError(
+                f"Position {k} of {len(N)} is singular: drives and bars leave a motion free there, along which loads or "
+                "inertia act, so that no forces balance them. Take another position, or let the parts move (dynamics.simulate)."
+            )
 
 
 def _solve_fixed_shapes(held: FixedShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
