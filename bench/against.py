@@ -235,7 +235,7 @@ CASES: dict[str, Callable[[], Callable[[], object]]] = {
     "linear small": lambda: linear(10), "linear large": lambda: linear(2000),
     "linearise": lambda: linearise(5),
     "beams linear": lambda: frame(40, large=False), "beams at rest": lambda: frame(4, large=True),
-    "beams implicit": lambda: swinging_frame(4, 20),
+    "beams implicit": lambda: swinging_frame(4, 20), "beams driven": lambda: turned(jointed.elastic_crank(4), 200),
     "hinges in space": lambda: turned(jointed.hinged_arm(), 200), "hubs": lambda: turned(jointed.crank_in_space(), 200),
     "bearings": lambda: let_go(jointed.crank_in_space(0.2), 0.02), "springs": lambda: let_go(jointed.sprung_links(8), 0.5),
 }  # fmt: skip

@@ -26,6 +26,26 @@ def frame(storeys: int) -> Any:
     )
 
 
+def elastic_crank(count: int) -> Any:
+    """A driven crank in the plane, and an arm of beams that is clamped to its end."""
+    import kinetruss as kt
+
+    nodes = {"O": (0, 0), "A": (0.5, 0)} | {f"B{k}": (0.5 + 0.4 * k, 0.05 * k * k) for k in range(1, count + 1)}
+    pairs = zip(("A", *(f"B{k}" for k in range(1, count))), (f"B{k}" for k in range(1, count + 1)), strict=True)
+    return kt.Model(
+        nodes=nodes,
+        fixed=["O"],
+        bars={"crank": kt.Bar(ends=("O", "A"), mass=1.0)},
+        bodies={"hub": kt.Body(nodes=("O", "A"))},
+        beams={f"b{k}": pair for k, pair in enumerate(pairs)},
+        clamped={"A": "hub"},
+        section=kt.Rectangle(width=0.02, height=0.02),
+        material=STEEL,
+        gravity=(0, -9.81),
+        drives={"motor": kt.AngleDrive("crank")},
+    )
+
+
 def crank_in_space(friction: float = 0.0) -> Any:
     """A crank and a rocker on hinges of skew axes at hubs, a coupler between ball joints; with friction in a bearing."""
     import kinetruss as kt

@@ -15,6 +15,9 @@ SAMPLES = 21
 RUNS = [(name, run) for name, paths in example_files().items() for run in kt.read(paths[0]).runs]
 """Names of examples and of their runs."""
 
+ONE_OF_EACH = list({kt.read(example_files()[name][0]).runs[run].analysis: (name, run) for name, run in reversed(RUNS)}.values())
+"""One run of each analysis."""
+
 NO_NUMBER = re.compile(r"\b(nan|NaN|undefined|Infinity|inf|None(?! of)|null)\b|\[object")
 """What no reader should meet in place of a number."""
 

@@ -20,13 +20,14 @@ def answers(tmp_path_factory):
     """Answers of the tree, with their scales."""
     folder = tmp_path_factory.mktemp("net") / "old"
     options = ["--seed", str(SEED), "--count", str(COUNT), "--runs", str(RUNS), "--conditions"]
-    assert compare.asked("probe.py", compare.TREE / "src", folder, options).wait() == 0
+    assert compare.asked(compare.TREE / compare.PROBE, compare.TREE / "src", folder, options).wait() == 0
     return folder
 
 
 def against(answers, source):
     """What comes out where a source is compared with the tree."""
-    old, new = ("probe.py", compare.TREE / "src", answers), ("probe.py", source, answers.parent)
+    probe = compare.TREE / compare.PROBE
+    old, new = (probe, compare.TREE / "src", answers), (probe, source, answers.parent)
     return compare.side_by_side(old, new, SEED, COUNT, RUNS)
 
 

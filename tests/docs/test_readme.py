@@ -132,20 +132,6 @@ def code_of(page: Path, language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
 
 
-WITH_PYTHON = [page for page in SITE if code_of(page, "python") and page.stem != "notebook"]
-
-
-@pytest.mark.parametrize("page", WITH_PYTHON, ids=named)
-def test_what_pages_show_in_python_runs(page, tmp_path, monkeypatch):
-    """Block after block, as a reader would; `tests/notebook` has those of notebooks."""
-    monkeypatch.chdir(tmp_path)
-    if "runs/demo" in page.read_text(encoding="utf-8"):
-        kt.run(kt.read(kt.library.example_files()["four_bar"][0]), out="runs/demo")
-    names: dict[str, object] = {}
-    for number, code in enumerate(code_of(page, "python")):
-        exec(compile(code, f"{page.name}, block {number}", "exec"), names)
-
-
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_verbs_and_options_that_pages_name_are_there(page):
     for line in re.findall(r"(?:^|`|\$ |    )(kinetruss [a-z][^\n`]*)", page.read_text(encoding="utf-8"), re.MULTILINE):

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 import numba
 import numpy as np
 import pytest
-from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
 from kinetruss.kernels.integrate import state as m
@@ -16,22 +13,10 @@ from kinetruss.kernels.structure.laws import bar_tension, law_energy
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import CABLE, ENGINEERING, GREEN
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
-from reference.linkages import row_of_four_bars
 from reference.marching import march
 
 G = 9.81
 ALL = [EnergyMomentum, GeneralizedAlpha, Rattle]
-
-
-@pytest.mark.slow
-def test_pendulum_against_elliptic_functions():
-    times = np.linspace(0, 5, 51)
-    k, w = math.sin(1.0), math.sqrt(G)
-    theta = 2 * np.arcsin(k * ellipj(ellipk(k * k) - w * times, k * k)[0])
-    for method in ALL:
-        run = march(mechanisms.pendulum(angle=2.0), times, method(5e-4), isolated=False)
-        assert run.code == m.DONE and run.count("steps") == 10000
-        np.testing.assert_allclose(run.node("P1")[:, 0], np.sin(theta), atol=4e-5)
 
 
 def elastic(kind="elastic", strain="engineering", damping=0.0):
@@ -41,29 +26,6 @@ def elastic(kind="elastic", strain="engineering", damping=0.0):
         nodes={"O": (0, 0), "P": kt.Node(at=(1, 0), mass=1.0), "Q": kt.Node(at=(1.8, 0.3), mass=0.5)},
         bars={"rod": kt.Bar(ends=("O", "P"), mass=0.3), "spring": kt.Bar(ends=("P", "Q"), **law)}, fixed=["O"], gravity=(0, -G),
     )  # fmt: skip
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("method", ALL)
-@pytest.mark.parametrize(
-    "model", [mechanisms.double_pendulum(), elastic(damping=1.0), elastic(strain="green")], ids=["rigid", "damped", "green"]
-)
-def test_order_is_2(method, model):
-    exact = march(model, [0, 1.0], DOP853(rtol=1e-13, atol=1e-14), isolated=False)
-    steps = np.array([4e-3, 2e-3, 1e-3])
-    runs = [march(model, [0, 1.0], method(h), isolated=False) for h in steps]
-    for name in ("x", "v"):
-        errors = [np.abs(getattr(run, name)[-1] - getattr(exact, name)[-1]).max() for run in runs]
-        np.testing.assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 2.0, atol=0.1)
-
-
-@pytest.mark.slow
-def test_forces_converge_too():
-    model = mechanisms.double_pendulum()
-    exact = march(model, [0, 1.0], DOP853(rtol=1e-13, atol=1e-14)).N[-1]
-    for method in ALL:
-        errors = [np.abs(march(model, [0, 1.0], method(h), isolated=False).N[-1] - exact).max() for h in (2e-3, 1e-3)]
-        assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.15)
 
 
 @pytest.mark.slow
@@ -124,24 +86,6 @@ def test_secant_does_exactly_the_work_that_is_stored():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("method", [EnergyMomentum, Rattle])
-def test_symmetric_methods_turn_back(method):
-    """Forward and, with velocities turned round, back to the start: to round-off, whatever the error of the steps."""
-    model = mechanisms.double_pendulum()
-    there = march(model, [0, 1.0], method(1e-2), isolated=False)
-    names = [name for name in model.nodes if name.startswith("P")]
-    at = {name: tuple(there.node(name)[-1, :2]) for name in names}
-    turned = {name: tuple(-there.v[-1, there.system.node_index(name), :2]) for name in names}
-    model_back = model.with_(nodes={**model.nodes, **{n: model.nodes[n].with_(at=at[n]) for n in names}}, velocities=turned)
-    back = march(model_back, [0, 1.0], method(1e-2), isolated=False)
-    error = np.abs(back.x[-1] - there.x[0]).max()
-    if method is Rattle:
-        assert error < 1e-9
-    else:  # the start of the way back is put onto the constraints
-        assert error < 1e-3
-
-
-@pytest.mark.slow
 def test_rattle_keeps_energy_near_for_long():
     run = march(mechanisms.pendulum(angle=2.0), np.linspace(0, 200, 2001), Rattle(5e-3), isolated=False)
     assert np.abs(run.energy - run.energy[0]).max() < 1e-3 * run.kinetic.max()
@@ -183,53 +127,6 @@ def test_generalised_alpha_damps_what_is_fast():
     assert stretch["generalized_alpha"] < 1e-5 < 5e-4 < stretch["energy_momentum"]
 
 
-def test_flat_positions():
-    """Rows of four-bars pass their flat positions with steps of fixed size."""
-    for method, tolerance in ((EnergyMomentum(1e-3), 2e-3), (Rattle(1e-3), 2e-3)):
-        run = march(mechanisms.n_four_bar(loops=2), np.linspace(0, 3, 31), method, isolated=False)
-        theta, _ = row_of_four_bars(2, run.times)
-        assert run.code == m.DONE
-        np.testing.assert_allclose(run.node("B0")[:, 0], np.sin(theta), atol=tolerance)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("method", ALL)
-def test_chunks_are_the_run(method):
-    times = np.linspace(0, 1, 37)
-    whole = march(elastic(damping=0.5), times, method(3e-3), isolated=False)
-    parts = march(elastic(damping=0.5), times, method(3e-3), budgets=(1, 7, 3, 20, 1), isolated=False)
-    for name in ("x", "v", "a", "N"):
-        np.testing.assert_array_equal(getattr(whole, name), getattr(parts, name))
-
-
 def test_a_step_that_does_not_settle_is_said():
     run = march(elastic(), [0, 10.0], EnergyMomentum(5.0), isolated=False)
     assert run.code in (m.NOT_CONVERGED, m.NOT_FINITE)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("method", [*ALL, DOP853])
-@pytest.mark.parametrize("sprung", [False, True])
-def test_what_rests_without_energy_goes_on_resting(method, sprung):
-    """A body held by its corner, without weight, motion or strain: round-off is no growth of energy."""
-    model = kt.library.bodies.box(
-        kt.Model(nodes={"O": (0, 0, 0), "W": (0, 0, 2)}, fixed=["O", "W"]), "b", (1, 0.5, 0.3), mass=1.0, at=(0.5, 0, 0),
-        nodes=["O"],
-    )  # fmt: skip
-    if sprung:
-        model = model.with_(bars={**model.bars, "spring": kt.Bar(ends=("W", "b.1"), kind="elastic", stiffness=10.0)})
-    options = {} if method is DOP853 else {"step": 1e-3}
-    run = kt.dynamics.simulate(model, 0.05, samples=3, method=method(**options))
-    assert run.status.name == "COMPLETED"
-    assert not run.message
-    assert np.ptp(run.motion.position.values, axis=0).max() < 1e-12
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("step", [1e-3, 5e-3])
-@pytest.mark.parametrize("method", [kt.EnergyMomentum, kt.GeneralizedAlpha, kt.Rattle])
-@pytest.mark.parametrize("loops", [1, 3])
-def test_passages_are_listed_as_by_steps_of_chosen_size(method, step, loops):
-    model = kt.library.mechanisms.n_four_bar(loops=loops)
-    exact, run = (kt.dynamics.simulate(model, 3.0, samples=4, method=one) for one in (None, method(step=step)))
-    assert [p.time for p in run.passages] == pytest.approx([p.time for p in exact.passages], abs=5 * step)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import kinetruss as kt
 from kinetruss import Model
 from kinetruss.dynamics import simulate
 from kinetruss.errors import AnalysisError
@@ -73,3 +74,15 @@ def test_digits_that_no_solver_finds_are_named():
 def test_usual_runs_are_not_warned():
     run = simulate(hung(0.3, 1.0), 0.5, samples=6)
     assert run.message == ""
+
+
+def test_a_singular_position_whose_free_motion_is_loaded_has_no_forces():
+    """Two links on one line hold nothing across it: no number of theirs is a force."""
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (0, 1), "C": (0, 2)}, fixed=["A", "C"], bars={"a": ("A", "B"), "b": ("B", "C")},
+        loads={"F": kt.NodalForce(node="B", force=(1.0, 0.0))},
+    )  # fmt: skip
+    still = np.zeros((1, 3, 2))
+    motion = kt.kinematics.from_arrays(model, [0.0], np.array([[(0, 0), (0, 1), (0, 2)]], float), still, still)
+    with pytest.raises(kt.AnalysisError, match="Position 0 of 1 is singular: drives and bars leave a motion free there"):
+        kt.dynamics.inverse(model, motion)

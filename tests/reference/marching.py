@@ -50,7 +50,7 @@ def prepared(model: Any, times: Any, method: Any, events: Any = (), isolated: bo
     x, v = system.x0.reshape(-1).astype(float), system.velocity0.reshape(-1).astype(float)
     project(eq, ws, times[0], x, v, 1e-14)
     told = control(eq, system, method, (times[0], times[-1]), events=events, isolated=isolated)
-    memory = start_memory(eq, times[0], x, v, events=len(events))
+    memory = start_memory(eq, times[0], x, v, events=len(events), method=method)
     s, n, r = times.size, x.size, eq.A.size
     samples = m.Samples(times, *np.zeros((3, s, n)), np.zeros((s, r)), np.zeros((s, 0)), np.zeros((s, 6)))
     return system, eq, ws, told, memory, samples

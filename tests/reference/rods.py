@@ -68,7 +68,7 @@ def diamond(load: float) -> Any:
 
 def toggle(drop: float) -> float:
     """Force that holds the middle of a toggle of two clamped legs down by `drop`: 12.943 to each side and 0.386 high, with
-    EA = 1.885e6, EI = 9.27e3 (F. W. Williams, Int. J. Mech. Sci. 6 (1964) 451-469; inches and pounds).
+    EA = 1.885e6, EI = 9.27e3 (F. W. Williams, Q. J. Mech. Appl. Math. 17 (1964) 451-469; inches and pounds).
     """
     span, rise = 12.943, 0.386
     slope, length, y = math.atan2(rise, span), math.hypot(span, rise), [-1.0, 0.0, 0.0]
@@ -94,7 +94,7 @@ def turning_points(force: Callable[[float], float], *spans: tuple[float, float])
 
 class Lee:
     """Lee's frame: a column and a beam of 120, on hinges at the far ends, loaded downwards on the beam at 24 from the corner,
-    with E = 720, A = 6, I = 2 (S. L. Lee, F. S. Manuel, E. C. Rossow, J. Eng. Mech. Div. ASCE 94 (1968) 521-545).
+    with E = 720, A = 6, I = 2 (S. L. Lee, F. S. Manuel, E. C. Rossow, J. Eng. Mech. Div. ASCE 94 (1968) 521-547).
     """
 
     EA, EI = 4320.0, 1440.0
@@ -171,7 +171,7 @@ def princeton(torsion: float, load: float, degrees: float) -> Any:
 
 def right_angle(torsion: float) -> float:
     """Load at the tip, in the plane, at which a frame of two legs of 240 at a right angle, a strip 30 x 0.6 with E = 71240 and
-    poisson 0.31, buckles sideways (J. H. Argyris et al., Comput. Methods Appl. Mech. Eng. 20 (1979) 105-124).
+    poisson 0.31, buckles sideways (J. H. Argyris et al., Comput. Methods Appl. Mech. Eng. 20 (1979) 105-131).
     """
     E, G, L = 71240.0, 71240.0 / 2.62, 240.0
     K = np.array([G * torsion, E * 30 * 0.6**3 / 12, E * 0.6 * 30**3 / 12])

@@ -1,4 +1,6 @@
-"""Everything that can be made of a stored run, of every run of every shipped example, from its folder on disk."""
+"""What is made of stored runs, from their folders on disk: the report of every run of every shipped example, all else of one
+run of each analysis.
+"""
 
 from __future__ import annotations
 
@@ -15,9 +17,10 @@ from click.testing import CliRunner
 from kinetruss import report, runs, viewer
 from kinetruss.cli import main
 from kinetruss.report.document import writing as _print
-from shipped import RUNS, named, stored
+from shipped import ONE_OF_EACH, RUNS, named, stored
 
-everything = pytest.mark.parametrize(("name", "run"), RUNS, ids=lambda one: one)
+every_run = pytest.mark.parametrize(("name", "run"), RUNS, ids=lambda one: one)
+each_analysis = pytest.mark.parametrize(("name", "run"), ONE_OF_EACH, ids=lambda one: one)
 
 
 INNER = re.compile(r"\b(?:actuators|dynamics|flexible|kinematics|statics|strength|runs)\.[a-z_]+|\b(?:[ar]tol|constant_rate)\b")
@@ -38,7 +41,7 @@ def words_of(page: str) -> str:
 
 
 @pytest.mark.slow
-@everything
+@every_run
 def test_report(name, run, tmp_path):
     call("report", stored(name, run), "-o", tmp_path, "--no-open", "--no-pdf")
     page = (tmp_path / "report.html").read_text("utf-8")
@@ -70,7 +73,7 @@ def test_report_on_paper(tmp_path):
 
 
 @pytest.mark.slow
-@everything
+@every_run
 def test_info_and_the_summary(name, run):
     record = json.loads(call("info", stored(name, run), "--json"))
     assert record["whole"] is True
@@ -78,7 +81,7 @@ def test_info_and_the_summary(name, run):
 
 
 @pytest.mark.slow
-@everything
+@each_analysis
 def test_view_and_picture(name, run, tmp_path):
     folder = stored(name, run)
     call("view", folder, "-o", tmp_path / "view.html", "--no-open")
@@ -93,7 +96,7 @@ def test_view_and_picture(name, run, tmp_path):
 
 
 @pytest.mark.slow
-@everything
+@each_analysis
 def test_plots(name, run, tmp_path):
     found = runs.load(stored(name, run))
     written = report.figures(found, tmp_path)
@@ -104,7 +107,7 @@ def test_plots(name, run, tmp_path):
 
 
 @pytest.mark.slow
-@everything
+@each_analysis
 def test_every_export(name, run, tmp_path):
     folder = stored(name, run)
     motion = runs.load(folder).motion.data

@@ -25,13 +25,14 @@ from kinetruss.mechanics import (
     arrange,
     cached,
     compile,
+    constraint_gradients,
     jacobian,
     measure_gradients,
     not_unique_note,
     rearrange,
     row_directions,
 )
-from kinetruss.mechanics.beam_shapes import FixedShapes, fixed_shapes
+from kinetruss.mechanics.beam_shapes import STRAIGHT, FixedShapes, fixed_shapes
 from kinetruss.mechanics.elements import material_stiffness, strained_forces
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.tables import nodal_loads, structure_of
@@ -47,8 +48,14 @@ if TYPE_CHECKING:
 
 BALANCED = 1e-4
 """Residual, as a fraction of the largest nodal load, up to which elastic parts are in balance."""
+TOGETHER = 16
+"""Samples whose Jacobians are found at once."""
 ROUND_OFF = 1e-12
 """Residual, as a fraction of the stiffness times the size of the structure, that is round-off."""
+ENDLESS, FLAT = 1e10, 1e-14
+"""Constraint forces, in parts of what acts, from which on a position may be singular; the smallest singular value of its
+constraints, in parts of the largest, below which it is.
+"""
 
 
 def free_forces(
@@ -202,7 +209,7 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
 
     Raises
     ------
-    InputError : an unknown load case, or a motion of another model. AnalysisError : bearings that jam.
+    InputError : an unknown load case, or a motion of another model. AnalysisError : bearings that jam, a singular position.
 
     Notes
     -----
@@ -270,8 +277,8 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     x, arrangement = states.x, arrange(system)
     held = None if arrangement.plan is not None else fixed_shapes(system)
     # beams that keep their shape carry what rigid ones would
-    if held is not None and held.undeformed(x.reshape(len(x), -1, 3)):
-        return _solve_fixed_shapes(held, values, loads, states)
+    if held is not None and np.abs(modes := held.modes(x.reshape(len(x), -1, 3))).max(initial=0.0) < STRAIGHT:
+        return _solve_fixed_shapes(held, modes, values, loads, states)
     values = np.ascontiguousarray(values)
     count = len(x)
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
@@ -298,20 +305,38 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
             EndForces(joint[part], rest[part]),
         )
         solved["not_unique"] = solved["not_unique"] | used.not_unique
+    _refuse_singular(system, values, loads, states, N)
     return solved
 
 
-def _solve_fixed_shapes(held: FixedShapes, values: NDArray[np.float64], loads: Any, states: States) -> dict[str, Any]:
-    """`solve` of beams that keep their shape, with the forces of their modes, ``mode_force`` (times, beams, s), N m; or, where
-    balance alone does not decide these, with the names of the beams, ``undecided``.
+def _refuse_singular(system: System, values: NDArray[np.float64], loads: Any, states: States, N: NDArray[np.float64]) -> None:
+    """AnalysisError where forces are endless, because what acts has a part along a motion that nothing holds."""
+    largest = np.abs(N).max(axis=1, initial=0.0)
+    mass = sum(float(np.abs(one).sum()) for one in (system.lump, system.pair_mass, system.rods[:, [0, 3]], system.body[:, 0]))
+    acting = float(np.abs(loads.force).max(initial=0.0)) + mass * float(np.abs(states.a).max() + np.abs(loads.gravity).max())
+    for k in np.flatnonzero(~(largest <= ENDLESS * acting)):
+        sizes = np.linalg.svd(jacobian(system, states.x[k].reshape(-1, 3), values[k]), compute_uv=False)
+        if sizes[-1] < FLAT * sizes[0]:
+            raise AnalysisError(
+                f"Position {k} of {len(N)} is singular: drives and bars leave a motion free there, along which loads or "
+                "inertia act, so that no forces balance them. Take another position, or let the parts move (dynamics.simulate)."
+            )
+
+
+def _solve_fixed_shapes(
+    held: FixedShapes, modes: NDArray[np.float64], values: NDArray[np.float64], loads: Any, states: States
+) -> dict[str, Any]:
+    """`solve` of beams that keep their shape but for modes (times, k, s) of round-off, with the forces of their modes,
+    ``mode_force`` (times, beams, s), N m; or, where balance alone does not decide these, the names of the beams, ``undecided``.
     """
-    solved = solve(held.system, values, loads, states)
-    own = {"N": solved["N"][:, held.rows], "joint": np.ascontiguousarray(solved["joint"][:, held.members])}
+    solved, first = solve(held.system, values, loads, states), held.rows[0, 0]
+    solved["joint"][:, held.chords] = 0.0
+    own: dict[str, Any] = {"N": solved["N"][:, :first], "not_unique": solved["not_unique"][:first]}
     if undecided := held.undecided(solved["not_unique"]):
         own["undecided"] = undecided
     else:
-        own["mode_force"] = held.mode_forces(states.x.reshape(len(states.x), -1, 3), solved["N"], values)
-    return solved | own | {"not_unique": solved["not_unique"][held.rows]}
+        own["mode_force"] = held.mode_forces(solved["N"], modes)
+    return solved | own
 
 
 def _pieces(
@@ -326,13 +351,16 @@ def _pieces(
         return [(slice(0, count), arrangement)]
     pieces: list[tuple[int, Arrangement]] = []
     kept, best = np.zeros(0, np.int64), np.inf
-    for i in range(count):
-        if pieces and _least(jacobian(system, x[i].reshape(-1, 3), values[i])[kept]) >= 0.1 * best:
-            continue
-        found = _chosen(system, x[i].tobytes(), values[i].tobytes())
-        pieces.append((i, found))
-        if i + 1 < count:
-            kept, best = _conditioned(system, x[i].tobytes(), values[i].tobytes())
+    for first in range(0, count, TOGETHER):
+        part = slice(first, first + TOGETHER)
+        J = constraint_gradients(system, x[part].reshape(-1, *system.x0.shape), values[part])[:, :, system.free]
+        for i, own in enumerate(J, first):
+            if pieces and _least(own[kept]) >= 0.1 * best:
+                continue
+            found = _chosen(system, x[i].tobytes(), values[i].tobytes())
+            pieces.append((i, found))
+            if i + 1 < count:
+                kept, best = _conditioned(system, x[i].tobytes(), values[i].tobytes())
     ends = [*(i for i, _ in pieces[1:]), count]
     return [(slice(i, end), found) for (i, found), end in zip(pieces, ends, strict=True)]
 

@@ -1,13 +1,14 @@
-"""Drives along a task that keep limits of rates and accelerations by redundancy.
+"""Drives along a task that keep limits of rates and accelerations by redundancy: a smooth curve of drives to be near to.
 
-The inequalities come in groups that each depend on a few neighbouring unknowns, as those of one instant of a curve made of
-B-splines. So G^T W G is found group by group, and not as a product of sparse matrices.
+The drives that meet the task and are nearest to a curve r(t) move with P r, P the projector on the drives' motions that the
+task does not see. To first order about a motion, rates are v + P r' + P' r and accelerations a + P r'' + 2 P' r' + P'' r.
+So with a cubic spline r the least of the objective within all limits is a quadratic problem. It is solved about the exact
+motion again until that keeps the limits and the objective no longer falls.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,159 +17,13 @@ from kinetruss.kernels.motion.profiles import spline
 from kinetruss.kernels.tasks import track as warm
 from kinetruss.kernels.tasks.sweeps import Drives
 from kinetruss.kinematics.drive_limits import Limits, motion_uses
+from kinetruss.mechanics.quadratic import least_quadratic
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.kinematics.task_problem import Problem, State
 
-
-QP_ROUNDS = 80
-"""Newton's steps at most."""
-CLOSE, LITTLE = 1e-8, 1e-10
-"""Residuals of a solution, and its mean complementarity, in units of the largest given number."""
-ROUND_OFF = 1e-13
-"""Added to Newton's matrix, as a share of its largest diagonal entry: it may be singular to round-off."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Rows:
-    """The rows of inequalities, G x = sign y[pick], y being blocks[j] x[first[j]:] of all groups j, one after the other.
-
-    blocks : (m, b) of each group, with the same b; first : ascending. pick, sign (rows,); size : number of unknowns. eased :
-    one more unknown u, the last, is subtracted from all rows, and the last row is -u.
-    """
-
-    blocks: list[NDArray[np.float64]]
-    first: list[int]
-    pick: NDArray[np.int64]
-    sign: NDArray[np.float64]
-    size: int
-    eased: bool = False
-
-    @cached_property
-    def ends(self) -> NDArray[np.int64]:
-        """Where the groups begin in y, and its length."""
-        return np.asarray(np.cumsum([0, *(len(one) for one in self.blocks)]))
-
-    @property
-    def width(self) -> int:
-        """Number b of unknowns of a group."""
-        return int(self.blocks[0].shape[1])
-
-    def apply(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """G x."""
-        y = np.concatenate([one @ x[k : k + self.width] for one, k in zip(self.blocks, self.first, strict=True)])
-        found: NDArray[np.float64] = self.sign * y[self.pick]
-        return np.append(found, 0.0) - x[-1] if self.eased else found
-
-    def transposed(self, z: NDArray[np.float64]) -> NDArray[np.float64]:
-        """G^T z."""
-        y, found = self._summed(self.sign * z[: len(self.pick)]), np.zeros(self.size)
-        for one, k, part in zip(self.blocks, self.first, y, strict=True):
-            found[k : k + self.width] += part @ one
-        return np.append(found, -z.sum()) if self.eased else found
-
-    def normal(self, w: NDArray[np.float64]) -> NDArray[np.float64]:
-        """G^T diag(w) G, the upper triangle."""
-        from scipy.linalg.blas import dsyrk
-
-        own, found = w[: len(self.pick)], np.zeros((self.size + self.eased,) * 2)
-        for one, k, part in zip(self.blocks, self.first, self._summed(own), strict=True):
-            found[k : k + self.width, k : k + self.width] += dsyrk(1.0, (np.sqrt(part)[:, None] * one).T)
-        if self.eased:
-            found[:-1, -1] = -self.transposed(np.append(own, 0.0))[:-1]
-            found[-1, -1] = w.sum()
-        return found
-
-    def _summed(self, values: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-        """Sums of values (rows,) of the same entry of y, by group."""
-        return np.split(np.bincount(self.pick, values, self.ends[-1]), self.ends[1:-1])
-
-
-def least(
-    H: NDArray[np.float64], g: NDArray[np.float64], rows: Rows, h: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], bool]:
-    """x (n,) of least x^T H x/2 + g^T x with G x <= h, and whether it converged.
-
-    H (n, n) positive definite; rows : of G. Predictor and corrector of Mehrotra (1992), with one step length for primal and
-    dual variables.
-    """
-    x = np.zeros(len(g))
-    s = np.maximum(h, 1.0)
-    z = np.ones(len(h))
-    size = 1.0 + max(float(np.abs(g).max(initial=0.0)), float(np.abs(h).max(initial=0.0)))
-    for _ in range(QP_ROUNDS):
-        dual, primal, gap = H @ x + g + rows.transposed(z), rows.apply(x) + s - h, float(s @ z) / max(1, len(h))
-        off = max(float(np.abs(dual).max(initial=0.0)), float(np.abs(primal).max(initial=0.0)))
-        if off < CLOSE * size and gap < LITTLE * size:
-            return x, True
-        solve = _solver(H + rows.normal(z / s), rows)
-        if solve is None:
-            return x, False
-        given = (solve, rows, dual, primal, s, z)
-        _, ds, dz = _step(given, s * z)
-        ahead = min(_room(s, ds), _room(z, dz))
-        sigma = (float((s + ahead * ds) @ (z + ahead * dz)) / max(1, len(h)) / gap) ** 3
-        dx, ds, dz = _step(given, s * z + ds * dz - sigma * gap)
-        share = 0.995 * min(_room(s, ds), _room(z, dz))
-        x, s, z = x + share * dx, s + share * ds, z + share * dz
-    return x, False
-
-
-def _solver(M: NDArray[np.float64], rows: Rows) -> Any:
-    """Solver of Newton's matrix M, given by its upper triangle; None: singular.
-
-    By Cholesky factors of its band, u apart; or by those of LU where round-off makes it indefinite.
-    """
-    from scipy.linalg import get_lapack_funcs
-
-    n = rows.size
-    M.flat[:: len(M) + 1] += ROUND_OFF * float(np.diag(M).max())
-    pbtrf, pbtrs, getrf, getrs = get_lapack_funcs(("pbtrf", "pbtrs", "getrf", "getrs"), (M,))
-    band = np.zeros((rows.width, n))
-    for k in range(rows.width):
-        band[-1 - k, k:] = np.diagonal(M[:n, :n], k)
-    factor, info = pbtrf(band)
-    if info:
-        lu, pivots, info = getrf(np.triu(M) + np.triu(M, 1).T)
-        return None if info else lambda right: getrs(lu, pivots, right)[0]
-    if not rows.eased:
-        return lambda right: pbtrs(factor, right)[0]
-    # M = [A b; b^T c]: u = (r_u - w^T r) / (c - b^T w), x = A^-1 r - w u with w = A^-1 b
-    b, c = M[:n, n], M[n, n]
-    w = pbtrs(factor, b)[0]
-
-    def solve(right: NDArray[np.float64]) -> NDArray[np.float64]:
-        u = (right[n] - w @ right[:n]) / (c - b @ w)
-        return np.append(pbtrs(factor, right[:n])[0] - w * u, u)
-
-    return solve
-
-
-def _step(given: tuple[Any, ...], centre: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
-    """Newton's step of x, s, z: (H + G^T Z S^-1 G) dx = -dual - G^T S^-1 (Z primal - centre).
-
-    centre : s z + ds dz - sigma mu.
-    """
-    solve, rows, dual, primal, s, z = given
-    dx = solve(-dual - rows.transposed((z * primal - centre) / s))
-    ds = -primal - rows.apply(dx)
-    return dx, ds, -(centre + z * ds) / s
-
-
-def _room(s: NDArray[np.float64], ds: NDArray[np.float64]) -> float:
-    """Largest share of a step, at most 1/0.995, at which no entry of s changes its sign."""
-    back = ds < 0
-    return min(1.0 / 0.995, float(np.min(-s[back] / ds[back], initial=np.inf)))
-
-
-# Drives along a task that keep limits of rates and accelerations: a smooth curve of drives to be near to, found by redundancy.
-#
-# The drives that meet the task and are nearest to a curve r(t) move with P r, P the projector on the drives' motions that the
-# task does not see. To first order about a motion, rates are v + P r' + P' r and accelerations a + P r'' + 2 P' r' + P'' r.
-# So with a cubic spline r the least of the objective within all limits is a quadratic problem. It is solved about the exact
-# motion again until that keeps the limits and the objective no longer falls.
 
 INTERVALS = 24
 """Polynomials of the spline."""
@@ -342,14 +197,13 @@ def _change(
     H, g = np.zeros((k * d, k * d)), np.zeros(k * d)
     weight = np.tile(w / (float(np.mean(w)) * len(at)), len(at))
     for share, part, off in ((1.0, maps[0], course.drive[0] - own.goal), (own.smooth, maps[2], course.drive[2] - own.bend)):
-        drawn = _grouped(part, d * first, k * d)
-        H += share * drawn.normal(weight)
-        g += share * drawn.transposed(weight * off[at].reshape(-1)) / scale
-    H = np.triu(H) + np.triu(H, 1).T
+        drawn = _rows(part, d * first, k * d)
+        H += share * (drawn.T @ (drawn * weight[:, None])).toarray()
+        g += share * (drawn.T @ (weight * off[at].reshape(-1))) / scale
     # motions that the task sees have no effect; damping makes them none and does not change where the rounds end
     H += DAMPING * float(np.abs(np.diag(H)).max()) * np.eye(k * d)
     G, *rooms = _limit_rows(own, course, maps, at, inset)
-    c = _within(H, g, *_limited(_grouped(G, d * first, k * d), rooms))
+    c = _within(H, g, *_limited(_rows(G, d * first, k * d), rooms))
     if c is None:
         return None
     r = (scale * c).reshape(k, d)
@@ -370,25 +224,23 @@ def _near(basis: tuple[NDArray[np.float64], ...], at: NDArray[np.int64]) -> tupl
     return first, [np.take_along_axis(one, places, axis=1) for one in found]
 
 
-def _grouped(blocks: NDArray[np.float64], first: NDArray[np.int64], size: int) -> Rows:
-    """Rows (instants, m, b) of unknowns (size,), each of `first` (instants,) and those behind it."""
-    starts = np.flatnonzero(np.diff(first, prepend=-1))
+def _rows(blocks: NDArray[np.float64], first: NDArray[np.int64], size: int) -> Any:
+    """Sparse rows of blocks (instants, m, b) on unknowns (size,), each from `first` (instants,) on."""
+    from scipy.sparse import csr_array
+
     n, m, b = blocks.shape
-    return Rows(
-        blocks=[one.reshape(-1, b) for one in np.split(blocks, starts[1:])],
-        first=first[starts].tolist(),
-        pick=np.arange(n * m),
-        sign=np.ones(n * m),
-        size=size,
-    )
+    columns = np.broadcast_to((first[:, None] + np.arange(b))[:, None], blocks.shape)
+    return csr_array((blocks.reshape(-1), columns.reshape(-1), np.arange(0, n * m * b + 1, b)), shape=(n * m, size))
 
 
-def _limited(rows: Rows, rooms: list[NDArray[np.float64]]) -> tuple[Rows, NDArray[np.float64]]:
-    """Rows y <= rooms[0] and -y <= rooms[1], those without a limit left out, and their limits."""
-    pick = [np.flatnonzero(np.isfinite(one)) for one in rooms]
-    sign = np.repeat([1.0, -1.0], [len(one) for one in pick])
-    most = np.concatenate([one.reshape(-1)[some] for one, some in zip(rooms, pick, strict=True)])
-    return replace(rows, pick=np.concatenate(pick), sign=sign), most
+def _limited(rows: Any, rooms: list[NDArray[np.float64]]) -> tuple[Any, NDArray[np.float64]]:
+    """G and h of G c <= h: rows c <= rooms[0] and -rows c <= rooms[1], those without a limit left out."""
+    from scipy.sparse import vstack
+
+    flat = [one.reshape(-1) for one in rooms]
+    pick = [np.flatnonzero(np.isfinite(one)) for one in flat]
+    G = vstack([rows[pick[0]], -rows[pick[1]]], format="csr")
+    return G, np.concatenate([one[some] for one, some in zip(flat, pick, strict=True)])
 
 
 def _limit_rows(
@@ -413,17 +265,21 @@ def _limit_rows(
     return np.concatenate(G, axis=1), np.concatenate(most, axis=1), np.concatenate(least_room, axis=1)
 
 
-def _within(H: Any, g: Any, rows: Rows, h: Any) -> NDArray[np.float64] | None:
+def _within(H: Any, g: Any, G: Any, h: Any) -> NDArray[np.float64] | None:
     """The least of the quadratic function with G c <= h, or with the least common excess u of all rows."""
+    from scipy.sparse import hstack, vstack
+
     n = len(g)
     # least u >= 0 with G c - u <= h; a small multiple of H makes c unique
     wider = np.zeros((n + 1, n + 1))
     wider[:n, :n], wider[n, n] = 1e-6 * H + 1e-12 * np.eye(n), 1e-9
-    first = least(wider, np.append(np.zeros(n), 1.0), replace(rows, eased=True), np.append(h, 0.0))[0][:n]
+    last = np.append(np.zeros(n), 1.0)
+    eased = vstack([hstack([G, -np.ones((len(h), 1))]), -last[None]])
+    first = least_quadratic(wider, last, eased, np.append(h, 0.0))[0][:n]
     if not np.isfinite(first).all():
         return None
-    excess = max(0.0, float((rows.apply(first) - h).max()))
-    found, good = least(H, g, rows, h + excess + 0.1 * EDGE)
+    excess = max(0.0, float((G @ first - h).max()))
+    found, good = least_quadratic(H, g, G, h + excess + 0.1 * EDGE)
     return found if good else first
 
 

@@ -1,30 +1,34 @@
 """Elastic beams held in their shape: the structure that drives move where beams could bend freely.
 
-A beam whose deformation the rows of a model leave free is held by rigid bars between the frames of its ends, in a second
-system with the same nodes. Its positions are those of the undeformed structure. Where the bars are statically determinate,
-their forces give those of the deformation modes (elements.beams): with the rigid motions xi of the second frame,
+A beam whose deformations the rows of a model leave free gets as many rows w, 3 in the plane and 6 in space: the length of its
+chord l; y_p . l, z_p . l with the axes across it at its first end; and p_j . q_i, i < j, of the edges of both frames, which
+stand along the axes of space at the start. From the first frame on they place the nodes of the second one by one, as rigid
+bars do.
 
-    sum_s S_s dm_s/dxi = -(F, M),
-
-F and M the resultants of the forces of the bars on that frame.
+All w and all deformations m (elements.beams) of a beam in its shape are functions of the same rigid motions xi of its second
+frame, so that the forces N of the rows give those S of the deformations by a constant matrix: dm/dxi^T S = dw/dxi^T N.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.elements.beam_matrices import mode_gradients, mode_values
 from kinetruss.elements.caching import cached
+from kinetruss.kernels.coordinates.forms import PRODUCT
+from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics.arrangement import arrange
+from kinetruss.mechanics.measures import measure_gradients, measured
 from kinetruss.mechanics.mobility import mobility_at
-from kinetruss.mechanics.row_gradients import row_directions
-from kinetruss.mechanics.system import System, system_of
+from kinetruss.mechanics.row_gradients import constraint_jacobian
+from kinetruss.mechanics.system import System
 from kinetruss.model import Owner
-from kinetruss.model.beam_frames import shape_bars
+from kinetruss.model.bracing import CHORD
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,76 +40,41 @@ BENDS = 1e-6
 """Change of a mode, over that of the nodes by the length, from which on a freedom of a structure deforms a beam."""
 STRAIGHT = 1e-8
 """Largest mode of a beam that counts as undeformed."""
+LITTLE = 1e-15
+"""Coefficient of an edge in an axis of a beam, over the largest, up to which it is round-off."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FixedShapes:
     """A system whose loose beams are held in their shape.
 
-    system : with the bars that hold them. elements : all elastic beams. beams (k,) indices of the held ones; members (m,) and
-    rows (r,) of the model's own members and rows in `system`; bars : by beam the rows of its bars.
+    system : with the rows that hold them behind its own. elements : all elastic beams. beams (k,) indices of the held ones,
+    and chords (k,) the members along them; rows (k, s) of `system`; forces (k, s, s) of modes, N m, by those of rows, N.
     """
 
     system: System
     elements: BeamElements
     beams: NDArray[np.int64]
-    members: NDArray[np.int64]
+    chords: NDArray[np.int64]
     rows: NDArray[np.int64]
-    bars: tuple[NDArray[np.int64], ...]
+    forces: NDArray[np.float64]
 
     def undecided(self, not_unique: NDArray[np.bool_]) -> tuple[str, ...]:
         """Names of held beams whose forces balance alone does not decide; not_unique : mask of the rows of `system`."""
-        modes = self.elements.rigidity.shape[1]
-        # a rigid bar beside a beam shares its force: one bar fewer than modes
-        pairs = zip(self.beams, self.bars, strict=True)
-        return tuple(self.elements.names[k] for k, rows in pairs if len(rows) < modes or not_unique[rows].any())
+        return tuple(self.elements.names[k] for k in self.beams[not_unique[self.rows].any(axis=1)])
 
-    def undeformed(self, x: NDArray[np.float64]) -> bool:
-        """True if the held beams have their shape at all positions x (times, n, 3)."""
-        return bool(np.abs(mode_values(self.elements, x)[:, self.beams]).max(initial=0.0) < STRAIGHT)
+    def modes(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Deformations of the held beams (times, k, s) at positions x (times, n, 3)."""
+        return mode_values(self.elements, x)[:, self.beams]
 
-    def mode_forces(self, x: NDArray[np.float64], N: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Forces of the modes of all elastic beams (times, beams, s), N m, NaN of those not held.
-
-        x (times, n, 3); N (times, rows) row forces of `system`; values (times, drives).
+    def mode_forces(self, N: NDArray[np.float64], modes: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces of the modes of all elastic beams (times, beams, s), N m, NaN of those not held: of row forces N of `system`
+        (times, rows), and what the beams resist where round-off deforms them.
         """
-        system, found = self.system, self.elements
-        out = np.full((len(x), *found.rigidity.shape), np.nan)
-        for i, place in enumerate(x):
-            tension = N[i][:, None] * row_directions(system, place, values[i])
-            gradients = mode_gradients(found, place)
-            for k, rows in zip(self.beams, self.bars, strict=True):
-                modes = gradients[k * found.rigidity.shape[1] : (k + 1) * found.rigidity.shape[1]]
-                out[i, k] = _modes_of(system, found, k, place, (rows, tension, modes))
+        out = np.full((len(N), *self.elements.rigidity.shape), np.nan)
+        resisted = self.elements.rigidity[self.beams] * modes
+        out[:, self.beams] = np.einsum("ksr,tkr->tks", self.forces, N[:, self.rows]) + resisted
         return out
-
-
-def _modes_of(system: System, found: BeamElements, k: int, x: NDArray[np.float64], bars: Any) -> NDArray[np.float64]:
-    """Mode forces (s,) of beam k from the forces N u of its bars: rows, (all rows, 3) N, on their first ends, and gradients of
-    its modes.
-    """
-    rows, tension, gradients = bars
-    own = found.nodes[k]
-    second = own[len(own) // 2 :]
-    at = x[second] - x[second[0]]
-    force = np.zeros_like(at)
-    place = {int(node): i for i, node in enumerate(second)}
-    for r in rows:
-        m = system.row_member[r]
-        for node, sign in ((int(system.p[m]), 1.0), (int(system.q[m]), -1.0)):
-            if node in place:
-                force[place[node]] += sign * tension[r]
-    # rigid motions of the second frame: translations, then rotations
-    dim = found.axes.shape[1]
-    ways = [np.broadcast_to(axis, at.shape) for axis in np.eye(3)[:dim]]
-    ways += [np.cross(axis, at) for axis in np.eye(3)[(2 if dim == 2 else 0) :]]
-    rates, work = [], []
-    for way in ways:
-        u = np.zeros_like(x)
-        u[second] = way
-        rates.append(gradients @ u.reshape(-1))
-        work.append(float(np.sum(force * way)))
-    return np.asarray(-np.linalg.solve(np.array(rates), np.array(work)))
 
 
 @cached()
@@ -117,32 +86,39 @@ def fixed_shapes(system: System) -> FixedShapes | None:
     loose = _deformable(system, found)
     if not len(loose):
         return None
-    bars = shape_bars(system.model, [found.names[k] for k in loose])
-    added = {name: bar for part in bars.values() for name, bar in part.items()}
-    owners = {name: Owner("beams", beam) for beam, part in bars.items() for name in part}
-    whole = system_of(system.given, system.model.with_bars(added, owners))
-    place = {name: i for i, name in enumerate(whole.members)}
-    keys = {key: r for r, key in enumerate(_keys(whole))}
-    own = np.array([keys[key] for key in _keys(system)], np.int64)
-    more = [np.flatnonzero(np.isin(whole.row_member, [place[bar] for bar in part])) for part in bars.values()]
-    # the rows, drives and prescribed coordinates of this system, which may be fewer or others than those of its model
-    rows = np.concatenate([own, *more])
-    ends = np.cumsum([len(own), *map(len, more)])
-    names = ("drives", "drive_start", "drive_measure", "prescribed", "coordinate_drive", "x0")
-    held = whole.with_rows(rows, **{name: getattr(system, name) for name in names})
-    none = np.full(len(rows) - len(own), -1, held.row_drive.dtype)
-    return FixedShapes(
-        system=replace(
-            held,
-            row_drive=np.concatenate([system.row_drive, none]),
-            row_value=np.concatenate([system.row_value, held.row_value[len(own) :]]),
-        ),
-        elements=found,
-        beams=loose,
-        members=np.array([place[name] for name in system.members], np.int64),
-        rows=np.arange(len(own)),
-        bars=tuple(np.arange(a, b) for a, b in pairwise(ends)),
-    )
+    place = {name: i for i, name in enumerate(system.members)}
+    chords = np.array([place[f"{found.names[k]}{CHORD}"] for k in loose])
+    # of each beam its chord, then its sums of products
+    count, modes = len(loose), found.rigidity.shape[1]
+    rows = len(system.row_kind) + np.arange(count * modes).reshape(count, modes)
+    sums = len(system.measures) + np.arange(count * (modes - 1)).reshape(count, modes - 1)
+    measure = np.insert(sums, 0, -1, axis=1).reshape(-1)
+    at, factor = zip(*(one for k in loose for one in _products(found, k)), strict=True)
+    size = np.array([len(one) for one in factor])
+    names = tuple(Owner("beams", found.names[k]).text for k in loose for _ in range(modes - 1))
+    more: dict[str, Any] = {
+        "measure_ptr": system.measure_ptr[-1] + np.cumsum(size),
+        "term_kind": np.full(size.sum(), PRODUCT),
+        "term_at": np.concatenate(at),
+        "term_data": np.insert(np.zeros((size.sum(), 6)), 0, np.concatenate(factor), axis=1),
+        "row_member": np.repeat(chords, modes),
+        "row_kind": np.where(measure < 0, LENGTH, SUM),
+        "row_drive": np.full(rows.size, -1),
+        "row_value": np.repeat(system.length0[chords], modes),
+        "row_measure": measure,
+    }
+    more |= dict.fromkeys(("measure_period", "measure_start", "measure_scale"), np.zeros(sums.size))
+    for name, behind in more.items():
+        own = getattr(system, name)
+        more[name] = np.concatenate([own, behind]).astype(own.dtype)
+    held = replace(system, measures=system.measures + names, **more)
+    for m in sums.flat:
+        held.measure_start[m] = measured(held, m, system.x0[None])[0, 0]
+        held.measure_scale[m] = math.sqrt(2.0) / np.linalg.norm(measure_gradients(held, m, system.x0[None]))
+    held.row_value[rows[:, 1:]] = held.measure_start[sums]
+    J = constraint_jacobian(held, system.x0)
+    forces = np.array([_forces(found, k, system.x0, J[mine]) for k, mine in zip(loose, rows, strict=True)])
+    return FixedShapes(system=held, elements=found, beams=loose, chords=chords, rows=rows, forces=forces)
 
 
 def shaped(system: System) -> System:
@@ -160,7 +136,27 @@ def _deformable(system: System, found: BeamElements) -> NDArray[np.int64]:
     return np.flatnonzero(np.abs(rates).max(axis=(1, 2), initial=0.0) * found.length > BENDS)
 
 
-def _keys(system: System) -> list[tuple[str, int, int]]:
-    """Names of the rows of a system."""
-    columns = zip(system.row_member.tolist(), system.row_kind.tolist(), system.row_measure.tolist(), strict=True)
-    return [("" if m >= 0 else system.members[i], kind, m) for i, kind, m in columns]
+def _products(found: BeamElements, k: int) -> list[tuple[list[list[int]], NDArray[np.float64]]]:
+    """Of each row of beam k but that of its chord: nodes (t, 4) of the edges, and factors (t,) of their products."""
+    (P, *p), (Q, *q) = (3 * found.nodes[k]).reshape(2, -1).tolist()
+    dim, local = len(p), found.axes[k, 1:, 1 : len(p) + 1]
+    share = np.where(np.abs(local) > LITTLE * np.abs(local).max(), local, 0.0)
+    across = [([[p[i], P, Q, P] for i in np.flatnonzero(own)], own[own != 0.0]) for own in share]
+    return across + [([[p[j], P, q[i], Q]], np.ones(1)) for i, j in combinations(range(dim), 2)]
+
+
+def _forces(found: BeamElements, k: int, x: NDArray[np.float64], rows: Any) -> NDArray[np.float64]:
+    """Forces of the modes of beam k for unit forces of its rows (s, s), N m, from the gradients (s, 3 n) of these at x (n, 3).
+
+    Both do the same work S dm = N dw in all rigid motions of the second frame.
+    """
+    second, dim = found.nodes[k].reshape(2, -1)[1], found.axes.shape[1]
+    arm = x[second] - x[second[0]]
+    # translations, then rotations
+    ways = [np.broadcast_to(axis, arm.shape) for axis in np.eye(3)[:dim]]
+    ways += [np.cross(axis, arm) for axis in np.eye(3)[(2 if dim == 2 else 0) :]]
+    u = np.zeros((len(ways), *x.shape))
+    u[:, second] = ways
+    modes = mode_gradients(found, x)[k * len(ways) : (k + 1) * len(ways)]
+    work, rates = (one @ u.reshape(len(ways), -1).T for one in (rows, modes))
+    return np.asarray(np.linalg.solve(rates.T, work.T))

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, permutations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.elements.caching import cached
+from kinetruss.kernels.coordinates.forms import PRODUCT
 from kinetruss.kernels.structure.structure import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
 
 if TYPE_CHECKING:
@@ -64,16 +65,19 @@ Grown = tuple[set[int], list[tuple[int, ...]]]
 
 
 def _joined(system: System) -> list[set[int]]:
-    """The nodes that a bar of constant length joins to each node."""
+    """The nodes at a constant distance from each node."""
     near: list[set[int]] = [set() for _ in system.nodes]
-    for m in system.row_member[_constant(system)]:
-        near[system.p[m]].add(int(system.q[m]))
-        near[system.q[m]].add(int(system.p[m]))
+    for r in np.flatnonzero(_constant(system)):
+        for one, two in permutations(_touched(system, int(r)), 2):
+            near[one].add(two)
     return near
 
 
 def _constant(system: System) -> NDArray[np.bool_]:
-    return np.asarray((system.row_kind == LENGTH) & (system.row_drive < 0))
+    """Rows that keep distances: of bars, and those of products of edges, which keep the shape of a beam (beam_shapes)."""
+    keeps = system.row_kind == LENGTH
+    keeps[system.sums] = system.term_kind[system.measure_ptr[system.row_measure[system.sums]]] == PRODUCT
+    return np.asarray(keeps & (system.row_drive < 0))
 
 
 def _stands(system: System, node: int) -> bool:
@@ -162,10 +166,13 @@ def part_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], 
             outside = sum(3 * n + axis not in own for n in part.nodes for axis in range(system.dim))
             # a part of which more is known than all but one of the freedoms of a similarity keeps its size
             free = bool(mine) and not part.ground and outside < (4 if system.dim == 2 else 7)
-            counts[mine] = SIZE if free else RIGID_SHAPE
+            counts[mine] = RIGID_SHAPE
             if free:
-                scale = [k for k in mine if ends[k] <= part.used] or mine
-                sizes += [(k, int(k in scale)) for k in mine]
+                # products of the edges of an undeformed beam stay as they are when the part grows
+                bars = [k for k in mine if system.row_kind[row[k]] == LENGTH]
+                counts[bars] = SIZE
+                scale = [k for k in bars if ends[k] <= part.used] or bars
+                sizes += [(k, int(k in scale)) for k in bars]
                 size_ptr.append(len(sizes))
             hands += [
                 (*(3 * n for n in hand), *[-1] * (4 - len(hand)))

@@ -237,11 +237,7 @@ class ByIdentity:
 
 @lru_cache(maxsize=32)
 def _compiled(key: ByIdentity) -> System:
-    return system_of(key.model, key.model.whole)
-
-
-def system_of(given: Model, model: WholeModel) -> System:
-    """Compile a whole of the user's model to arrays."""
+    given, model = key.model, key.model.whole
     system = System(
         given=given,
         model=model,

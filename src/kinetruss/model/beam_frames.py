@@ -11,20 +11,19 @@ import numpy as np
 
 from kinetruss.errors import few
 from kinetruss.model.bodies import Body
-from kinetruss.model.bracing import CHORD, braces_of_each
+from kinetruss.model.bracing import CHORD
 from kinetruss.model.drives import CoordinateDrive, CosineCoordinate, Coupling
 from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
 from kinetruss.model.members import Brace, Node
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
     from numpy.typing import NDArray
 
     from kinetruss.model.beams import Beam
     from kinetruss.model.data import ModelData
-    from kinetruss.model.members import Bar
     from kinetruss.model.whole import WholeModel
 
 
@@ -161,15 +160,6 @@ def rigid_groups(whole: WholeModel) -> dict[str, Body]:
             framed = next((part for part in parts if len(part) > 1), nodes)
             found[name if name not in found else f"{name}.beam"] = Body(nodes=nodes, carriers=framed)
     return found
-
-
-def shape_bars(whole: WholeModel, names: Iterable[str]) -> dict[str, dict[str, Bar]]:
-    """By elastic beam the rigid bars without mass that hold it in its shape, called ``BEAM.shape.N1-N2``."""
-    every, bodies = whole.inner.frames, {}
-    for name in names:
-        first, second = (every[frame_of(name, whole.beams[name], end)].all for end in whole.beams[name].ends)
-        bodies[f"{name}.shape"] = Body(nodes=tuple(dict.fromkeys((*first, *second))), carriers=first)
-    return braces_of_each(whole, rigid_groups(whole), bodies)
 
 
 def add_chords(whole: WholeModel) -> None:

@@ -255,23 +255,6 @@ def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] =
     Rigid bars, distances in previous bodies and distances between fixed nodes are kept. Then come the edges of the carriers,
     then for every further node the bars with the most independent gradients; a dependent bar is left out.
     """
-    return _grown(model, groups, faulty)[0]
-
-
-def braces_of_each(model: ModelData, groups: Mapping[str, Body], more: Mapping[str, Body]) -> dict[str, dict[str, Bar]]:
-    """The braces of each of `more` bodies, as if the others were not there: rigid loops stay redundant."""
-    _, pairs, clusters = _grown(model, groups, ())
-    found: dict[str, dict[str, Bar]] = {}
-    for name, body in more.items():
-        missing = _missing(model, body, pairs, clusters)
-        found[name] = {_name(model, (), f"{name}.{one}-{two}"): Brace(ends=(one, two), mass=0.0) for one, two in missing}
-    return found
-
-
-def _grown(
-    model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str]
-) -> tuple[dict[str, dict[str, Bar]], set[Pair], _Clusters]:
-    """`braces` of bodies, then all pairs of nodes with a rigid bar, and the sets of nodes of rigid parts."""
     skip = set(faulty)
     axes = "xyz"[: model.dim]
     odd = {name for name, node in model.nodes.items() if len(node.at) != model.dim}
@@ -290,7 +273,7 @@ def _grown(
                 pairs.add(frozenset((one, two)))
             taken.update(own)
         clusters.add(set(body.nodes))
-    return found, pairs, clusters
+    return found
 
 
 class _Clusters:

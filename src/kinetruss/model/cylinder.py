@@ -32,8 +32,8 @@ class Cylinder(ElementRecord):
     tank; what the speed does not take leaks past the piston: `leak` times the pressure. At the flow 0 both ports are shut.
 
     member : along which it stands. nodes : or between which. bore, rod : diameters; the rod is on the side B. pressure_A,
-    pressure_B : of the supply; pressures_A, pressures_B : tables. flow; flows : a table. flow_limit : at which
-    the whole pressure is lost. leak : flow per pressure. relief : highest pressure.
+    pressure_B : of the supply; pressures_A, pressures_B : tables. flow : of the pump; flows : a table. times : of the tables.
+    flow_limit : at which the whole pressure is lost. leak : flow per pressure. relief : highest pressure.
     """
 
     element: ClassVar[str] = "cylinder"

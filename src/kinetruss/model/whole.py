@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -21,8 +20,6 @@ from kinetruss.model.references import unknown_names
 from kinetruss.model.table import ReadOnly
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from kinetruss.model.members import Active, Bar
 
 
@@ -73,13 +70,6 @@ class WholeModel(ModelData):
         self.__dict__.update({name: ReadOnly(self.__dict__[name]) for name in GROWING})
         self.__dict__.pop("driven_members", None)  # what was derived meanwhile
         return self
-
-    def with_bars(self, bars: Mapping[str, Bar], owners: Mapping[str, Owner]) -> WholeModel:
-        """Another one with more inner bars."""
-        found = self.growing(self)
-        found.bars.update(bars)
-        found.__dict__["inner"] = replace(self.inner, bars={**self.inner.bars, **owners})
-        return found.sealed()
 
 
 def expanded(model: ModelData) -> WholeModel:

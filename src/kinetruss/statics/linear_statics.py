@@ -29,7 +29,7 @@ from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes, reactions, support_axes
 from kinetruss.results.wide_tables import coordinate_axes, displaced_columns, element_columns, force_units
-from kinetruss.statics.refinement import NOTHING, accuracy_note
+from kinetruss.statics.refinement import NOTHING, SILENT, accuracy_note
 from kinetruss.statics.small_displacements import (
     Solved,
     Weight,
@@ -163,8 +163,8 @@ def linear(
     ``elongation`` (member) m and ``strain`` (member), of the load alone; ``strain_energy`` (member) J; ``energy`` J, their
     sum; ``work`` J, half the loads times their displacements, equal to it without prestress (Clapeyron).
     attrs ``force_error``, ``displacement_error``: bounds on the errors by round-off, relative to the largest force and
-    displacement. Members without E and A are kept inextensible; the message names them. If fewer than seven digits are
-    accurate, it also says how many are, and which mechanism is near.
+    displacement (under the loads alone, where this is larger). Members without E and A are kept inextensible; the message
+    names them. If fewer than seven digits are accurate, it also says how many are, and which mechanism is near.
 
     Raises
     ------
@@ -201,6 +201,10 @@ def linear(
     flexible = found.flexible
     data = _dataset(system, held, x, found, known, G)
     force, displacement = found.solved.errors
+    stressed = known.tension.any() or found.tension.any() or known.continua_force.any()
+    if stressed and displacement > SILENT:  # beside a state in balance what is left is round-off of what the loads alone do
+        most, alone = found.solved.displacement, solve(held, x, flexible, known.load).displacement
+        displacement *= float(np.abs(most).max() / max(np.abs(most).max(), np.abs(alone).max()))
     data.attrs |= {
         "kind": "linear",
         "load_case": loads.name,
@@ -209,7 +213,6 @@ def linear(
         "force_error": force,
         "displacement_error": displacement,
     }
-    stressed = known.tension.any() or found.tension.any() or known.continua_force.any()
     if not stressed:  # Clapeyron: shows an error that the bounds do not cover
         displacement = max(displacement, _unbalanced(data))
     unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)

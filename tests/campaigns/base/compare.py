@@ -49,7 +49,9 @@ NOT_CHECKED = 3
 MOST = 60
 """Differences that are listed."""
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-Side = tuple[str, Path, Path]
+PROBE = "tests/campaigns/base/probe.py"
+"""What a revision's engines assemble for a case, by its own modules."""
+Side = tuple[Path, Path, Path]
 
 
 @dataclass(frozen=True)
@@ -148,16 +150,21 @@ def tree_of(revision: str, work: Path) -> Path:
     folder = work / revision[:12]
     if not (folder / "whole").exists():
         shutil.rmtree(folder, ignore_errors=True)
-        checkout(revision, folder, "src")
+        checkout(revision, folder, "src", PROBE)
         (folder / "whole").touch()
     return folder / "src"
 
 
-def asked(probe: str, source: Path, answers: Path, options: list[str]) -> subprocess.Popen[bytes]:
-    """A process in which a probe answers for a source."""
+def asked(probe: Path, source: Path, answers: Path, options: list[str]) -> subprocess.Popen[bytes]:
+    """A process in which a probe answers for a source; the cases and questions are those of this tree."""
     environment = {key: value for key, value in os.environ.items() if key != "NUMBA_CACHE_DIR"}
-    environment |= {"PYTHONPATH": str(source), "PYTHONFAULTHANDLER": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-    return subprocess.Popen([sys.executable, str(HERE / probe), str(answers), *options], env=environment)
+    environment |= {
+        "PYTHONPATH": f"{source}{os.pathsep}{HERE}",
+        "PYTHONFAULTHANDLER": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "OMP_NUM_THREADS": "1",
+    }
+    return subprocess.Popen([sys.executable, str(probe), str(answers), *options], env=environment)
 
 
 def pairs(old: Path, new: Path) -> Iterator[tuple[Answer, Answer]]:
@@ -172,7 +179,8 @@ def campaign(work: Path, seed: int, count: int, runs: int, source: Path = TREE /
     files = [file for file in HERE.glob("*.py") if file.name not in ("probe.py", "compare.py", "shown.py")]
     files += [HERE.parents[1] / f"{name}.py" for name in ("action_models", "random_trusses")]
     kept = work / f"answers-{base[:12]}-{state_of(files)}-{seed}"
-    return side_by_side(("probe_base.py", tree_of(base, work), kept), ("probe.py", source, work), seed, count, runs)
+    was = tree_of(base, work)
+    return side_by_side((was.parent / PROBE, was, kept), (TREE / PROBE, source, work), seed, count, runs)
 
 
 def side_by_side(old: Side, new: Side, seed: int, count: int, runs: int) -> Found:
@@ -214,7 +222,7 @@ def read_alike(work: Path, source: Path, examples: int, wrong: int, seed: int, f
             mill.file(fuzz.Case(100_000 * seed + number, runs=False))
         options = ["--examples", str(examples), "--wrong", str(files)]
         sources = [tree_of(hash_of(BASE), work), source]
-        started = [asked("shown.py", one, side, options) for one, side in zip(sources, sides, strict=True)]
+        started = [asked(HERE / "shown.py", one, side, options) for one, side in zip(sources, sides, strict=True)]
         if any(codes := [one.wait() for one in started]):
             raise RuntimeError(f"What is shown ended with {codes} (old, new); their own words are above.")
         for name in sorted({path.name for side in sides for path in side.glob("*.txt")}):

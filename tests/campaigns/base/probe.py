@@ -1,4 +1,4 @@
-"""What the engines of the tree at hand assemble for a case: the questions of `probe_base`, by the modules as they are now.
+"""What the engines of a revision assemble for a case, by its own modules: BASE is asked by its own copy of this file.
 
     python tests/campaigns/base/probe.py FOLDER --seed N --count N --runs N
 

@@ -59,6 +59,12 @@ def cosine_of(nodes: Sequence[Vector], numbers: Numbers) -> Any:
     return cosine(nodes[0][0] + numbers[0])
 
 
+def product(nodes: Sequence[Vector], numbers: Numbers) -> Any:  # noqa: ARG001
+    """Scalar product of the edges from node 1 to P and from node B to node 2."""
+    P, one, two, B = nodes
+    return dot(minus(P, one), minus(two, B))
+
+
 def _first(numbers: Numbers) -> Vector:
     return numbers[0], numbers[1], numbers[2]
 
@@ -67,5 +73,7 @@ def _second(numbers: Numbers) -> Vector:
     return numbers[3], numbers[4], numbers[5]
 
 
-ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE = range(6)
-FORMS = (Form(along, 2), Form(fixed_axis, 2), Form(around, 4), Form(offset, 3), Form(place, 1), Form(cosine_of, 1))
+ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE, PRODUCT = range(7)
+FORMS = (
+    Form(along, 2), Form(fixed_axis, 2), Form(around, 4), Form(offset, 3), Form(place, 1), Form(cosine_of, 1), Form(product, 4)
+)  # fmt: skip

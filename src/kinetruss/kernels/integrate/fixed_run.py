@@ -15,6 +15,7 @@ from kinetruss.kernels.integrate.fixed_steps import Step, new_step, rattle_step,
 from kinetruss.kernels.integrate.loop import accept, goes_on, target
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
 from kinetruss.kernels.solve.kkt import factor, prepare_rows, project
+from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
 NEAR, EXTRAPOLATED_MOST = 0.2, 12
@@ -210,7 +211,21 @@ def _step(run: Run, step: Step) -> None:
         _end(free, control, memory, step)
         _passing(eq, ws, memory, work, step)
     else:
-        work.code = m.NOT_CONVERGED
+        work.code = m.NOT_CONVERGED if _known(run, step) else m.NOT_FINITE
+
+
+@kernel_bare
+def _known(run: Run, step: Step) -> bool:
+    """False where forces are no numbers in the middle or at the end of a step along the velocities at its start."""
+    x, v = step.x1, step.v1
+    for share in (0.5, 1.0):
+        for j in range(x.size):
+            x[j], v[j] = step.x0[j] + share * step.h * step.v0[j], step.v0[j]
+        applied(run.eq, run.user, step.t_1 - (1.0 - share) * step.h, x, v, step.f)
+        for j in range(x.size):
+            if not abs(step.f[j]) < math.inf:
+                return False
+    return True
 
 
 @kernel

@@ -27,9 +27,8 @@ def sum_terms(plan: Plan, b: int, x: F1, terms: F2) -> None:
 
 
 @kernel_late
-def sum_residuals(plan: Plan, b: int, first: int, x: F1, target: F1, terms: F2, work: F1) -> None:
-    """Minus the residuals of the sums of block b, whose rows begin at `first`, into work; gradients into terms."""
-    sum_terms(plan, b, x, terms)
+def sum_residuals(plan: Plan, b: int, first: int, x: F1, target: F1, work: F1) -> None:
+    """Minus the residuals of the sums of block b, whose rows begin at `first`, into work."""
     # -Phi = -scale (sum of the terms - target)
     for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
         gap = -target[plan.sum_row[j]]

@@ -115,13 +115,13 @@ def gradients(plan: Plan, w: Workspace, first: int, last: int, x: F2, i: int) ->
 
 @kernel_inline
 def residuals(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> None:
-    """Minus the residuals of block b at x[i] into w.work, gradients into w.gradient and w.terms."""
+    """Minus the residuals of block b at x[i] into w.work, gradients of all rows but sums into w.gradient."""
     first = plan.ptr[b]
     # -Phi, the right-hand side of Newton's method
     for k in range(first, plan.ptr[b + 1]):
         w.work[k - first] = -_row(plan, w, k, x, i)
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
-        sum_residuals(plan, b, first, x[i], w.target, w.terms, w.work)
+        sum_residuals(plan, b, first, x[i], w.target, w.work)
 
 
 @kernel_inline
@@ -189,6 +189,12 @@ def _mark(plan: Plan, w: Workspace, b: int) -> None:
 def factor(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
     """Gradients of block b at x[i], and the factors of its Jacobian; returns the sign of its determinant (0: singular)."""
     gradients(plan, w, plan.ptr[b], plan.ptr[b + 1], x, i)
+    return _factored(plan, w, b, x, i)
+
+
+@kernel_inline
+def _factored(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
+    """The same with the gradients of all rows but sums at hand."""
     if plan.sum_ptr[b] < plan.sum_ptr[b + 1]:
         sum_terms(plan, b, x[i], w.terms)
     return factor_gradients(plan, w, b)
@@ -240,7 +246,7 @@ def newton_block(plan: Plan, w: Workspace, b: int, x: F2, i: int, limit: float) 
     # Newton's method: J dx = -Phi
     for _ in range(15):
         residuals(plan, w, b, x, i)
-        factor_gradients(plan, w, b)
+        _factored(plan, w, b, x, i)
         solve(plan, w, b, w.work)
         step = 0.0
         for k in range(plan.ptr[b + 1] - plan.ptr[b]):

@@ -1,11 +1,17 @@
-"""The coefficients and the algebra of DOP853, apart from any equations of motion."""
+"""The coefficients and the algebra of DOP853; rows of four-bars through singular positions, and what it cannot do."""
+
+import math
 
 import numpy as np
 import pytest
 from scipy.integrate import DOP853
 from scipy.integrate._ivp import dop853_coefficients as published
 
-from kinetruss.kernels.integrate import dop853 as method, dop853 as table
+import kinetruss as kt
+from kinetruss.kernels.integrate import dop853 as method, dop853 as table, state as m
+from kinetruss.library import mechanisms
+from reference.linkages import row_of_four_bars
+from reference.marching import march
 
 
 def full_matrix():
@@ -152,3 +158,47 @@ def test_stiffness_estimates_the_fastest_mode():
     K, last, new = np.zeros((16, 2)), np.array([0.0, 0.0]), np.array([1e-6, 3e-5])
     K[11], K[12] = 0.0, [new[1], -(omega**2) * new[0]]
     assert method.stiffness(K, last, new, 0.1, 1) <= 0.1 * omega * 1.001
+
+
+# on equations of motion
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("loops", [2, 40])
+def test_rows_of_four_bars_through_flat_positions(loops):
+    """Ten seconds, ten positions in which all loops are singular at once."""
+    times = np.linspace(0, 10, 21)
+    run = march(mechanisms.n_four_bar(loops=loops), times, kt.DOP853())
+    theta, _ = row_of_four_bars(loops, times)
+    assert run.code == m.DONE
+    for k in (0, loops):
+        place = run.node(f"B{k}") - [k, 0, 0]
+        np.testing.assert_allclose(place[:, 0], np.sin(theta), atol=3e-8)
+        np.testing.assert_allclose(place[:, 1], np.cos(theta), atol=3e-8)
+    assert np.abs(run.energy - run.energy[0]).max() < 1e-9 * run.kinetic.max()
+    flat = np.flatnonzero(np.diff(np.floor(row_of_four_bars(loops, np.linspace(0, 10, 20001))[0] / math.pi + 0.5)))
+    passed = run.memory.passages[: run.count("passages_met")]
+    np.testing.assert_allclose(passed[:, 0], np.linspace(0, 10, 20001)[flat], atol=1e-3)
+    assert np.all(passed[:, 1] < 1e-3) and np.all(passed[:, 2] == 1.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-12])
+def test_flat_positions_at_other_tolerances(rtol):
+    run = march(mechanisms.n_four_bar(loops=2), [0, 10.0], kt.DOP853(rtol=rtol, atol=rtol / 10))
+    theta, _ = row_of_four_bars(2, np.array([10.0]))
+    assert run.code == m.DONE
+    assert abs(run.node("B0")[-1, 0] - np.sin(theta[0])) < 300 * rtol + 1e-10
+
+
+def spring(stiffness, damping=0.0, mass=1.0, stretch=0.01):
+    return kt.Model(
+        nodes={"O": (0, 0), "P": kt.Node(at=(1 + stretch, 0), mass=mass)}, fixed={"O": "xy", "P": "y"},
+        bars={"s": kt.Bar(ends=("O", "P"), kind="elastic", stiffness=stiffness, damping=damping, natural_length=1.0)},
+    )  # fmt: skip
+
+
+def test_a_stiff_damper_is_noticed():
+    run = march(spring(1.0, 1e7), [0, 10.0], kt.DOP853(max_steps=20000), isolated=False)
+    assert run.code == m.STIFF
+    assert run.count("steps") < 300
