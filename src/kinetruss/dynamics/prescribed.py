@@ -14,6 +14,7 @@ import numpy as np
 
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
+from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
