@@ -21,6 +21,7 @@ from kinetruss.kernels.structure.equations import (
     Equations,
     Workspace,
 )
+from kinetruss.kernels.structure.sums import of_equations
 from kinetruss.kinematics.time_tables import check_support
 from kinetruss.mechanics import System
 from kinetruss.mechanics.coordinates import released
@@ -143,6 +144,7 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
     terms = np.concatenate([*spans, *every, np.zeros(0)]).astype(np.int64)
     size = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
     return {
+        "sums": of_equations.addresses() if len(places) or pushed.any() else np.zeros(0, np.int64),
         "sum_row": places,
         "sum_ptr": ends,
         "term_form": system.term_form[terms],

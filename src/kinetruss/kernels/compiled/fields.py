@@ -10,7 +10,7 @@ from numba.cpython.tupleobj import namedtuple_getattr
 from numba.extending import lower_getattr as _lower_getattr, lower_setattr as _lower_setattr
 
 from kinetruss.kernels.compiled.record import Field, on_declaration
-from kinetruss.kernels.compiled.words import array_on
+from kinetruss.kernels.compiled.views import array_on
 
 __all__: list[str] = []
 
