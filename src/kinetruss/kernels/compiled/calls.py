@@ -165,8 +165,10 @@ class Interface:
 
     def _entry(self, kernel: Any, function: Callable[..., Any]) -> Any:
         """A kernel with a C address and words as arguments."""
-        first, *_ = get_type_hints(function, include_extras=True).values()
-        wanted = [*([type_of(first)] if self.of_record else []), *self.others]
+        wanted = self.others
+        if self.of_record:
+            first, *_ = get_type_hints(function, include_extras=True).values()
+            wanted = [type_of(first), *wanted]
         words = [word for one in wanted for word in _types_of_words(one)]
         names = ", ".join(f"w{k}" for k in range(len(words)))
         text = f"def {function.__name__}({names}): return kernel(*arguments(({names},)))"

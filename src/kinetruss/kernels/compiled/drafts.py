@@ -130,9 +130,16 @@ def work() -> bool:
     version = tuple(int(part) for part in numba.__version__.split(".")[:2])
     if KNOWN[0] <= version < KNOWN[1]:
         return True
+
+    def half(x: float) -> float:
+        return 0.5 * x
+
+    def tried(x: float) -> float:
+        return inner(x) + 1.0
+
     try:
-        inner = drafted(lambda x: 2.0 * x, {}, _nothing)
-        return drafted(lambda x: inner(x) + 1.0, {}, _nothing)(1.5) == 4.0
+        inner = drafted(half, {}, _nothing)
+        return bool(drafted(tried, {}, _nothing)(3.0) == 2.5)
     except Exception as error:  # noqa: BLE001 - whatever has changed
         log.info("Numba %s compiles each kernel by itself: %s", numba.__version__, error)
         return False

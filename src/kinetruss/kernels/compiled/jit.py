@@ -16,7 +16,7 @@ from kinetruss.kernels.compiled.caches import Keeper, Kept, places_of, states_of
 
 try:
     from kinetruss.kernels.compiled import drafts
-except (ImportError, AttributeError):  # of names within Numba
+except Exception:  # noqa: BLE001 - Numba has another inside
     drafts = None  # type: ignore[assignment]
 
 __all__ = ["DRAFTS", "compiled_at_address", "folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline"]
