@@ -16,8 +16,7 @@ from typing import Any, ClassVar, get_args, get_type_hints
 import numba
 import numpy as np
 from llvmlite import ir
-from numba import types
-from numba.core.errors import TypingError
+from numba import TypingError, types
 from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import compiled_at_address, kernel, kernel_bare, kernel_inline

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from numba import types
-from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
 __all__ = ["array_on", "intrinsic", "view"]
@@ -18,10 +17,7 @@ def array_on(context: Any, builder: Any, result: Any, data: Any, shape: Any) -> 
     array = context.make_array(result)(context, builder)
     size = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(result.dtype)))
     strides = [size] if len(shape) == 1 else [builder.mul(shape[1], size), size]
-    pack_array: Any = cgutils.pack_array
-    context.populate_array(
-        array, data=data, shape=pack_array(builder, shape), strides=pack_array(builder, strides), itemsize=size, meminfo=None
-    )
+    context.populate_array(array, data=data, shape=shape, strides=strides, itemsize=size, meminfo=None)
     return array._getvalue()
 
 
