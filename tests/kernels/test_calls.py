@@ -93,7 +93,7 @@ def test_who_calls_it_compiles_without_it_and_finds_it_at_its_address():
 
 
 def test_python_calls_it_as_any_other():
-    one, x, y = numbers(), np.ones(3), np.zeros((2, 2))
+    one, x, y = numbers(needed.addresses()), np.ones(3), np.zeros((2, 2))
     assert weighed(one, x, y, 0.5, 2) == 9.0
 
 

@@ -198,8 +198,8 @@ class Interface:
 class Apart:
     """A decorator for kernels that a model needs together or not at all; whether one allocates (see kernels.compiled.jit).
 
-    where : the field of the address of number {}, an expression of what they all take: "eq.sums[{}]". A kernel calls one of
-    them as any other, and only where the field is filled, with `addresses`. Python calls them as any other.
+    where : the field of the address of number {}, an expression of what they all take: "eq.sums[{}]". They are called
+    as any other, and only where the field is filled, with `addresses`.
     """
 
     every: ClassVar[list[Apart]] = []
@@ -221,9 +221,7 @@ class Apart:
         interface, given = Interface(function), ", ".join(signature(function).parameters)
         text = f"def {function.__name__}({given}): return call({self.where.format(len(self._kernels))}, ({given},))"
         self._kernels.append((interface, inner))
-        made = kernel_inline(_function_of(text, {"call": interface.call}, function))
-        made._compile_for_args = inner._compile_for_args
-        return made
+        return kernel_inline(_function_of(text, {"call": interface.call}, function))
 
     def addresses(self) -> NDArray[np.int64]:
         """Their addresses; they are compiled when these are first asked for."""
