@@ -198,8 +198,8 @@ class Interface:
 class Apart:
     """A decorator for kernels that a model needs together or not at all; whether one allocates (see kernels.compiled.jit).
 
-    where : the field of the address of number {}, an expression of what they all take: "eq.sums[{}]". They are called
-    as any other, and only where the field is filled, with `addresses`.
+    where : the field of the address of number {}, an expression of what they all take: "eq.sums[{}]". They are called as
+    any other, and only where the field is filled, with `addresses`.
     """
 
     every: ClassVar[list[Apart]] = []

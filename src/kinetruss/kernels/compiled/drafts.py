@@ -2,7 +2,7 @@
 
 Numba optimises each function by itself, translates it to machine code, and does both again, with all that it calls, for each
 function above it. Of a kernel within others nobody ever runs that machine code. A first start (bench/cold_start.py; Numba
-0.68.1) takes some 23 s of processor time with drafts and 43 s without for `inverse`, 29 s and 71 s for `simulate`.
+0.68.1) takes some 23 s of processor time with drafts and 43 s without for `inverse`, 31 s and 71 s for `simulate`.
 
 That is all that this file brings, and no other subclasses what is inside of Numba. Where its version is not one of those that
 are known, and drafts do not work with it, kernels are compiled as Numba does it by itself (kernels.compiled.jit).
