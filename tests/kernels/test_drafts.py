@@ -1,6 +1,7 @@
 """Kernels are drafts, kept on disk and linked into what calls them, and Python calls their entries."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -18,11 +19,11 @@ import json, sys
 from pathlib import Path
 import numba
 from kinetruss.kernels.compiled.caches import Keeper, Kept
-from kinetruss.kernels.compiled.drafts import DraftCompiler
+from kinetruss.kernels.compiled.drafts import DRAFT, DraftCompiler, rebuilt
 def twice(a):
     return a + a
 inner = numba.njit(pipeline_class=DraftCompiler, no_cpython_wrapper=True, no_cfunc_wrapper=True)(twice)
-inner._cache = Kept(Keeper({"<string>": "s" * 16}, [Path(sys.argv[1])]), twice)
+inner._cache = Kept(Keeper({"<string>": "s" * 16}, [Path(sys.argv[1])]), twice, DRAFT, rebuilt)
 more = float(sys.argv[2])
 @numba.njit
 def outer(a):
@@ -106,3 +107,42 @@ def test_a_kernel_of_arrays_gives_back_arrays():
     assert np.array_equal(doubled(given), 2 * given)
     assert np.array_equal(doubled(given[::-1]), 2 * given[::-1])
     assert len(doubled.entry.overloads) == 2
+
+
+CHANGED = """
+import json, sys
+import numba
+from numba.core import codegen
+numba.__version__ = "99.0.0"
+{change}
+import numpy as np
+from kinetruss.kernels.compiled import jit
+from kinetruss.kernels.structure.lengths import lengths
+x = np.zeros((1, 6)); x[0, 3:] = (3.0, 4.0, 12.0)
+out = [np.zeros((1, 1)) for _ in range(3)]
+lengths(np.array([0]), np.array([1]), x, 0 * x, 0 * x, *out)
+print(json.dumps({{"drafts": jit.DRAFTS, "found": out[0][0, 0], "hits": sum(lengths.entry.stats.cache_hits.values())}}))
+"""
+CHANGES = {
+    "nothing": "",
+    "a name": "del codegen.JITCodeLibrary",
+    "a class": "def refused(cls): raise TypeError('final')\ncodegen.JITCodeLibrary.__init_subclass__ = classmethod(refused)",
+    "a method": """
+finalize = codegen.JITCodeLibrary._finalize_dynamic_globals
+def changed(self):
+    if type(self) is not codegen.JITCodeLibrary:
+        raise AttributeError("_finalize_dynamic_globals")
+    finalize(self)
+codegen.JITCodeLibrary._finalize_dynamic_globals = changed""",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("change", CHANGES)
+def test_where_the_inside_of_numba_is_another_kernels_are_compiled_as_numba_does(change, tmp_path):
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    command = [sys.executable, "-c", CHANGED.format(change=CHANGES[change])]
+    for hits in (0, 1):
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        assert json.loads(done.stdout) == {"drafts": change == "nothing", "found": 13.0, "hits": hits}

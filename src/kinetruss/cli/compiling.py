@@ -98,11 +98,15 @@ def _silenced() -> None:
 def _compile_rare() -> None:
     from kinetruss import kernels
     from kinetruss.elements.kinds import compile_kinds
-    from kinetruss.kernels.compiled.late import compile_late
+    from kinetruss.kernels.compiled.calls import Apart
+    from kinetruss.mechanics.solvers import KERNELS, addresses_of
 
     for module in walk_packages(kernels.__path__, f"{kernels.__name__}."):
         import_module(module.name)
-    compile_late()
+    for group in Apart.every:
+        group.addresses()
+    for solver in KERNELS:
+        addresses_of(solver)
     compile_kinds()
 
 

@@ -21,6 +21,7 @@ from kinetruss.kernels.structure.equations import (
     Equations,
     Workspace,
 )
+from kinetruss.kernels.structure.sums import of_equations
 from kinetruss.kinematics.time_tables import check_support
 from kinetruss.mechanics import System
 from kinetruss.mechanics.coordinates import released
@@ -127,7 +128,7 @@ def _assembled(
         "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
         "value": np.where(drive < 0, system.row_value[row], start[drive]),
     }
-    without_bearings = dict.fromkeys(("bearing_ints", "bearing_reals", "pressed_ints", "pressed_reals"), np.zeros(0))
+    without_bearings = dict.fromkeys(("rubs", "bearing_ints", "bearing_reals", "pressed_ints", "pressed_reals"), np.zeros(0))
     eq = Equations.of(fields | solving | rows | _sums(system, row, fields) | without_bearings)
     return eq, workspace_for(eq)
 
@@ -144,6 +145,7 @@ def _sums(system: System, row: NDArray[np.int64], fields: dict[str, Any]) -> dic
     terms = np.concatenate([*spans, *every, np.zeros(0)]).astype(np.int64)
     size = np.linalg.norm(system.x0[system.q] - system.x0[system.p], axis=1)
     return {
+        "sums": of_equations.addresses() if len(places) or pushed.any() else np.zeros(0, np.int64),
         "sum_row": places,
         "sum_ptr": ends,
         "term_form": system.term_form[terms],

@@ -16,7 +16,11 @@ from kinetruss.kernels.coordinates.programs import Program
 from kinetruss.kernels.coordinates.straight_line import addresses_of
 from kinetruss.kernels.coordinates.tape import tape_of
 from kinetruss.kernels.integrate import state as m
+from kinetruss.kernels.integrate.answers import asking
+from kinetruss.kernels.integrate.dop853_step import aside
+from kinetruss.kernels.integrate.events import watching
 from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, SUM, Control, Memory, new_memory
+from kinetruss.kernels.series.measured import measured
 from kinetruss.kernels.structure.equations import DENSE, SUM_FORCE
 from kinetruss.kernels.structure.rows import POLYNOMIAL
 from kinetruss.kernels.structure.structure import CABLE, ENGINEERING, GREEN, LENGTH as LENGTH_KIND
@@ -144,6 +148,7 @@ def _watches(eq: Any, events: Sequence[Watched]) -> dict[str, Any]:
     kinds, places, data = zip(*(term for own in terms for term in own), strict=True) if any(terms) else ((), (), ())
     return {
         **dict(zip(names, columns, strict=True)),
+        "watching": watching.addresses() if events else [],
         "event_sampled": sampled,
         "event_at": at,
         "event_ptr": np.cumsum([0, *map(len, terms)]),
@@ -188,7 +193,7 @@ def _tape(eq: Any, system: System) -> dict[str, NDArray[Any]]:
         program.result(measure_of(system, program, one))
     if not program.results:
         return {}
-    tape = tape_of(program, 0)
+    tape = tape_of(program, 0).with_(series=measured.addresses())
     return {"tape_ints": tape.ints, "tape_reals": tape.reals, "tape_laws": laws}
 
 
@@ -225,6 +230,8 @@ def _numbers(method: Any, t_end: float, isolated: bool, size: float, reach: floa
         "pivot_limit": PIVOT_LIMIT,
         "method": METHODS[type(method)],
         "steps_at": _steps_of(method),
+        "find_at": asking.addresses()[0],
+        "aside_at": aside.addresses()[0] if isinstance(method, DOP853 | Radau) else 0,
     }
     if isinstance(method, ERROR_CONTROLLED):
         found |= {

@@ -22,6 +22,7 @@ from kinetruss.dynamics.hub_arms import HubFrame, arm_push, body_push, load_push
 from kinetruss.elements.kinds import forces_of_loads, scalar_forces, spans_of, table_of_kinds
 from kinetruss.elements.pin_friction import pins_of
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.kernels.solve.kkt import of_bearings
 from kinetruss.kernels.structure.bearings import (
     ACROSS,
     ACROSS_LENGTH,
@@ -71,7 +72,13 @@ def with_bearings(
             if action.member == seat.member and not action.counted:
                 found.add_action(k, seat, action)
     own, pressed = bearings_of(system), found.record()
-    eq = eq.with_(bearing_ints=own.ints, bearing_reals=own.reals, pressed_ints=pressed.ints, pressed_reals=pressed.reals)
+    eq = eq.with_(
+        rubs=of_bearings.addresses(),
+        bearing_ints=own.ints,
+        bearing_reals=own.reals,
+        pressed_ints=pressed.ints,
+        pressed_reals=pressed.reals,
+    )
     return eq, ws.with_(couple=np.zeros(len(seats)), jammed=np.zeros(1, np.int64))
 
 

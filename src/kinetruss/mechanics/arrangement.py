@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 
 from kinetruss.elements.caching import cached
 from kinetruss.errors import few
-from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SUM, Plan
+from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SMALL, SUM, Plan
 from kinetruss.mechanics.measures import flats_of, sum_arrays
 from kinetruss.mechanics.rigid_parts import part_arrays, rigid_parts
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_gradients, jacobian
@@ -308,6 +308,7 @@ def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], redunda
         ptr.append(len(order))
     row = np.array([*order, *redundant], np.int64)
     sums = sum_arrays(system, row, np.array(ptr, np.int64), np.array(col, np.int64))
+    width = max((len(rows) for rows, _ in blocks), default=0)
     member = system.row_member[row]
     entry_row, entry_col, axis, sign = zip(*entries, strict=True) if entries else ((), (), (), ())
     return Plan.of(
@@ -322,7 +323,8 @@ def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], redunda
             driven=np.flatnonzero(system.row_drive[row] >= 0),
             ptr=np.array(ptr, np.int64),
             col=np.array(col, np.int64),
-            width=max((len(rows) for rows, _ in blocks), default=0),
+            width=width,
+            **_apart(width, len(redundant) > 0),
             entry_ptr=np.array(entry_ptr, np.int64),
             entry_row=np.array(entry_row, np.int64),
             entry_col=np.array(entry_col, np.int64),
@@ -333,6 +335,21 @@ def _assemble(system: System, blocks: list[tuple[list[int], list[int]]], redunda
             **part_arrays(system, row, np.array(ptr, np.int64), np.array(col, np.int64)),
         )
     )
+
+
+def _apart(width: int, redundant: bool) -> dict[str, NDArray[np.int64]]:
+    """Addresses of what only plans with large blocks, and only such with redundant rows, need."""
+    found = {"large": np.zeros(0, np.int64), "shares": np.zeros(0, np.int64)}
+    # kernels that other plans do not need
+    if width > SMALL:
+        from kinetruss.kernels.sweep.blocks import large
+
+        found["large"] = large.addresses()
+    if redundant:
+        from kinetruss.kernels.sweep.forces import shares
+
+        found["shares"] = shares.addresses()
+    return found
 
 
 def entries_of(system: System, r: int, place: dict[int, int]) -> list[tuple[int, int, float]]:

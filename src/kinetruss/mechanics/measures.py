@@ -165,7 +165,14 @@ def sum_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], c
                     if flat in column:
                         entries.append((int(places[j]), t, c, column[flat]))
         entry_ptr.append(len(entries))
+    if len(places):
+        from kinetruss.kernels.structure.sums import of_plan  # compiled; most plans do not need it
+
+        sums = of_plan.addresses()
+    else:
+        sums = np.zeros(0, np.int64)
     return {
+        "sums": sums,
         "sum_ptr": sum_ptr.astype(np.int64),
         "sum_row": places.astype(np.int64),
         "sum_scale": system.measure_scale[measures],

@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE
+from kinetruss.kernels.solve.kkt import factor_of_solver, solve_of_solver
+from kinetruss.kernels.solve.kkt_dense import ASSEMBLED, COUPLED, SEPARATE, dense_factor, dense_solve
+from kinetruss.kernels.solve.kkt_sparse import sparse_factor, sparse_solve
+from kinetruss.kernels.solve.kkt_sweep import sweep_factor, sweep_solve
 from kinetruss.kernels.solve.ldl import REDUNDANT, ROW
 from kinetruss.kernels.structure.equations import DENSE, SPARSE, SWEEP, Equations, Workspace
 from kinetruss.mechanics.measures import flats_of
@@ -22,6 +25,8 @@ if TYPE_CHECKING:
 
 
 SOLVERS = {"dense": DENSE, "sparse": SPARSE, "sweep": SWEEP}
+KERNELS = {DENSE: (dense_factor, dense_solve), SPARSE: (sparse_factor, sparse_solve), SWEEP: (sweep_factor, sweep_solve)}
+"""Those of a solver that factor and solve; a solver is compiled when it is first chosen."""
 LARGEST_DENSE = 400
 """Largest number of free coordinates for dense algebra, also for the rank at the start."""
 DEARER = 4.0
@@ -71,7 +76,13 @@ def solver_arrays(
         arrays |= sparse_arrays(ordered, masses, augmented_row, shared)
     else:
         arrays |= sweep_arrays(ordered, plans)
-    return arrays | {"solver": chosen, "mode": mode, "shared": shared, "sure": sure}, order
+    return arrays | addresses_of(chosen) | {"solver": chosen, "mode": mode, "shared": shared, "sure": sure}, order
+
+
+def addresses_of(solver: int) -> dict[str, int]:
+    """The addresses in `Equations` of the kernels of a solver."""
+    factor, solve = KERNELS[solver]
+    return {"factor_at": factor_of_solver.address(factor), "solve_at": solve_of_solver.address(solve)}
 
 
 def _in_order(system: System, order: NDArray[np.int64]) -> System:

@@ -36,10 +36,10 @@ from typing import Any
 
 import llvmlite
 import numba
+from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from kinetruss.errors import KernelCacheWarning
-from kinetruss.kernels.compiled.drafts import rebuilt
 from kinetruss.kernels.compiled.progress import Progress
 
 __all__ = ["Keeper", "Kept", "places_of", "states_of"]
@@ -200,12 +200,14 @@ class Keeper:
 class Kept:
     """The compiled forms of one kernel, as Numba asks for them.
 
-    form : tells what is compiled of one function apart. A function of a file whose state the keeper does not know, as in a
-    test, is compiled and not kept.
+    form : tells what is compiled of one function apart. rebuilt : makes of a context and what was kept what was compiled. A
+    function of a file whose state the keeper does not know, as in a test, is compiled and not kept.
     """
 
-    def __init__(self, keeper: Keeper, function: Callable[..., Any], form: str = "draft") -> None:
-        self.keeper, self._form = keeper, form
+    def __init__(
+        self, keeper: Keeper, function: Callable[..., Any], form: str = "kernel", rebuilt: Callable[..., Any] | None = None
+    ) -> None:
+        self.keeper, self._form, self._rebuilt = keeper, form, rebuilt or _rebuilt
         code = function.__code__
         module = module_of(Path(code.co_filename), keeper.folder)
         self._stem = f"{module}.{function.__qualname__}-{code.co_firstlineno}"
@@ -221,7 +223,7 @@ class Kept:
         context.refresh()
         found = self.keeper.read(self._name(signature, context.codegen())) if self._known else None
         if found is not None:
-            return rebuilt(context, pickle.loads(found))
+            return self._rebuilt(context, pickle.loads(found))
         self.keeper.progress.begin(self._form)  # Numba compiles it now, and saves it below
         return None
 
@@ -243,6 +245,10 @@ class Kept:
         args = getattr(signature, "args", signature)  # of a kernel with a C address it is more than its arguments
         layouts = [getattr(getattr(one, "instance_class", None), "FIELDS", "") for one in args]
         return self.keeper.name(self._stem, f"{self._form} {signature} {codegen.magic_tuple()} {layouts}")
+
+
+def _rebuilt(context: Any, data: tuple[Any, ...]) -> Any:
+    return CompileResult._rebuild(context, *data)
 
 
 def _checksum(data: bytes) -> bytes:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba.core import types
-from numba.core.typing.templates import AttributeTemplate, infer_getattr as _infer_getattr
+from numba import types
+from numba.core.typing.templates import AttributeTemplate
 from numba.cpython.tupleobj import namedtuple_getattr
-from numba.extending import lower_getattr as _lower_getattr, lower_setattr as _lower_setattr
+from numba.extending import infer_getattr as _infer_getattr, lower_getattr as _lower_getattr, lower_setattr as _lower_setattr
 
 from kinetruss.kernels.compiled.record import Field, on_declaration
-from kinetruss.kernels.compiled.words import array_on
+from kinetruss.kernels.compiled.views import array_on
 
 __all__: list[str] = []
 

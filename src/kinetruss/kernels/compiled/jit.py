@@ -4,69 +4,60 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from inspect import signature
 from pathlib import Path
 from typing import Any
 
 import numba
 from numba import types
 from numba.core.ccallback import CFunc
-from numba.core.sigutils import normalize_signature
 
 from kinetruss.kernels.compiled import fields as _fields  # noqa: F401 - teaches kernels to read records
 from kinetruss.kernels.compiled.caches import Keeper, Kept, places_of, states_of
-from kinetruss.kernels.compiled.drafts import DraftCompiler
 
-__all__ = ["DRAFT", "HOT", "as_called", "folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline"]
+try:
+    from kinetruss.kernels.compiled import drafts
+except Exception:  # noqa: BLE001 - Numba has another inside
+    drafts = None  # type: ignore[assignment]
+
+__all__ = ["DRAFTS", "compiled_at_address", "folder", "keeper", "kernel", "kernel_bare", "kernel_entry", "kernel_inline"]
 
 folder = Path(__file__).parents[2]
 keeper = Keeper(states_of(folder), places_of(folder / "kernels"), folder)
+DRAFTS = drafts is not None and drafts.work()
+"""Whether kernels are drafts (kernels.compiled.drafts)."""
 
+config: Any = numba.config
 # every option is stated for every kernel: Numba takes one that is not from the kernel that compiles it first
 HOT: Any = {"error_model": "numpy", "fastmath": {"contract"}, "_nrt": False, "forceinline": False}
-DRAFT: Any = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": DraftCompiler}
 
 
 def _kept(**options: Any) -> Any:
     """A decorator that compiles with these options, and keeps what it compiled."""
 
     def decorated(function: Callable[..., Any]) -> Any:
-        found = numba.njit(nogil=True, **options, **DRAFT)(function)
-        if found is not function:  # else compiling is switched off (NUMBA_DISABLE_JIT)
-            found._cache = Kept(keeper, function)
-            found.get_call_template = partial(as_called, found.get_call_template)
-            found.entry = None
-            found._compile_for_args = partial(_entered, found, found._insert, partial(_entry, found, function, options))
-            found._insert = _nothing  # a draft has no address that Python could call
+        if config.DISABLE_JIT:
+            return function
+        found: Any
+        if DRAFTS:
+            found = drafts.drafted(function, options, partial(_keep, function))
+        else:
+            found = numba.njit(nogil=True, **options)(function)
+            _keep(function, found, "kernel")
+            found.entry = found
+        found.get_call_template = partial(_as_called, found.get_call_template)
         return found
 
     return decorated
 
 
-def as_called(template: Any, args: Any, kws: Any) -> Any:
+def _keep(function: Callable[..., Any], found: Any, form: str) -> None:
+    """Keep what is compiled of a function."""
+    found._cache = Kept(keeper, function, form, drafts.rebuilt if DRAFTS else None)
+
+
+def _as_called(template: Any, args: Any, kws: Any) -> Any:
     """How kernels call a kernel: one form for a number, whether its value is known or not; LLVM passes on those that are."""
     return template(tuple(types.unliteral(one) for one in args), {name: types.unliteral(one) for name, one in kws.items()})
-
-
-def _entry(found: Any, function: Callable[..., Any], options: dict[str, Any]) -> Any:
-    """What Python calls instead of a kernel: the call of it, compiled as a whole."""
-    given, names = ", ".join(signature(function).parameters), {"kernel": found, "__name__": function.__module__}
-    exec(f"def {function.__name__}({given}): return kernel({given})", names)  # noqa: S102 - Numba folds no *arguments
-    made: Any = numba.njit(nogil=True, **options)(names[function.__name__])
-    made._cache = Kept(keeper, function, "entry")
-    return made
-
-
-def _entered(found: Any, insert: Callable[..., None], entry: Callable[[], Any], *args: Any) -> Any:
-    """The compiled entry of a kernel for these arguments; the next call with such finds it by itself."""
-    found.entry = found.entry or entry()
-    form = found.entry._compile_for_args(*args)
-    insert([found.typeof_pyval(one)._code for one in args], form, False)
-    return form
-
-
-def _nothing(*_: Any) -> None:
-    """No entry for Python."""
 
 
 # Without references counted (`_nrt`), records and views of arrays cost nothing to hand around; counting took a third of the
@@ -82,14 +73,16 @@ kernel_inline: Any = _kept(**(HOT | {"forceinline": True}))
 """A step of a hot loop; as a call it would cost more than it does (records of arrays are passed by value)."""
 
 
+def compiled_at_address(function: Callable[..., Any], kinds: Any, of: Callable[..., Any], form: str, **options: Any) -> Any:
+    """A kernel with a C address, compiled at once for a signature; kept as a form of a function. It allocates if options say
+    so.
+    """
+    found: Any = CFunc(function, (kinds.args, kinds.return_type), locals={}, options=HOT | options)
+    _keep(of, found, form)
+    found.compile()
+    return found
+
+
 def kernel_entry(kinds: Any, **options: Any) -> Any:
     """A decorator for a kernel with a C address, compiled at once for one signature; it allocates only if options say so."""
-
-    def decorated(function: Callable[..., Any]) -> Any:
-        args: Any = normalize_signature(kinds)
-        found: Any = CFunc(function, args, locals={}, options=HOT | options)
-        found._cache = Kept(keeper, function)
-        found.compile()
-        return found
-
-    return decorated
+    return lambda function: compiled_at_address(function, kinds, function, "kernel", **options)

@@ -54,7 +54,7 @@ class Progress:
 
     def compiled(self, form: str = "draft") -> None:
         """It is compiled."""
-        self.count += form == "draft"
+        self.count += form in ("draft", "kernel")
         self.changed = self.clock()
         if form == "entry" or self.depth <= 1:
             self._rest()

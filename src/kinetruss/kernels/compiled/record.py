@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "B2",
     "F0",
     "F1",
     "F2",
@@ -41,6 +42,8 @@ __all__ = [
     "Floats",
     "Ints",
     "Record",
+    "U1",
+    "U2",
     "Vector",
     "on_declaration",
     "record",
@@ -88,6 +91,10 @@ I1 = Annotated[NDArray[np.int64], 0, 1]
 I2 = Annotated[NDArray[np.int64], 0, 2]
 F1 = Annotated[NDArray[np.float64], 1, 1]
 F2 = Annotated[NDArray[np.float64], 1, 2]
+U1 = Annotated[NDArray[np.uint32], None, 1]
+U2 = Annotated[NDArray[np.uint32], None, 2]
+B2 = Annotated[NDArray[np.bool_], None, 2]
+"""Arrays that no record has."""
 Floats = NDArray[np.float64]
 Ints = NDArray[np.integer[Any]]
 Flags = NDArray[np.bool_]

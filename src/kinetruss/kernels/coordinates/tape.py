@@ -34,7 +34,8 @@ class Tape(Record):
     """op, a, b, c, number (k,) : see kernels.coordinates.programs.
 
     out (r,) the operations that are results: `tasks` of them of tasks, then those of the sums of a plan.
-    period (r,) after which results are the same (0: never).
+    period (r,) after which results are the same (0: never). series : addresses of the kernels for the orders of a motion
+    (series.measured), or none.
     """
 
     tasks: I0
@@ -44,6 +45,7 @@ class Tape(Record):
     c: I1
     number: F1
     out: I1
+    series: I1
     period: F1
 
 
@@ -199,7 +201,8 @@ def tape_of(program: Program, tasks: int) -> Tape:
         raise AssertionError("a program of series has operations of laws, which have none")
     op, a, b, number, c = zip(*program.operations, strict=True)
     out, period = zip(*((value.index, period) for value, period in program.results), strict=True)
-    return Tape.of({"tasks": tasks, "op": op, "a": a, "b": b, "c": c, "number": number, "out": out, "period": period})
+    operations = {"op": op, "a": a, "b": b, "c": c, "number": number}
+    return Tape.of({"tasks": tasks, **operations, "out": out, "series": [], "period": period})
 
 
 def values(tape: Tape, x: Floats, p: Floats) -> Floats:

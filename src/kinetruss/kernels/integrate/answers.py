@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from kinetruss.kernels.compiled.calls import Apart
 from kinetruss.kernels.compiled.jit import kernel_inline
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Work
@@ -28,6 +28,10 @@ class Run(NamedTuple):
     control: Control
     memory: Memory
     work: Work
+
+
+asking = Apart("run.control.find_at")
+"""What all methods ask."""
 
 
 @kernel_inline
@@ -66,7 +70,7 @@ def take_rate(control: Control, work: Work, rate: F1) -> None:
         rate[i], rate[free.size + i] = v[free[i]], a[free[i]]
 
 
-@kernel_late
+@asking
 def find(run: Run, asked: int, near: int) -> None:
     """Answer for the state that was put down. near : 1 where factors of nearly the same positions are at hand."""
     eq, ws, memory, work = run.eq, run.ws, run.memory, run.work

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from kinetruss.kernels.compiled.calls import Apart
 from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state, take_rate
@@ -25,6 +25,8 @@ REPEATS = 5
 """Number of times that a step is shortened next to a singular position before a segment crosses it (dynamics.starting)."""
 RESIZED_MOST, SMALLER = 12, 0.88
 """Number of other sizes that are tried, and the ratio of each to the one before."""
+aside = Apart("run.control.aside_at")
+"""The step that other methods take next to a singular position."""
 BOUNDARY = 4.5
 """h |lambda| beyond which the method is near the border of its stability (5.97 on the imaginary axis, 6.4 on the real one)."""
 
@@ -36,7 +38,7 @@ def dop853_steps(run: Run, samples: Samples) -> None:
         dop853_step(run)
 
 
-@kernel_late
+@aside
 def dop853_step(run: Run) -> None:
     """One step, of the size that the last one has left, or smaller; where there is none, `code` says why."""
     control, memory, work = run.control, run.memory, run.work

@@ -12,9 +12,9 @@ import math
 
 import numpy as np
 
+from kinetruss.kernels.compiled.calls import Apart
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find
@@ -23,7 +23,10 @@ from kinetruss.kernels.integrate.samples import put_at, restore_failed
 from kinetruss.kernels.integrate.state import Control, Memory, Work
 from kinetruss.kernels.structure.terms import term_value
 
-__all__ = ["begin_watch", "scan"]
+__all__ = ["begin_watch", "scan", "watching"]
+
+watching = Apart("run.control.watching[{}]")
+"""Kernels of simulations with events."""
 
 BAND, FORCE_BAND = 1e-12, 1e-10
 """Distance from its value at which a quantity counts as equal to it: relative to it and to a member, or the largest force."""
@@ -100,7 +103,7 @@ def _band(control: Control, e: int) -> float:
     return FORCE_BAND if control.event_kind[e] == m.FORCE else BAND
 
 
-@kernel_late
+@watching
 def begin_watch(run: Run) -> None:
     """The side on which every quantity is at the start: 0 where it stands at its value."""
     control, memory, work, forces = run.control, run.memory, run.work, False
@@ -115,7 +118,7 @@ def begin_watch(run: Run) -> None:
         memory.watched[e] = 1.0 if gap > off else (-1.0 if gap < -off else 0.0)
 
 
-@kernel_late
+@watching
 def scan(run: Run) -> None:
     """Enter the events in the last step."""
     memory, work, before = run.memory, run.work, run.memory.events_met

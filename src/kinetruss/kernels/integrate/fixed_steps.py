@@ -9,7 +9,6 @@ import numpy as np
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Record, record
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
@@ -262,7 +261,7 @@ def _rings(free: I1, step: Step, first: F1) -> bool:
     return False
 
 
-@kernel_late(allocates=True)
+@kernel
 def solve_damped(eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, step: Step) -> int:
     """`solve_step` where full corrections do not converge: with as much of each as makes the next one smaller. 1 if it does.
 

@@ -14,7 +14,6 @@ import math
 from kinetruss.kernels.compiled.calls import Interface
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.laid_out import laid_out
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import (
     ENERGY,
@@ -52,7 +51,6 @@ def steps(run: Run, samples: Samples) -> None:
 _steps = steps.call
 
 
-@kernel
 def integrate(
     eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
 ) -> tuple[int, int]:
@@ -60,6 +58,23 @@ def integrate(
 
     The run in any number of calls is bit for bit that in one.
     """
+    before = memory.steps
+    code, filled = _integrated(eq, ws, user, control, memory, samples, budget)
+    if code != m.ASIDE:
+        return code, filled
+    from kinetruss.kernels.integrate.dop853_step import aside  # most runs do not need it
+
+    control.aside_at = int(aside.addresses()[0])
+    left = budget - (memory.steps - before)
+    code, more = _integrated(eq, ws, user, control, memory, samples.part(filled), left)
+    return code, filled + more
+
+
+@kernel
+def _integrated(
+    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
+    """`integrate`, or as far as ASIDE: a step of another method is wanted that is not compiled yet."""
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
     deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
@@ -93,7 +108,7 @@ def integrate(
     return work.code, work.next_sample
 
 
-@kernel_late
+@kernel_bare
 def goes_on(run: Run, samples: Samples) -> int:
     """What comes before the first step or behind one, and samples that are due; 0 where the call ends, `code` says why."""
     control, memory, work = run.control, run.memory, run.work

@@ -6,7 +6,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, I1
-from kinetruss.kernels.compiled.words import view
+from kinetruss.kernels.compiled.views import view
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import EVALUATE, PROJECT, Run, find, put_state, rule_of_fixed_steps
 from kinetruss.kernels.integrate.dop853 import interpolate, interpolate_rate

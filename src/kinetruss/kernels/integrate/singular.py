@@ -9,7 +9,6 @@ from __future__ import annotations
 import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import PIVOT, PROJECT, Run, find, rule_of_fixed_steps
@@ -78,7 +77,7 @@ def _pivot_at(run: Run, t: float) -> float:
     return run.work.new_pivot
 
 
-@kernel_late
+@kernel_bare
 def enter_passage(run: Run) -> None:
     """Enter the time of the smallest scaled pivot in the last step, near `Work.near_t`, if it is small enough.
 

@@ -28,6 +28,7 @@ ENERGY_GROWS = 6
 TOO_MANY_STEPS = 7
 NOT_CONVERGED = 8
 UNDETERMINED = 9
+ASIDE = 10
 
 # methods
 EXPLICIT_RK, MIDPOINT, ALPHA, RATTLE, TAYLOR, RADAU = range(6)
@@ -121,18 +122,20 @@ _TURNING = {"pairs": (0, 2), "angle_ptr": (1,), "angle_form": (0, 3), "angle_at"
 class Control(Record):
     """What a method is asked for, in one record.
 
-    Numbers: what the method is asked for; steps_at : address of its steps (integrate.loop). stand (3 n,) : where prescribed
-    coordinates stand, m. free (nf,) : flat coordinates of a state. length (nf,) : m, what errors in position are measured
-    in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the interval
-    behind each at which equations are evaluated. pairs (k, 2) : flat coordinates of the ends of what turns; angles
+    Numbers: what the method is asked for; steps_at : address of its steps (integrate.loop), find_at : of integrate.answers,
+    aside_at : of what takes a step of another method (integrate.dop853_step), 0 until it is wanted. stand (3 n,) : where
+    prescribed coordinates stand, m. free (nf,) : flat coordinates of a state. length (nf,) : m, what errors in position are
+    measured in. breaks (3, k + 1) : start, times at which something jumps, end of the run, s; first and last time of the
+    interval behind each at which equations are evaluated. pairs (k, 2) : flat coordinates of the ends of what turns; angles
     angle_ptr[j]:angle_ptr[j + 1] of terms (see structure.terms) that do.
     tape_ints, tape_reals : buffers of the tape of all sums, for power series; tape_laws (k, 5) : rest, period, force at rest,
     stiffness and damping of the elements on coordinates among them.
-    Watched quantities: event_kind (e,) LENGTH, COORDINATE, FORCE, SUM; event_A, event_B (e,) flat coordinates, A of a force
-    its row; event_value (e,) m, rad or N; event_direction (e,) 1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run
-    ends there; event_sampled (e,) 1 where it is no polynomial in a step; event_at (e, 6) places in a state of the coordinates
-    of both ends, -1 where prescribed; of a SUM terms event_ptr[e]:event_ptr[e + 1] in event_form, event_term, event_data (see
-    structure.terms), and event_period (e,) after which it is the same, or 0.
+    Watched quantities: watching, addresses of kernels (integrate.events), if there are any; event_kind (e,) LENGTH, COORDINATE,
+    FORCE, SUM; event_A, event_B (e,) flat coordinates, A of a force its row; event_value (e,) m, rad or N; event_direction (e,)
+    1 rising, -1 falling, 0 both; event_stops (e,) 1 where the run ends there; event_sampled (e,) 1 where it is no polynomial in
+    a step; event_at (e, 6) places in a state of the coordinates of both ends, -1 where prescribed; of a SUM terms
+    event_ptr[e]:event_ptr[e + 1] in event_form, event_term, event_data (see structure.terms), and event_period (e,) after which
+    it is the same, or 0.
     """
 
     rtol: F0
@@ -150,6 +153,9 @@ class Control(Record):
     method: F0
     orders: F0
     steps_at: I0
+    find_at: I0
+    aside_at: I0
+    watching: I1
     ptr: I1
     below: I1
     target: I1

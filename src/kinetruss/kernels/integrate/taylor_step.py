@@ -347,6 +347,9 @@ def _steps(run: Run, samples: Samples, own: SeriesWork) -> None:
     while goes_on(run, samples):
         # a singular start is left by steps whose stages lie beside it
         if memory.pivot < AT_SINGULAR * memory.pivot_most:
-            dop853_step(run)
+            if run.control.aside_at != 0:
+                dop853_step(run)
+            else:
+                run.work.code = m.ASIDE
         else:
             _step(run, own)

@@ -8,15 +8,19 @@ in tau = (t - t0)/s.
 
 from __future__ import annotations
 
-from kinetruss.kernels.compiled.late import kernel_late
+from kinetruss.kernels.compiled.calls import Apart
+from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2
 from kinetruss.kernels.coordinates.tape import Tape, backward_order, forward
 from kinetruss.kernels.series.orders import SeriesWork, table_order
 from kinetruss.kernels.structure.equations import SUM_FORCE, Equations
 from kinetruss.kernels.structure.terms import nearest_turn
 
+measured = Apart("tape.series[{}]")
+"""Kernels of equations with such sums, by power series."""
 
-@kernel_late
+
+@measured
 def sum_orders(eq: Equations, tape: Tape, work: SeriesWork, j: int, rate: float, gamma: F1) -> None:
     """gamma of J a = gamma of the sums: order j + 2 of what is asked less what the orders of the places up to j + 1 make."""
     X, T, row, scale = work.x, work.tape, eq.sum_row, eq.sum_scale
@@ -30,20 +34,20 @@ def sum_orders(eq: Equations, tape: Tape, work: SeriesWork, j: int, rate: float,
         gamma[row[i]] = rate * scale[i] * (wanted - T[j + 2, tape.out[i]])
 
 
-@kernel_late
+@measured
 def take_places(tape: Tape, work: SeriesWork, j: int) -> None:
     """Order j of all values, by the places."""
     forward(tape, work.x, work.x, j, work.tape)
 
 
-@kernel_late
+@kernel_bare
 def take_multipliers(eq: Equations, work: SeriesWork, j: int, N: F1) -> None:
     """Order j of what the rows push with, -scale N, by their multipliers."""
     for i in range(eq.sum_row.size):
         work.pushes[j, i] = -eq.sum_scale[i] * N[eq.sum_row[i]]
 
 
-@kernel_late
+@kernel_bare
 def _given(eq: Equations, tape: Tape, laws: F2, work: SeriesWork, t: float, s: float, j: int) -> None:
     """Order j of what elements and torques push with; that of rows is not known yet."""
     F, T, out, first = work.pushes, work.tape, tape.out, eq.sum_row.size
@@ -63,7 +67,7 @@ def _given(eq: Equations, tape: Tape, laws: F2, work: SeriesWork, t: float, s: f
             i += 1
 
 
-@kernel_late
+@measured
 def measured_order(eq: Equations, tape: Tape, laws: F2, work: SeriesWork, t: float, s: float, j: int, f: F1) -> None:
     """f += order j of the nodal forces, without the part of the rows' unknown order j; t (s) is where the series begins.
 

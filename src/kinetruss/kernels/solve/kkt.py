@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinetruss.kernels.compiled.calls import Apart, Interface
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats
-from kinetruss.kernels.solve.kkt_dense import dense_factor, dense_solve
-from kinetruss.kernels.solve.kkt_sparse import sparse_factor, sparse_solve
-from kinetruss.kernels.solve.kkt_sweep import sweep_factor, sweep_solve
-from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.bearings import (
     Bearings,
@@ -40,26 +36,33 @@ from kinetruss.kernels.structure.rows import (
 from kinetruss.kernels.structure.sums import add_sum_forces, sum_along, sum_gammas, sum_gaps, sum_gradients, sum_rate_gaps
 
 
-# Factor and solve with the solver at hand; no other is compiled.
+@Interface
+def factor_of_solver(eq: Equations, ws: Workspace, x: F1) -> float:
+    """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
+    raise NotImplementedError  # never called: a declaration, of which Interface reads the annotations
+
+
+@Interface
+def solve_of_solver(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
+    """Solve M a + J^T N = f, J a = gamma with these factors; only free coordinates of a are written."""
+
+
+of_bearings = Apart("eq.rubs[{}]")
+"""Kernels of equations with friction of bearings."""
+
+_factor, _solve = factor_of_solver.call, solve_of_solver.call
+
+
 @kernel_bare
 def call_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """`factor` of the solver at hand."""
-    if eq.solver == e.DENSE:
-        return dense_factor(eq, ws, x)
-    if eq.solver == e.SPARSE:
-        return sparse_factor(eq, ws, x)
-    return sweep_factor(eq, ws, x)
+    return _factor(eq.factor_at, (eq, ws, x))
 
 
 @kernel_bare
 def call_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """`solve` with the factors at hand."""
-    if eq.solver == e.DENSE:
-        dense_solve(eq, ws, f, gamma, a, N)
-    elif eq.solver == e.SPARSE:
-        sparse_solve(eq, ws, f, gamma, a, N)
-    else:
-        sweep_solve(eq, ws, f, gamma, a, N)
+    _solve(eq.solve_at, (eq, ws, f, gamma, a, N))
 
 
 # What holds redundant rows together is the same everywhere: sum w N^2 is least.
@@ -163,7 +166,7 @@ def solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     call_solve(eq, ws, f, gamma, a, N)
 
 
-@kernel_late(allocates=True)
+@kernel
 def _refine(eq: Equations, ws: Workspace, x: F1, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve for what a solution leaves of its equations, until that is round-off (Higham 2002, ch. 12)."""
     free = eq.free
@@ -271,7 +274,7 @@ def accelerate_smoothly(eq: Equations, ws: Workspace, x: F1, v: F1, a: F1, N: F1
 # with R_0 from the solution without friction, and B_j from one more for a unit couple in each bearing.
 
 
-@kernel_late(allocates=True)
+@of_bearings(allocates=True)
 def rub(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, a: F1, N: F1) -> None:
     """Add what the friction of bearings changes to a (3 n,) and N (r,) without it; the couples into ws.couple (k,), N m.
 
@@ -311,7 +314,7 @@ def rub(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, a: F1, N: F1) -> N
             N[i] += share * dN[j, i]
 
 
-@kernel_late(allocates=True)
+@of_bearings(allocates=True)
 def add_friction(eq: Equations, ws: Workspace, t: float, x: F1, v: F1, f: F1) -> None:
     """Add the nodal forces of the friction of bearings to f (3 n,), all other forces, at the places of the factors at hand."""
     b, a, N = Bearings(eq.bearing_ints, eq.bearing_reals), np.empty(x.size), np.empty(eq.kind.size)

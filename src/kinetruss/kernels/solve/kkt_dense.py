@@ -9,13 +9,12 @@ factored, with rows added to it, M + c J^T J, where nodes without mass leave it 
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, Vector
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve, drop_cholesky, share
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.mass import blocks_of, direction
 from kinetruss.kernels.structure.structure import Structure
-from kinetruss.kernels.structure.sums import sum_columns, sum_of, sum_vector
+from kinetruss.kernels.structure.sums import augment_sum, sum_columns, sum_of, sum_vector, sums_of_solution
 
 __all__ = ["ASSEMBLED", "COUPLED", "SEPARATE", "dense_factor", "dense_solve"]
 
@@ -116,7 +115,7 @@ def _drop(eq: Equations, ws: Workspace) -> float:
     return drop_cholesky(ws.S, ws.diagonal, eq.redundant_row, eq.sure != 0, ws.dependent, ws.order)
 
 
-@kernel_late
+@kernel_bare
 def dense_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Factor at x with the gradients in ws. Returns the smallest scaled pivot."""
     if eq.mode == ASSEMBLED:
@@ -125,23 +124,6 @@ def dense_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     S = ws.S
     _quadratic_forms(eq.mode, eq.dense_pair, ws.u, S)
     return _drop(eq, ws)
-
-
-@kernel_late(allocates=True)
-def _augment_sum(eq: Equations, ws: Workspace, k: int, augmentation: float, D: F2) -> None:
-    """D += augmentation J_k^T J_k, where row k is a sum."""
-    j, row = sum_of(eq.sum_row, k), ws.c
-    if j < 0:
-        return
-    # J_k as a dense vector
-    for i in range(row.size):
-        row[i] = 0.0
-    sum_vector(eq, ws, j, 1.0, row)
-    # rank-one term c J_k^T J_k
-    for i in range(row.size):
-        if row[i] != 0.0:
-            for m in range(row.size):
-                D[i, m] += augmentation * row[i] * row[m]
 
 
 @kernel_bare
@@ -161,7 +143,7 @@ def _masses(eq: Equations, ws: Workspace, x: F1) -> None:
         k = augmented_row[j]
         a, b, g = A[k], B[k], (u[0, k], u[1, k], u[2, k])
         if sums:
-            _augment_sum(eq, ws, k, augmentation, D)
+            augment_sum(eq, ws, k, augmentation, D)
         _block(D, local, a, a, 0.0, augmentation, g)
         _block(D, local, a, b, 0.0, -augmentation, g)
         _block(D, local, b, a, 0.0, -augmentation, g)
@@ -213,24 +195,7 @@ def _add_row_force(local: I1, a: int, b: int, ux: float, uy: float, uz: float, a
             out[j] += amount * u
 
 
-@kernel_late(allocates=True)
-def _sums_of_solution(eq: Equations, ws: Workspace, gamma: F1, y: F1, rhs: F1) -> None:
-    """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
-    terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
-    local = eq.local
-    # J y - gamma with the gradients of each term at its four nodes
-    for j in range(row.size):
-        total = -gamma[row[j]]
-        for t in range(ptr[j], ptr[j + 1]):
-            for n in range(4):
-                for c in range(3):
-                    i = local[at[t, n] + c]
-                    if i >= 0:
-                        total += terms[t, 3 * n + c] * y[i]
-        rhs[row[j]] = total
-
-
-@kernel_late
+@kernel_bare
 def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of `dense_factor`; only free coordinates of a are written."""
     mode, inverse = eq.mode, eq.dense_inverse
@@ -260,7 +225,7 @@ def dense_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) ->
                 total += u[c, k] * y[j]
         N[k] = total
     if sums:
-        _sums_of_solution(eq, ws, gamma, y, N)
+        sums_of_solution(eq, ws, gamma, y, N)
     missing = False
     # in the order of the pivots
     for k in range(n):

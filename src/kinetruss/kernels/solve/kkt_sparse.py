@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I2, Vector
 from kinetruss.kernels.solve.ldl import COORDINATE, ldl_dropped, ldl_solve
 from kinetruss.kernels.structure.equations import Equations, Workspace
@@ -84,7 +83,7 @@ def _augment(eq: Equations, u: F2, value: F1) -> None:
         _put_augmented(augmented_block, j, value, u, augmented_row[j], augmentation)
 
 
-@kernel_late
+@kernel_bare
 def sparse_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Assemble and factor at x. Returns the smallest scaled pivot of rows that are not redundant.
 
@@ -191,7 +190,7 @@ def _share(eq: Equations, ws: Workspace, N: F1) -> None:
             return
 
 
-@kernel_late
+@kernel_bare
 def sparse_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of `sparse_factor`; only free coordinates of a are written."""
     free, place, row_place = eq.free, eq.sparse_place, eq.sparse_row_place

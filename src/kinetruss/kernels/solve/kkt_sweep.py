@@ -9,7 +9,6 @@ Several plans may be given: the first whose pivots are good is taken, else the b
 from __future__ import annotations
 
 from kinetruss.kernels.compiled.jit import kernel_bare, kernel_inline
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1
 from kinetruss.kernels.solve.cholesky import cholesky, cholesky_solve
 from kinetruss.kernels.solve.elimination import complete_pivots
@@ -222,7 +221,7 @@ def _along(a: F1, b: F1) -> float:
     return (p + q) + (r + s)
 
 
-@kernel_late
+@kernel_bare
 def sweep_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     """Eliminate, sweep the modes T, factor T^T M T. Returns the smallest pivot."""
     plans, taken = eq.sweep_plans, ws.taken
@@ -256,7 +255,7 @@ def sweep_factor(eq: Equations, ws: Workspace, x: F1) -> float:
     return best
 
 
-@kernel_late
+@kernel_bare
 def sweep_solve(eq: Equations, ws: Workspace, f: F1, gamma: F1, a: F1, N: F1) -> None:
     """Solve M a + J^T N = f, J a = gamma with the factors of `sweep_factor`; only free coordinates of a are written."""
     plans, chosen, free = eq.sweep_plans, ws.taken[0], eq.free

@@ -12,7 +12,7 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.record import F1, I1
-from kinetruss.kernels.compiled.words import view
+from kinetruss.kernels.compiled.views import view
 
 __all__ = ["COORDINATE", "REDUNDANT", "ROW", "ldl_dropped", "ldl_factor", "ldl_pattern", "ldl_solve", "ldl_targets"]
 

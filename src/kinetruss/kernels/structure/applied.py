@@ -16,16 +16,15 @@ from numba import types
 from numpy.typing import NDArray
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_entry
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1
-from kinetruss.kernels.compiled.words import intrinsic
+from kinetruss.kernels.compiled.views import intrinsic
 from kinetruss.kernels.structure import equations as e
 from kinetruss.kernels.structure.element_table import element_forces, forces_of
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.laws import add_law_forces
 from kinetruss.kernels.structure.mass import add_varying_forces
+from kinetruss.kernels.structure.sums import sum_torques
 from kinetruss.kernels.structure.tables import entry_at
-from kinetruss.kernels.structure.terms import add_term, term_gradient
 
 _vector = types.float64[::1]
 USER_FORCE = types.void(types.float64, _vector, _vector, _vector)
@@ -47,32 +46,6 @@ def call_at(typing_context: Any, address: Any, t: Any, x: Any, v: Any, f: Any) -
         return context.get_dummy_value()
 
     return types.void(types.int64, *USER_FORCE.args), codegen
-
-
-@kernel
-def _add_torque(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
-    """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
-    form, at, data = eq.term_form, eq.term_at, eq.term_data
-    # T dq/dx
-    for k in range(first, last):
-        term_gradient(form, at, data, k, x, scratch)
-        add_term(at, k, scratch, amount, f)
-
-
-@kernel_late(allocates=True)
-def _couples(eq: Equations, t: float, x: F1, f: F1) -> None:
-    """Given torques on sums of terms."""
-    kind, A, B, ptr = (
-        eq.force_kind,
-        eq.force_A,
-        eq.force_B,
-        eq.force_ptr,
-    )
-    time, value, scratch = eq.force_time, eq.force_value, np.empty(24)
-    # torques on sums alone
-    for g in range(kind.size):
-        if kind[g] == e.SUM_FORCE:
-            _add_torque(eq, A[g], B[g], entry_at(time, value, ptr[g], ptr[g + 1], t), x, f, scratch)
 
 
 @kernel_bare
@@ -117,8 +90,8 @@ def applied(eq: Equations, user: int, t: float, x: F1, v: F1, f: F1) -> None:
     element_forces(eq, t, x, v, f)
     if eq.force_kind.size:
         _given(eq, t, x, f)
-        if eq.term_form.size:
-            _couples(eq, t, x, f)
+        if eq.sums.size:
+            sum_torques(eq, t, x, f)
     forces_of(eq.load, eq.load_ints, eq.load_reals, t, x, v, f)
     if user != 0:
         call_at(user, t, x, v, f)

@@ -14,7 +14,6 @@ import math
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2, Floats, Record, Vector, record
 from kinetruss.kernels.structure.element_table import forces_of
 from kinetruss.kernels.structure.equations import Equations
@@ -314,7 +313,7 @@ def _element_amount(p: JointLoads, e: int, t: float, x: F1, v: F1, f: F1, g: F1,
     return along / square
 
 
-@kernel_late(allocates=True)
+@kernel
 def known_loads(eq: Equations, p: JointLoads, t: float, x: F1, v: F1, f: F1, g: F1, scratch: F1, out: F2) -> None:
     """Add what follows from t, x, v alone to the forces of bearings (k, 3), N; f, g (3 n,), scratch (24,) : scratch."""
     down = (-eq.gravity[0], -eq.gravity[1], -eq.gravity[2])

@@ -23,25 +23,29 @@ COORDINATE_FORCE, LENGTH_FORCE, ANGLE_FORCE, SUM_FORCE = 0, 1, 2, 3
 class Equations(Structure):
     """The element tables of a structure, and what else does not change along a run; read only.
 
-    solver : DENSE, SPARSE, SWEEP. mode : of the dense solver. shared : 1 if the sparse solver shares redundant forces. sure : 1
-    if rows that are redundant are so all along the motion.
+    solver : DENSE, SPARSE, SWEEP; factor_at, solve_at : addresses of its kernels (solve.kkt). mode : of the dense solver.
+    shared : 1 if the sparse solver shares redundant forces. sure : 1 if rows that are redundant are so all along the motion.
     free (nf,) flat free coordinates; local (3 n,) their place, -1 where prescribed.
     held (h,) prescribed coordinates that move and held_motion (h,) the motion of each.
     Rows: row (r,) index in the system; A, B (r,) flat first coordinates of the ends; kind (r,) LENGTH, ANGLE, SUM; motion (r,)
     of the value or -1; value (r,); weight (r,) of the least-squares share; redundant_row (r,) redundant at the start.
     Motions (structure.rows): motion_kind (d,), motion_data (d, 4), motion_ptr (d + 1,), piece_start (p,), piece (p, w).
     constant (3 n,) : weight of constant masses; gravity (3,), lump_gravity (n, 3).
-    Sums: sum_row (s,) the rows of kind SUM; terms sum_ptr[j]:sum_ptr[j+1] of sum j in term_form (t, 3), term_at (t, 4),
-    term_data (t, 7) as in structure.terms, behind them those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
+    Sums: sums, addresses of their kernels (structure.sums), or none; sum_row (s,) the rows of kind SUM; terms
+    sum_ptr[j]:sum_ptr[j+1] of sum j in term_form (t, 3), term_at (t, 4), term_data (t, 7) as in structure.terms, behind them
+    those of given forces; sum_scale, sum_period (s,), sum_size (s,) m.
     Given forces: force_kind, force_A, force_B (g,) coordinates (of a SUM_FORCE first and last term), force_ptr (g + 1,),
     force_time, force_value; force_drive (g,) or -1.
     Loads that depend on positions: load, load_ints, load_reals, a table of kinds as `element`, with forces alone
     (elements.loads); load_time, at which their amounts bend, s.
-    Friction of bearings: buffers of the records `Bearings` and `JointLoads` of structure.bearings, empty without bearings.
+    Friction of bearings: rubs, addresses of its kernels (solve.kkt), or none; buffers of the records `Bearings` and
+    `JointLoads` of structure.bearings, empty without bearings.
     dense_*, sweep_*, sparse_* : see the solvers.
     """
 
     solver: I0
+    factor_at: I0
+    solve_at: I0
     mode: I0
     shared: I0
     sure: I0
@@ -104,10 +108,12 @@ class Equations(Structure):
     load_ints: I1
     load_reals: F1
     load_time: F1
+    rubs: I1
     bearing_ints: I1
     bearing_reals: F1
     pressed_ints: I1
     pressed_reals: F1
+    sums: I1
     sum_row: I1
     sum_ptr: I1
     term_form: I2

@@ -79,6 +79,9 @@ RIGID_SHAPE, ALONE, SIZE = 0, 1, 2
 """How a row counts in the singularity measure: not, as a bar that keeps the shape of a rigid part; by itself; as one of the
 bars that give a rigid part its size."""
 
+SMALL = 12
+"""Rows up to which a block is factored as a full matrix: it is faster than counting zeros."""
+
 
 @record
 class Plan(Record):
@@ -91,14 +94,16 @@ class Plan(Record):
     Rows from ptr[-1] on are redundant and in no block. `width` is the size of the largest block.
     Entries entry_ptr[b]:entry_ptr[b+1] of block b: component entry_axis of the gradient of row entry_row, times entry_sign
     (+1 at B, -1 at A), goes to column entry_col of that row of the block's matrix.
-    Sums (kind SUM): sum_row (s,) their rows, of which sum_ptr[b]:sum_ptr[b+1] are in block b and the last ones redundant;
-    terms term_ptr[j]:term_ptr[j+1] of sum j, term_form, term_at, term_data (structure.terms); sum_scale (s,) of the row,
-    sum_period (s,). Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: entry sum_entry[., 2] of the gradient of
-    term sum_entry[., 1] is added to row sum_entry[., 0], column sum_entry[., 3].
+    Sums (kind SUM): sum_row (s,) their rows, of which sum_ptr[b]:sum_ptr[b+1] are in block b and the last ones redundant; terms
+    term_ptr[j]:term_ptr[j+1] of sum j, term_form, term_at, term_data (structure.terms); sum_scale (s,) of the row, sum_period
+    (s,); sums: addresses of their kernels (structure.sums), or none. Entries sum_entry_ptr[b]:sum_entry_ptr[b+1]: entry
+    sum_entry[., 2] of the gradient of term sum_entry[., 1] is added to row sum_entry[., 0], column sum_entry[., 3].
     Rigid parts (mechanics.rigid_parts): counts (rows,) RIGID_SHAPE, ALONE or SIZE; seen (cols,) 0 where nothing but
     its own part depends on a node, else 1. Parts sized_ptr[b]:sized_ptr[b+1] of block b have the rows size_row[., 0] from
     size_ptr[g] to size_ptr[g+1]; size_row[., 1] is 1 for those that may be the longest. hand[hand_ptr[b]:hand_ptr[b+1]]: flat
     coordinates of nodes of a part, the last one of which (the third if the fourth is -1) keeps its side of the others.
+    large, shares : addresses of kernels for blocks that are large (sweep.blocks), and for rows that are redundant
+    (sweep.forces), where there are such.
     """
 
     width: I0
@@ -135,3 +140,6 @@ class Plan(Record):
     size_row: I2
     hand_ptr: I1
     hand: I2
+    sums: I1
+    large: I1
+    shares: I1

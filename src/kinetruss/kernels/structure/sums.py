@@ -5,16 +5,24 @@ A row reads scale (sum - target) = 0, with the difference taken the shortest way
 
 from __future__ import annotations
 
+import numpy as np
+
+from kinetruss.kernels.compiled.calls import Apart
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, I1, I2
-from kinetruss.kernels.structure.equations import Equations, Workspace
+from kinetruss.kernels.structure.equations import SUM_FORCE, Equations, Workspace
 from kinetruss.kernels.structure.structure import Plan
+from kinetruss.kernels.structure.tables import entry_at
 from kinetruss.kernels.structure.terms import add_term, nearest_turn, term_along, term_gradient, term_second, term_value
 
+of_plan = Apart("plan.sums[{}]")
+"""Kernels of plans with such rows."""
+of_equations = Apart("eq.sums[{}]")
+"""Kernels of equations with such rows, or with torques on sums."""
 
-@kernel_late
+
+@of_plan
 def sum_terms(plan: Plan, b: int, x: F1, terms: F2) -> None:
     """Gradients of the terms of block b (one behind the last: of redundant rows) at flat positions x into terms (t, 24)."""
     first, last = plan.sum_ptr[b], plan.sum_ptr[b + 1] if b + 1 < plan.sum_ptr.size else plan.sum_row.size
@@ -26,7 +34,7 @@ def sum_terms(plan: Plan, b: int, x: F1, terms: F2) -> None:
                 terms[t, c] *= plan.sum_scale[j]
 
 
-@kernel_late
+@of_plan
 def sum_residuals(plan: Plan, b: int, first: int, x: F1, target: F1, work: F1) -> None:
     """Minus the residuals of the sums of block b, whose rows begin at `first`, into work."""
     # -Phi = -scale (sum of the terms - target)
@@ -37,7 +45,7 @@ def sum_residuals(plan: Plan, b: int, first: int, x: F1, target: F1, work: F1) -
         work[plan.sum_row[j] - first] = -plan.sum_scale[j] * nearest_turn(gap, plan.sum_period[j])
 
 
-@kernel_late
+@of_plan
 def sum_jacobian(plan: Plan, b: int, terms: F2, lu: F2) -> None:
     """Rows of the sums of block b in its matrix."""
     # J of the block: entry c of the gradient of term t
@@ -54,7 +62,7 @@ def sum_first(plan: Plan, b: int, first: int, work: F1) -> None:
         work[plan.sum_row[j] - first] *= plan.sum_scale[j]
 
 
-@kernel_late
+@of_plan
 def sum_known(plan: Plan, b: int, first: int, y: F1, terms: F2, work: F1) -> None:
     """Take what the gradients of the sums of block b make of y off work."""
     # take J y of the known coordinates off the right-hand side
@@ -63,7 +71,7 @@ def sum_known(plan: Plan, b: int, first: int, y: F1, terms: F2, work: F1) -> Non
             work[plan.sum_row[j] - first] -= term_along(plan.term_at, t, terms[t], y)
 
 
-@kernel_late
+@of_plan
 def sum_second(plan: Plan, b: int, first: int, x: F1, v: F1, wanted: F1, work: F1, scratch: F1) -> None:
     """Right-hand sides of the sums of block b for accelerations: what drives ask (drives,) less what v makes; scratch (24,)."""
     # gamma = scale (q'' - J' v)
@@ -85,7 +93,7 @@ def sum_of(sum_row: I1, k: int) -> int:
     return -1
 
 
-@kernel_late
+@of_plan
 def add_sum_force(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> None:
     """rest -= J^T amount of sum j."""
     # -J^T N of the terms
@@ -99,7 +107,7 @@ def add_sum_force(plan: Plan, j: int, terms: F2, amount: float, rest: F1) -> Non
 # 0.
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
     """Gradients of all sums at x into ws.terms."""
     terms, ptr, scale = ws.terms, eq.sum_ptr, eq.sum_scale
@@ -112,7 +120,7 @@ def sum_gradients(eq: Equations, ws: Workspace, x: F1) -> None:
                 terms[t, c] *= scale[j]
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
     """J y of the sums into their places of out (r,)."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
@@ -124,7 +132,7 @@ def sum_along(eq: Equations, ws: Workspace, y: F1, out: F1) -> None:
         out[row[j]] = total
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def add_sum_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
     """f -= J^T N of the sums."""
     terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
@@ -134,7 +142,7 @@ def add_sum_forces(eq: Equations, ws: Workspace, N: F1, f: F1) -> None:
             add_term(at, t, terms[t], -N[row[j]], f)
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def sum_gaps(eq: Equations, x: F1, target: F2, out: F1, largest: float) -> float:
     """Residuals of the sums at x into out (r,); returns the largest share of a length so far (an angle counts as it is)."""
     ptr, row, scale, period = (
@@ -156,7 +164,7 @@ def sum_gaps(eq: Equations, x: F1, target: F2, out: F1, largest: float) -> float
     return largest
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, target: F2, out: F1, largest: float) -> float:
     """J v minus the wanted rates of the sums into out (r,); returns the largest so far (m/s)."""
     sum_along(eq, ws, v, out)
@@ -168,7 +176,7 @@ def sum_rate_gaps(eq: Equations, ws: Workspace, v: F1, target: F2, out: F1, larg
     return largest
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def sum_gammas(eq: Equations, ws: Workspace, x: F1, v: F1, gamma: F1) -> None:
     """Right-hand sides of J a = gamma of the sums; what their motions ask stands in gamma already, unscaled."""
     ptr, row, scale = eq.sum_ptr, eq.sum_row, eq.sum_scale
@@ -194,13 +202,47 @@ def sum_vector(eq: Equations, ws: Workspace, j: int, amount: float, out: F1) -> 
                     out[i] += amount * terms[t, 3 * n + c]
 
 
-@kernel_late(allocates=True)
+@of_equations(allocates=True)
 def sum_columns(eq: Equations, ws: Workspace, W: F2) -> None:
     """W += J^T in the columns of the sums, W (nf, r)."""
     row = eq.sum_row
     # one column of J^T for each sum
     for j in range(row.size):
         sum_vector(eq, ws, j, 1.0, W[:, row[j]])
+
+
+@of_equations(allocates=True)
+def augment_sum(eq: Equations, ws: Workspace, k: int, augmentation: float, D: F2) -> None:
+    """D += augmentation J_k^T J_k, where row k is a sum."""
+    j, row = sum_of(eq.sum_row, k), ws.c
+    if j < 0:
+        return
+    # J_k as a dense vector
+    for i in range(row.size):
+        row[i] = 0.0
+    sum_vector(eq, ws, j, 1.0, row)
+    # rank-one term c J_k^T J_k
+    for i in range(row.size):
+        if row[i] != 0.0:
+            for m in range(row.size):
+                D[i, m] += augmentation * row[i] * row[m]
+
+
+@of_equations(allocates=True)
+def sums_of_solution(eq: Equations, ws: Workspace, gamma: F1, y: F1, rhs: F1) -> None:
+    """rhs = J y - gamma of the sums, y (nf,) by free coordinates."""
+    terms, ptr, row, at = ws.terms, eq.sum_ptr, eq.sum_row, eq.term_at
+    local = eq.local
+    # J y - gamma with the gradients of each term at its four nodes
+    for j in range(row.size):
+        total = -gamma[row[j]]
+        for t in range(ptr[j], ptr[j + 1]):
+            for n in range(4):
+                for c in range(3):
+                    i = local[at[t, n] + c]
+                    if i >= 0:
+                        total += terms[t, 3 * n + c] * y[i]
+        rhs[row[j]] = total
 
 
 @kernel_bare
@@ -211,3 +253,32 @@ def sum_entries(ws: Workspace, entry: I2, value: F1) -> None:
     for t in range(entry.shape[0]):
         for c in range(12):
             value[entry[t, c]] += terms[t, c]
+
+
+# Given torques on sums: couples that follow the bodies.
+
+
+@kernel
+def _add_torque(eq: Equations, first: int, last: int, amount: float, x: F1, f: F1, scratch: F1) -> None:
+    """f += amount times the gradient of terms first:last: a couple that follows the bodies."""
+    form, at, data = eq.term_form, eq.term_at, eq.term_data
+    # T dq/dx
+    for k in range(first, last):
+        term_gradient(form, at, data, k, x, scratch)
+        add_term(at, k, scratch, amount, f)
+
+
+@of_equations(allocates=True)
+def sum_torques(eq: Equations, t: float, x: F1, f: F1) -> None:
+    """Given torques on sums of terms."""
+    kind, A, B, ptr = (
+        eq.force_kind,
+        eq.force_A,
+        eq.force_B,
+        eq.force_ptr,
+    )
+    time, value, scratch = eq.force_time, eq.force_value, np.empty(24)
+    # torques on sums alone
+    for g in range(kind.size):
+        if kind[g] == SUM_FORCE:
+            _add_torque(eq, A[g], B[g], entry_at(time, value, ptr[g], ptr[g + 1], t), x, f, scratch)

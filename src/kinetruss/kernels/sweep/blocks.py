@@ -10,14 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kinetruss.kernels.compiled.calls import Apart
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I1, Floats
-from kinetruss.kernels.compiled.words import B2
+from kinetruss.kernels.compiled.record import B2, F1, F2, I1, Floats
 from kinetruss.kernels.structure.mass import between, dot
 from kinetruss.kernels.structure.rows import row_gradient, row_residual, unit_gradient
-from kinetruss.kernels.structure.structure import LENGTH, Plan
+from kinetruss.kernels.structure.structure import LENGTH, SMALL, Plan
 from kinetruss.kernels.structure.sums import sum_jacobian, sum_known, sum_residuals, sum_terms
 from kinetruss.kernels.sweep.lu import (
     FAILED,
@@ -32,9 +31,9 @@ from kinetruss.kernels.sweep.lu import (
     sparse_solve_transposed,
 )
 
-SMALL = 12
-"""Rows up to which a block is factored as a full matrix: it is faster than counting zeros."""
 NEW, SPARSE, FULL = 0, 1, 2
+large = Apart("plan.large[{}]")
+"""Kernels of blocks of more than `SMALL` rows."""
 
 
 class Workspace(NamedTuple):
@@ -149,7 +148,7 @@ def factor_gradients(plan: Plan, w: Workspace, b: int) -> float:
     return _factor_large(plan, w, b)
 
 
-@kernel_late
+@large
 def _factor_large(plan: Plan, w: Workspace, b: int) -> float:
     """Factor the Jacobian of a large block, in the order of elimination found for it while that is good."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -185,6 +184,16 @@ def _mark(plan: Plan, w: Workspace, b: int) -> None:
         w.full[plan.sum_entry[e, 0] - first, plan.sum_entry[e, 3]] = True
 
 
+@large
+def _solve_large(plan: Plan, w: Workspace, first: int, last: int, y: F1) -> None:  # noqa: ARG001 - plan has its address
+    sparse_solve(w.lu, w.order, first, last, y, w.scratch)
+
+
+@large
+def _solve_large_transposed(plan: Plan, w: Workspace, first: int, last: int, y: F1) -> None:  # noqa: ARG001
+    sparse_solve_transposed(w.lu, w.order, first, last, y, w.scratch)
+
+
 @kernel_inline
 def factor(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
     """Gradients of block b at x[i], and the factors of its Jacobian; returns the sign of its determinant (0: singular)."""
@@ -205,7 +214,7 @@ def solve(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
-        sparse_solve(w.lu, w.order, first, last, y, w.scratch)
+        _solve_large(plan, w, first, last, y)
     else:
         lu_solve(w.lu, w.pivot, first, last - first, y)
 
@@ -215,7 +224,7 @@ def solve_transposed(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the transposed factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
-        sparse_solve_transposed(w.lu, w.order, first, last, y, w.scratch)
+        _solve_large_transposed(plan, w, first, last, y)
     else:
         lu_solve_transposed(w.lu, w.pivot, first, last - first, y)
 
@@ -282,7 +291,8 @@ def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -
         first = plan.ptr[b]
         for k in range(first, plan.ptr[b + 1]):
             w.work[k - first] = rhs[i, s, k] - known(plan, w, k, y[i], s)
-        sum_known(plan, b, first, y[i, s], w.terms, w.work)
+        if plan.sums.size:
+            sum_known(plan, b, first, y[i, s], w.terms, w.work)
         solve(plan, w, b, w.work)
         for k in range(first, plan.ptr[b + 1]):
             y[i, s, plan.col[k]] = w.work[k - first]
@@ -301,7 +311,8 @@ def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats) -> None:
     for i in range(x.shape[0]):
         _gradients(plan, w, x, i)
         for b in range(plan.ptr.size - 1):
-            sum_terms(plan, b, x[i], w.terms)
+            if plan.sums.size:
+                sum_terms(plan, b, x[i], w.terms)
             factor_gradients(plan, w, b)
         for s in range(rhs.shape[1]):
             _changes(plan, w, rhs, y, i, s)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinetruss.kernels.compiled.calls import Apart
 from kinetruss.kernels.compiled.jit import kernel, kernel_inline
-from kinetruss.kernels.compiled.late import kernel_late
 from kinetruss.kernels.compiled.record import F1, F2, Floats, Vector
 from kinetruss.kernels.structure.element_table import element_balances, element_forces
 from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rate
@@ -19,7 +19,10 @@ from kinetruss.kernels.structure.sums import add_sum_force, sum_of, sum_terms
 from kinetruss.kernels.sweep.blocks import Workspace, factor, gradients, set_targets, solve_transposed, workspace
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
-__all__ = ["applied", "energies", "forces"]
+__all__ = ["applied", "energies", "forces", "shares"]
+
+shares = Apart("plan.shares[{}]")
+"""Kernels of plans with redundant rows."""
 
 
 @kernel_inline
@@ -58,7 +61,7 @@ def _force_of(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None
         add_sum_force(plan, j, w.terms, amount, rest)
 
 
-@kernel_late(allocates=True)
+@shares(allocates=True)
 def _share(plan: Plan, weight: F1, w: Workspace, rest: F1, N: F1) -> None:
     """Give the redundant rows their share: N = N0 + S z with z from least sum weight N^2."""
     first, rows = plan.ptr[-1], N.size
@@ -205,7 +208,8 @@ def forces(
         _sweep_back(plan, w, rest[i], row_force)
         if plan.ptr[-1] < row_force.size:
             gradients(plan, w, plan.ptr[-1], row_force.size, x, i)
-            sum_terms(plan, blocks, x[i], w.terms)
+            if plan.sums.size:
+                sum_terms(plan, blocks, x[i], w.terms)
             _share(plan, weight, w, rest[i], row_force)
         _put(plan, w, row_force, i, N, out.joint)
 

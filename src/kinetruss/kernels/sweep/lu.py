@@ -16,9 +16,7 @@ import numpy as np
 
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
 from kinetruss.kernels.compiled.larger import larger
-from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I1
-from kinetruss.kernels.compiled.words import B2, U1, U2
+from kinetruss.kernels.compiled.record import B2, F1, F2, I1, U1, U2
 
 TINY = 1e-100
 
@@ -297,7 +295,7 @@ def _parity(row: U1, col: U1, first: int, last: int) -> float:
     return sign
 
 
-@kernel_late
+@kernel_bare
 def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> None:
     """Solve A y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order
@@ -320,7 +318,7 @@ def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1
         b[k] = scratch[k]
 
 
-@kernel_late
+@kernel_bare
 def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> None:
     """Solve A^T y = b in place, b[:last-first], with the factors in this order."""
     row, col, low, up, n_low, n_up = order

@@ -1,13 +1,8 @@
-"""Kernels that are compiled when they are first called."""
+"""Kernels that others reach at addresses."""
 
 from __future__ import annotations
 
-import os
-import signal
-import subprocess
-import sys
 import threading
-from pathlib import Path
 from types import GenericAlias
 from typing import Annotated, NamedTuple
 
@@ -16,10 +11,9 @@ import pytest
 from numba import float64
 from numba.core.errors import TypingError
 
+from kinetruss.kernels.compiled.calls import Apart, Interface, type_of
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare, kernel_inline
-from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1, F2, I0, Record, record
-from kinetruss.kernels.compiled.words import U1, kind_of
+from kinetruss.kernels.compiled.record import F1, F2, I0, I1, U1, Record, record
 
 
 @record
@@ -27,6 +21,7 @@ class Numbers(Record):
     """A record for tests."""
 
     count: I0
+    at: I1
     a: F1
     m: F2
 
@@ -37,6 +32,7 @@ class Others(Record):
 
     m: F2
     a: F1
+    at: I1
 
 
 class Both(NamedTuple):
@@ -46,7 +42,10 @@ class Both(NamedTuple):
     places: U1
 
 
-@kernel_late
+needed = Apart("numbers.at[{}]")
+
+
+@needed
 def weighed(numbers: Numbers, x: F1, y: F2, scale: float, k: int) -> float:
     """Reads all that it is given, and writes."""
     total = scale * k + numbers.count
@@ -57,12 +56,12 @@ def weighed(numbers: Numbers, x: F1, y: F2, scale: float, k: int) -> float:
     return total
 
 
-@kernel_late(allocates=True)
-def picked(both: Both, x: F1) -> None:
-    """Writes the a at the places into x."""
+@needed(allocates=True)
+def picked(numbers: Numbers, both: Both, x: F1) -> None:
+    """Writes a plus the count at the places into x."""
     found = np.empty(x.size)
     for i in range(x.size):
-        found[i] = both.numbers.a[both.places[i]]
+        found[i] = both.numbers.a[both.places[i]] + numbers.count
     x[:] = found
 
 
@@ -73,35 +72,47 @@ def outer(numbers, x, y, wanted):
 
 @kernel
 def through(numbers, places, x):
-    picked(Both(numbers, places), x)
+    picked(numbers, Both(numbers, places), x)
 
 
-def numbers():
-    return Numbers.of({"count": 5, "a": np.arange(3.0), "m": np.zeros((2, 2))})
+def numbers(at=()):
+    return Numbers.of({"count": 5, "at": np.array(at, np.int64), "a": np.arange(3.0), "m": np.zeros((2, 2))})
 
 
 @pytest.mark.slow
-def test_it_is_compiled_when_it_is_first_called():
+def test_who_calls_it_compiles_without_it_and_finds_it_at_its_address():
     one, x, y = numbers(), np.ones(3), np.zeros((2, 2))
     assert outer(one, x, y, False) == 0.0
-    assert weighed.late.entry is None
+    (interface, inner), _ = needed._kernels
+    assert not interface._compiled
+    one = numbers(needed.addresses())
     assert outer(one, x, y, True) == 2.0 * 3 + 5 + 3.0
     assert (y[1, 1], one.m[1, 0]) == (14.0, 14.0)
-    entry = weighed.late.entry
     assert outer(one, 2 * x, y, True) == 17.0
-    assert weighed.late.entry is entry
+    assert interface.address(inner) == needed.addresses()[0]
 
 
 def test_python_calls_it_as_any_other():
-    one, x, y = numbers(), np.ones(3), np.zeros((2, 2))
+    one, x, y = numbers(needed.addresses()), np.ones(3), np.zeros((2, 2))
     assert weighed(one, x, y, 0.5, 2) == 9.0
 
 
 @pytest.mark.slow
 def test_named_tuples_and_whole_numbers_without_sign():
     x = np.zeros(2)
-    through(numbers(), np.array([2, 1], np.uint32), x)
-    assert x.tolist() == [2.0, 1.0]
+    through(numbers(needed.addresses()), np.array([2, 1], np.uint32), x)
+    assert x.tolist() == [7.0, 6.0]
+
+
+def test_all_of_a_group_are_of_one_file():
+    """Places in the array would depend on which file is imported first, and compiled code has them."""
+
+    def other(numbers: Numbers) -> float:
+        return 0.0
+
+    other.__module__ = "elsewhere"
+    with pytest.raises(TypeError, match="other is not of"):
+        needed(other)
 
 
 @pytest.mark.parametrize(
@@ -110,8 +121,8 @@ def test_named_tuples_and_whole_numbers_without_sign():
     ids=["NumPy 2.4", "NumPy 2.5"],
 )
 def test_arrays_are_known_by_their_scalar_in_any_numpy(array):
-    kind = kind_of(Annotated[array, None, 2])
-    assert (kind.dtype, kind.axes) == (float64, 2)
+    kind = type_of(Annotated[array, None, 2])
+    assert (kind.dtype, kind.ndim) == (float64, 2)
 
 
 @pytest.mark.parametrize(
@@ -121,7 +132,13 @@ def test_arrays_are_known_by_their_scalar_in_any_numpy(array):
         pytest.param(lambda: (numbers(), np.ones(3, np.float32), np.zeros((2, 2)), True), id="dtype"),
         pytest.param(lambda: (numbers(), np.ones(3), np.zeros(2), True), id="axes"),
         pytest.param(
-            lambda: (Others.of({"m": np.zeros((2, 2)), "a": np.zeros(3)}), np.ones(3), np.zeros((2, 2)), True), id="record"
+            lambda: (
+                Others.of({"m": np.zeros((2, 2)), "a": np.zeros(3), "at": np.zeros(2)}),
+                np.ones(3),
+                np.zeros((2, 2)),
+                True,
+            ),
+            id="record",
         ),
     ],
 )
@@ -153,70 +170,50 @@ def test_a_kernel_is_the_same_whoever_asks_for_it_first():
 
 
 @pytest.mark.slow
-def test_threads_meet_one_kernel():
-    @kernel_late
-    def shared(x: F1) -> float:
-        return x[0]
+def test_threads_that_ask_at_once_get_one_address(monkeypatch):
+    @Interface
+    def first_of(x: F1) -> float:
+        raise NotImplementedError
 
     @kernel_bare
-    def caller(x):
-        return shared(x)
+    def shared(x):
+        return x[0]
 
-    found: list[float] = []
-    threads = [threading.Thread(target=lambda k=k: found.append(caller(np.full(1, float(k))))) for k in range(4)]
+    call, found, made = first_of.call, [], []
+    together, entry = threading.Barrier(4), Interface._entry
+
+    @kernel_bare
+    def caller(at, x):
+        return call(at, (x,))
+
+    def counted(*given):
+        made.append(given)
+        return entry(*given)
+
+    def ask(k):
+        together.wait()
+        found.append((first_of.address(shared), caller(first_of.address(shared), np.full(1, float(k)))))
+
+    monkeypatch.setattr(Interface, "_entry", counted)
+    threads = [threading.Thread(target=ask, args=(k,)) for k in range(4)]
     for one in threads:
         one.start()
     for one in threads:
         one.join()
-    assert sorted(found) == [0.0, 1.0, 2.0, 3.0]
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot send these signals to a process")
-def test_ctrl_c_while_it_is_compiled_is_heard_behind_the_call(monkeypatch):
-    @kernel_late
-    def slow(x: F1) -> float:
-        return 2.0 * x[0]
-
-    @kernel_bare
-    def caller(x, out):
-        out[0] = slow(x)
-
-    compiled = type(slow.late)._compile
-
-    def interrupted(cell):
-        os.kill(os.getpid(), signal.SIGINT)
-        return compiled(cell)
-
-    monkeypatch.setattr(type(slow.late), "_compile", interrupted)
-    out = np.zeros(1)
-    with pytest.raises(KeyboardInterrupt):
-        caller(np.ones(1), out)
-        assert out[0] == 2.0
-        threading.Event().wait(5.0)
-    assert out[0] == 2.0
-
-
-BROKEN = """
-from kinetruss.kernels.compiled.jit import kernel_bare
-from kinetruss.kernels.compiled.late import kernel_late
-from kinetruss.kernels.compiled.record import F1
-import numpy as np
-
-@kernel_late
-def broken(x: F1) -> float:
-    return x.no_such_thing
-
-@kernel_bare
-def caller(x):
-    return broken(x)
-
-print(caller(np.ones(1)))
-"""
+    assert len(made) == 1
+    assert len({address for address, _ in found}) == 1
+    assert sorted(value for _, value in found) == [0.0, 1.0, 2.0, 3.0]
 
 
 @pytest.mark.slow
-def test_what_cannot_be_compiled_never_gives_a_number(tmp_path: Path):
-    (tmp_path / "broken.py").write_text(BROKEN)
-    done = subprocess.run([sys.executable, tmp_path / "broken.py"], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (70, "")
-    assert "cannot be compiled" in done.stderr
+def test_what_cannot_be_compiled_is_an_error_where_its_address_is_asked_for():
+    @Interface
+    def of_array(x: F1) -> float:
+        raise NotImplementedError
+
+    @kernel_bare
+    def broken(x):
+        return x.no_such_thing
+
+    with pytest.raises(TypingError, match="no_such_thing"):
+        of_array.address(broken)
