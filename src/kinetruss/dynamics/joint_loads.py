@@ -88,6 +88,13 @@ def jammed(system: System, ws: Workspace) -> AnalysisError | None:
     return jam(seats_of(system)[worst].name) if worst >= 0 else None
 
 
+def _unknown(seat: Seat, what: str) -> InputError:
+    return InputError(
+        f"Bearing {seat.name!r} cannot be simulated: what {what} does in its joint is not known as a force there. Take the "
+        "friction out, or find the forces along a motion (dynamics.inverse)."
+    )
+
+
 class _Loads:
     """The tables of `JointLoads` as they grow."""
 
@@ -185,7 +192,7 @@ class _Loads:
             if isinstance(one, partial) and one.func in self._acts:
                 self._acts[one.func](self, k, seat, *one.args, **one.keywords)
             elif one is not None:
-                raise NotImplementedError(f"what {action.kind} {action.source!r} does to the force in a joint")
+                raise _unknown(seat, f"{action.kind} {action.source!r}")
 
     def _side(self, k: int, seat: Seat, columns: list[int], signs: NDArray[np.float64], number: int, side: Side) -> None:  # noqa: ARG002
         """The forces on two nodes of a side."""
@@ -272,7 +279,7 @@ class _Loads:
     def _arm(self, k: int, seat: Seat, frame: HubFrame, i: int, tip: int, nodes: list[int]) -> None:  # noqa: ARG002
         """What braces, loads and friction do to the tip of a member that a hub clamps, and their opposite at the centre."""
         if frame.grounded:
-            raise NotImplementedError("a bearing on an arm of a hub on the ground")
+            raise _unknown(seat, f"hub {frame.hub!r}, which is on the ground,")
         share, bars = -1.0 if seat.end == tip else 1.0, bars_of(self.system)
         for brace in frame.braces:
             for end, node in enumerate(bars.ends(brace)):
