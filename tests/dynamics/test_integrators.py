@@ -17,9 +17,8 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import kinetruss as kt
-from kinetruss.dynamics.integrators import Watched
+from kinetruss.dynamics.integrators import Watched, integrate
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.structure.applied import USER_FORCE, no_force
 from kinetruss.library import mechanisms
 from kinetruss.results import Status

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from kinetruss.dynamics.equations import equations
-from kinetruss.dynamics.integrators import control, start_memory
+from kinetruss.dynamics.integrators import control, integrate, start_memory
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.solve.kkt import kinetic, potential, project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.mechanics import compile

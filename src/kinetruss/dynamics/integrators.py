@@ -1,4 +1,4 @@
-"""Inputs of the integrators: memory, control data, events and times of jumps."""
+"""Inputs of the integrators: memory, control data, events and times of jumps; one call of them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.answers import asking
 from kinetruss.kernels.integrate.dop853_step import aside
 from kinetruss.kernels.integrate.events import watching
-from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, SUM, Control, Memory, new_memory
+from kinetruss.kernels.integrate.loop import march, steps
+from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH, SUM, Control, Memory, Samples, new_memory
 from kinetruss.kernels.series.measured import measured
 from kinetruss.kernels.structure.equations import DENSE, SUM_FORCE
 from kinetruss.kernels.structure.rows import POLYNOMIAL
@@ -32,7 +33,7 @@ from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, Generalize
 from kinetruss.model.simulation import WATCHED
 
 if TYPE_CHECKING:
-    from kinetruss.kernels.structure.equations import Equations
+    from kinetruss.kernels.structure.equations import Equations, Workspace
 
 
 Floats = NDArray[np.float64]
@@ -66,6 +67,22 @@ PIVOT_LIMIT = 0.3
 """Scaled pivot, as a fraction of the largest one so far, above which no position is near a singular one."""
 ROUND_OFF = 8 * 2.2e-16
 """Residual of a constraint as a fraction of the coordinates. Near a singular position of pivot p, 1/p^2 multiplies it."""
+
+
+def integrate(
+    eq: Equations, ws: Workspace, user: int, told: Control, memory: Memory, samples: Samples, budget: int
+) -> tuple[int, int]:
+    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
+
+    The run in any number of calls is bit for bit that in one.
+    """
+    before = memory.steps
+    code, filled = march(eq, ws, user, told, memory, samples, budget)
+    if code != m.ASIDE:
+        return code, filled
+    told.aside_at = int(aside.addresses()[0])
+    code, more = march(eq, ws, user, told, memory, samples.part(filled), budget - (memory.steps - before))
+    return code, filled + more
 
 
 def start_memory(
@@ -199,8 +216,6 @@ def _tape(eq: Any, system: System) -> dict[str, NDArray[Any]]:
 
 def _steps_of(method: Any) -> int:
     """Address of the steps of a method, which are compiled when they are first asked for."""
-    from kinetruss.kernels.integrate.loop import steps
-
     if isinstance(method, DOP853):
         from kinetruss.kernels.integrate.dop853_step import dop853_steps as found
     elif isinstance(method, Taylor):

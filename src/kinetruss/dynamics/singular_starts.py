@@ -18,12 +18,11 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from kinetruss.dynamics.equations import not_prescribed
-from kinetruss.dynamics.integrators import jumps
+from kinetruss.dynamics.integrators import integrate, jumps
 from kinetruss.dynamics.starting import EXACTLY, SINGULAR, Singular
 from kinetruss.elements.kinds import ELEMENTS, on_coordinates
 from kinetruss.errors import InputError
 from kinetruss.kernels.integrate.dop853 import interpolate
-from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kernels.solve.kkt import evaluate, project
 from kinetruss.kernels.structure.equations import SUM_FORCE

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.integration import Integration
-from kinetruss.dynamics.integrators import control, jumps, restart_memory, start_memory, watched
+from kinetruss.dynamics.integrators import control, integrate, jumps, restart_memory, start_memory, watched
 from kinetruss.dynamics.remarks import LOOKS, ending, refine, resting, sentences, too_stiff
 from kinetruss.dynamics.simulation_problem import all_rows
 from kinetruss.dynamics.simulation_records import Trace
@@ -20,7 +20,6 @@ from kinetruss.dynamics.singular_starts import cross_singular, start_beside
 from kinetruss.errors import StoreError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.integrate import state as m
-from kinetruss.kernels.integrate.loop import integrate
 from kinetruss.kernels.integrate.state import Memory, Samples
 from kinetruss.kinematics.turns import Passed
 from kinetruss.model import Taylor

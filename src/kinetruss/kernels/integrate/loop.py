@@ -51,30 +51,13 @@ def steps(run: Run, samples: Samples) -> None:
 _steps = steps.call
 
 
-def integrate(
-    eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
-) -> tuple[int, int]:
-    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled.
-
-    The run in any number of calls is bit for bit that in one.
-    """
-    before = memory.steps
-    code, filled = _integrated(eq, ws, user, control, memory, samples, budget)
-    if code != m.ASIDE:
-        return code, filled
-    from kinetruss.kernels.integrate.dop853_step import aside  # most runs do not need it
-
-    control.aside_at = int(aside.addresses()[0])
-    left = budget - (memory.steps - before)
-    code, more = _integrated(eq, ws, user, control, memory, samples.part(filled), left)
-    return code, filled + more
-
-
 @kernel
-def _integrated(
+def march(
     eq: Equations, ws: Workspace, user: int, control: Control, memory: Memory, samples: Samples, budget: int
 ) -> tuple[int, int]:
-    """`integrate`, or as far as ASIDE: a step of another method is wanted that is not compiled yet."""
+    """Go on from `memory` and fill the samples, in at most `budget` steps. Returns a code and how many are filled; ASIDE
+    where a step of another method is wanted that is not compiled yet.
+    """
     size, n, rows = memory.y.shape[1], samples.x.shape[1], memory.multiplier.size
     degree = max(2 * (memory.dense.shape[0] - 1), DEGREE) if memory.watched.size > 0 else -1
     deep, most = (DEEPEST + 2, 2 * degree + 8) if degree > 0 else (0, 0)
