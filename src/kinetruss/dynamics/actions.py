@@ -20,7 +20,7 @@ from kinetruss.elements.kinds import spans_of
 from kinetruss.elements.loads.load import Spread
 from kinetruss.mechanics import System
 from kinetruss.mechanics.elements import scalar_motions
-from kinetruss.mechanics.frames import across_bars, cross
+from kinetruss.mechanics.frames import cross
 from kinetruss.model.data import FORCE_ELEMENTS
 
 if TYPE_CHECKING:
@@ -116,18 +116,25 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
     """Actions at some instants. A place beyond the ends of its bar counts as the end, with the couple of the arm."""
     count, system = len(here.x), here.system
     worth, place = np.zeros((count, len(actions), 2, 3)), np.full((count, len(actions)), np.nan)
+    couple = np.zeros((count, len(actions), 3))
     for k, action in enumerate(actions):
-        if action.worth is not None:
-            worth[:, k] = action.worth(here)
-        if not isinstance(action.place, Spread):
+        d = here.x[:, system.q[action.member]] - here.x[:, system.p[action.member]]
+        spread = isinstance(action.place, Spread)
+        if not spread:
             place[:, k] = np.clip(action.place(here), 0.0, 1.0) if callable(action.place) else min(max(action.place, 0.0), 1.0)
-    member = np.array([one.member for one in actions], np.int64)
-    if turning := [(k, action.couple(here)) for k, action in enumerate(actions) if action.couple is not None]:
-        which = [k for k, _ in turning]
-        across = across_bars(system, here.x, member[which], np.stack([one for _, one in turning], axis=1))
-        worth[:, which] += np.stack([-across, across], axis=2)
-    d = here.x[:, system.q[member]] - here.x[:, system.p[member]]
-    couple = cross(d, worth[:, :, 1] - place[:, :, None] * worth.sum(axis=2))
-    if spread := [k for k, one in enumerate(actions) if isinstance(one.place, Spread)]:
-        couple[:, spread] = 0.0
+        if action.worth is not None:
+            worth[:, k] = own = action.worth(here)
+            if not spread:
+                couple[:, k] = cross(d, own[:, 1] - place[:, k, None] * (own[:, 0] + own[:, 1]))
+        if action.couple is not None:
+            given = action.couple(here)
+            square = np.einsum("tc,tc->t", d, d)[:, None]
+            across = cross(given, d)
+            across /= square
+            worth[:, k, 0] -= across
+            worth[:, k, 1] += across
+            if not spread:
+                couple[:, k] += given
+                if system.dim == 3:  # in the plane no part of it is along the member
+                    couple[:, k] -= np.einsum("tc,tc->t", given, d)[:, None] / square * d
     return Acting(worth=worth, place=place, couple=couple)

@@ -312,16 +312,24 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
 
 def _refuse_singular(system: System, values: NDArray[np.float64], loads: Any, states: States, N: NDArray[np.float64]) -> None:
     """AnalysisError where forces are endless, because what acts has a part along a motion that nothing holds."""
-    largest = np.abs(N).max(axis=1, initial=0.0)
-    mass = sum(float(np.abs(one).sum()) for one in (system.lump, system.pair_mass, system.rods[:, [0, 3]], system.body[:, 0]))
-    acting = float(np.abs(loads.force).max(initial=0.0)) + mass * float(np.abs(states.a).max() + np.abs(loads.gravity).max())
-    for k in np.flatnonzero(~(largest <= ENDLESS * acting)):
+    mass, gravity = _moving_mass(system), max(map(abs, loads.gravity.tolist()))
+    if max(float(N.max(initial=0.0)), -float(N.min(initial=0.0))) <= ENDLESS * mass * gravity:
+        return
+    acting = float(np.abs(loads.force).max(initial=0.0)) + mass * float(np.abs(states.a).max() + gravity)
+    for k in np.flatnonzero(~(np.abs(N).max(axis=1, initial=0.0) <= ENDLESS * acting)):
         sizes = np.linalg.svd(jacobian(system, states.x[k].reshape(-1, 3), values[k]), compute_uv=False)
         if sizes[-1] < FLAT * sizes[0]:
             raise AnalysisError(
                 f"Position {k} of {len(N)} is singular: drives and bars leave a motion free there, along which loads or "
                 "inertia act, so that no forces balance them. Take another position, or let the parts move (dynamics.simulate)."
             )
+
+
+@cached()
+def _moving_mass(system: System) -> float:
+    """About the mass of all parts, kg."""
+    parts = (system.lump, system.pair_mass, system.rods[:, [0, 3]], system.body[:, 0])
+    return sum(float(np.abs(one).sum()) for one in parts)
 
 
 def _solve_fixed_shapes(

@@ -141,16 +141,8 @@ def resultant(
     return forces.sum(axis=1), cross(x - about[:, None], forces).sum(axis=1)
 
 
-def across_bars(
-    system: System, x: NDArray[np.float64], members: NDArray[np.int64], couple: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """f_B = C x u/L, (times, k, 3) N, of the parts of couples C (times, k, 3) across bars; members (k,)."""
-    d = x[:, system.q[members]] - x[:, system.p[members]]
-    return cross(couple, d / np.einsum("tkc,tkc->tk", d, d)[:, :, None])
-
-
 def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """a x b (times, k, 3); of a few hundred vectors numpy.cross takes three times as long."""
+    """a x b (..., 3); of a few hundred vectors numpy.cross takes three times as long."""
     found = np.empty_like(b)
     for c, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
         found[..., c] = a[..., i] * b[..., j] - a[..., j] * b[..., i]
