@@ -149,6 +149,11 @@ def test_one_node_of_another_dimension_does_not_accuse_the_others():
         ({"fixed": ["A", "Q", "R"]}, ["fixed.Q", "fixed.R"]),
         ({"nodes": {}}, ["nodes"]),
         ({"nodes": None}, ["nodes"]),
+        # a list that is too short, of names that are none: what one fault takes out another cannot put back
+        (
+            {"poses": {"p": {"kind": "gimbal", "base": 1.2, "longeron": 0.9, "drives": ["0.9 m", "1.3 m"]}}},
+            ["poses.p.drives.0", "poses.p.drives.1", "poses.p.drives"],
+        ),
     ],
 )
 def test_all_at_once_and_none_that_only_follows(changes, places):

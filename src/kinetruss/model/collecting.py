@@ -111,14 +111,22 @@ class _Draft:
         self._own = {id(self.data)}
 
     def put(self, path: Path, value: Any) -> None:
-        """Set the entry at a path; its tables must exist."""
-        self._table(path[:-1])[path[-1]] = value
+        """Set the entry at a path, unless what it belongs to has been taken out by another fault."""
+        if len(self._there(path[:-1])) == len(path) - 1:
+            self._table(path[:-1])[path[-1]] = value
 
     def take_out(self, path: Path) -> Place:
         """Remove the deepest named entry on a path, and return its place.
 
         If the last name is not in the data, the entry that lacks it is removed.
         """
+        keys = self._there(path)
+        if keys:
+            del self._table(keys[:-1])[keys[-1]]
+        return tuple(map(str, keys))
+
+    def _there(self, path: Path) -> list[Any]:
+        """The names on a path as far as they are in the data."""
         keys: list[Any] = []
         here: Any = self.data
         for part in path:
@@ -126,9 +134,7 @@ class _Draft:
                 break
             keys.append(part)
             here = here[part]
-        if keys:
-            del self._table(keys[:-1])[keys[-1]]
-        return tuple(map(str, keys))
+        return keys
 
     def _table(self, keys: Sequence[str | int]) -> dict[Any, Any]:
         here: dict[Any, Any] = self.data
