@@ -1,4 +1,4 @@
-"""Models with springs on hinges whose motion is known by other means."""
+"""Models with springs whose motion is known by other means."""
 
 from __future__ import annotations
 
@@ -76,3 +76,13 @@ def hencky(count, stiffness, length=1.0):
         },
         loads={"P": kt.NodalForce(node=f"N{count}", force=(0, -1.0))},
     )
+
+
+def elastic(kind="elastic", strain="engineering", damping=0.0):
+    """A double pendulum whose second bar is a spring."""
+    law = {"kind": kind, "strain": strain, "stiffness": 200.0, "natural_length": 0.8, "damping": damping}
+    return kt.Model(
+        nodes={"O": (0, 0), "P": kt.Node(at=(1, 0), mass=1.0), "Q": kt.Node(at=(1.8, 0.3), mass=0.5)},
+        bars={"rod": kt.Bar(ends=("O", "P"), mass=0.3), "spring": kt.Bar(ends=("P", "Q"), **law)},
+        fixed=["O"], gravity=(0, -9.81),
+    )  # fmt: skip

@@ -24,6 +24,7 @@ from kinetruss.library import mechanisms
 from kinetruss.results import Status
 from reference.linkages import row_of_four_bars
 from reference.marching import march, prepared
+from spring_models import elastic
 
 G = 9.81
 TIGHT = kt.DOP853(rtol=1e-13, atol=1e-15)
@@ -67,15 +68,6 @@ def spring(stiffness=400.0, damping=2.0, at=1.01):
     """1 kg on a line, with a spring and damper of 1 m to the ground."""
     bar = kt.Bar(ends=("O", "P"), kind="elastic", stiffness=stiffness, damping=damping, natural_length=1.0)
     return kt.Model(nodes={"O": (0, 0), "P": kt.Node(at=(at, 0), mass=1.0)}, bars={"s": bar}, fixed={"O": "xy", "P": "y"})
-
-
-def elastic(kind="elastic", strain="engineering", damping=0.0):
-    """A double pendulum whose second bar is a spring."""
-    law = {"kind": kind, "strain": strain, "stiffness": 200.0, "natural_length": 0.8, "damping": damping}
-    return kt.Model(
-        nodes={"O": (0, 0), "P": kt.Node(at=(1, 0), mass=1.0), "Q": kt.Node(at=(1.8, 0.3), mass=0.5)},
-        bars={"rod": kt.Bar(ends=("O", "P"), mass=0.3), "spring": kt.Bar(ends=("P", "Q"), **law)}, fixed=["O"], gravity=(0, -G),
-    )  # fmt: skip
 
 
 def swing(times, amplitude):

@@ -14,18 +14,9 @@ from kinetruss.library import mechanisms
 from kinetruss.mechanics import CABLE, ENGINEERING, GREEN
 from kinetruss.model import DOP853, EnergyMomentum, GeneralizedAlpha, Rattle
 from reference.marching import march
+from spring_models import elastic
 
 G = 9.81
-ALL = [EnergyMomentum, GeneralizedAlpha, Rattle]
-
-
-def elastic(kind="elastic", strain="engineering", damping=0.0):
-    """A double pendulum whose second bar is a spring."""
-    law = {"kind": kind, "strain": strain, "stiffness": 200.0, "natural_length": 0.8, "damping": damping}
-    return kt.Model(
-        nodes={"O": (0, 0), "P": kt.Node(at=(1, 0), mass=1.0), "Q": kt.Node(at=(1.8, 0.3), mass=0.5)},
-        bars={"rod": kt.Bar(ends=("O", "P"), mass=0.3), "spring": kt.Bar(ends=("P", "Q"), **law)}, fixed=["O"], gravity=(0, -G),
-    )  # fmt: skip
 
 
 @pytest.mark.slow
