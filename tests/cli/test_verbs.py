@@ -366,7 +366,7 @@ def test_a_run_without_one_good_sample_is_said_to_be_so(tmp_path):
 
 @pytest.mark.slow
 def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
-    kt.write(fourbar(200_001), tmp_path / "long.yaml")
+    kt.write(fourbar(2_000_001), tmp_path / "long.yaml")  # half a minute: it cannot end by itself first
     command = [Path(sys.executable).parent / "kinetruss", "run", tmp_path / "long.yaml", "-o", tmp_path / "run"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
         while running.poll() is None and not ((tmp_path / "run" / "kinetruss.json").exists() and runs_good(tmp_path / "run")):
@@ -374,7 +374,7 @@ def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
         running.send_signal(signal.SIGINT)
         out, error = running.communicate(timeout=60)
     assert (running.returncode, out) == (1, "")
-    assert "of 200001 samples are kept. Continue with: kinetruss run --resume" in error
+    assert "of 2000001 samples are kept. Continue with: kinetruss run --resume" in error
     assert "Traceback" not in error
 
 

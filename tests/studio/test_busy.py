@@ -8,7 +8,10 @@ from typing import Any
 
 import pytest
 
+from kinetruss.kernels.compiled.jit import keeper
+from kinetruss.kernels.compiled.progress import Progress
 from kinetruss.studio import app as _app
+from kinetruss.studio.requested_runs import Busy
 
 
 class Line:
@@ -30,6 +33,7 @@ def answered(*given: Any) -> Any:
 
 
 def test_a_page_that_asks_for_it_hears_what_its_answer_waits_for(monkeypatch):
+    monkeypatch.setattr(keeper, "progress", Progress())  # other tests' threads compile
     monkeypatch.setattr(_app, "SOON", 0.01)
     line = Line(busy="1")
     assert answered(line, line.enough.wait, 60.0) is True
@@ -52,10 +56,6 @@ def test_an_error_of_the_work_is_raised(asked):
 
 
 def test_kernels_that_are_compiled_meanwhile_are_said(monkeypatch):
-    from kinetruss.kernels.compiled.jit import keeper
-    from kinetruss.kernels.compiled.progress import Progress
-    from kinetruss.studio.requested_runs import Busy
-
     monkeypatch.setattr(keeper, "progress", Progress())
     busy = Busy()
     assert busy.compiling() == ""

@@ -45,6 +45,7 @@ def _kept(**options: Any) -> Any:
             _keep(function, found, "kernel")
             found.entry = found
         found.get_call_template = partial(_as_called, found.get_call_template)
+        found._compile_for_args = partial(_compiled, found._compile_for_args)
         return found
 
     return decorated
@@ -58,6 +59,15 @@ def _keep(function: Callable[..., Any], found: Any, form: str) -> None:
 def _as_called(template: Any, args: Any, kws: Any) -> Any:
     """How kernels call a kernel: one form for a number, whether its value is known or not; LLVM passes on those that are."""
     return template(tuple(types.unliteral(one) for one in args), {name: types.unliteral(one) for name, one in kws.items()})
+
+
+def _compiled(compiling: Callable[..., Any], *args: Any, **kws: Any) -> Any:
+    """What Python's first call with such arguments compiles; where that fails, nothing is at work any more."""
+    try:
+        return compiling(*args, **kws)
+    except BaseException:
+        keeper.progress.rest()
+        raise
 
 
 # Without references counted (`_nrt`), records and views of arrays cost nothing to hand around; counting took a third of the

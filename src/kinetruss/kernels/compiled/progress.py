@@ -46,7 +46,7 @@ class Progress:
         form : what is compiled of it; the "entry" is the outermost, at which kernels before it that failed are forgotten.
         """
         if form == "entry":
-            self._rest()
+            self.rest()
         self.changed = self.clock()
         if not self.depth:
             self._begun = self.changed
@@ -57,11 +57,12 @@ class Progress:
         self.count += form in ("draft", "kernel")
         self.changed = self.clock()
         if form == "entry" or self.depth <= 1:
-            self._rest()
+            self.rest()
         else:
             self.depth -= 1
 
-    def _rest(self) -> None:
+    def rest(self) -> None:
+        """Nothing is compiled any more: it is done, or has failed."""
         if self.depth:
             self._before += self.clock() - self._begun
         self.depth = 0
