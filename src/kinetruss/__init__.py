@@ -103,6 +103,7 @@ if TYPE_CHECKING:
         Hub as Hub,
         Joint as Joint,
         LeadScrew as LeadScrew,
+        Link as Link,
         LengthDrive as LengthDrive,
         LoadCase as LoadCase,
         Material as Material,

@@ -20,11 +20,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import Fault, few
-from kinetruss.model.beam_frames import Axes, Hinge, frame_of, sound_beams
+from kinetruss.model.beam_frames import Axes, Hinge, frame_of, owner_of, sound_beams
 from kinetruss.model.common_faults import components
 from kinetruss.model.drives import CoordinateDrive, Coupling
 from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
+from kinetruss.model.links import Piece
 from kinetruss.model.loads import BodyCouple, BodyForce
 from kinetruss.model.members import Brace, Node
 
@@ -83,7 +84,7 @@ def add_spins(whole: WholeModel) -> None:
     for one in _spins(whole):
         inner.spins.append(one)
         whole.couplings[one.coupling] = one.held(whole, frames)
-        inner.couplings[one.coupling] = Owner("beams", one.beams[0])
+        inner.couplings[one.coupling] = owner_of(one.beams[0], whole.beams[one.beams[0]])
 
 
 def spin_note(whole: WholeModel) -> str:
@@ -91,13 +92,14 @@ def spin_note(whole: WholeModel) -> str:
     found = whole.inner.spins
     if not found:
         return ""
-    names = few([" and ".join(one.beams) if len(one.beams) < 3 else f"{one.beams[0]} to {one.beams[-1]}" for one in found], 6)
+    owned = [list(dict.fromkeys(owner_of(name, whole.beams[name]).name for name in one.beams)) for one in found]
+    names = few([" and ".join(own) if len(own) < 3 else f"{own[0]} to {own[-1]}" for own in owned], 6)
     return f"Free to spin about the own axis, which nothing drives or loads, and held: {names}."
 
 
 def _spins(model: WholeModel) -> list[Spin]:
     """The members of elastic beams that spin freely, with nothing that drives or loads this, in the order of their frames."""
-    if model.dim != 3 or not any(beam.kind == "elastic" and (beam.release or beam.hinges) for beam in model.beams.values()):
+    if model.dim != 3 or not any(_spins_alone(beam) and (beam.release or beam.hinges) for beam in model.beams.values()):
         return []
     turning, found, done = _Turning(model), list[Spin](), set[str]()
     for frame in turning.every:
@@ -108,11 +110,16 @@ def _spins(model: WholeModel) -> list[Spin]:
         if axis is None:
             continue
         names = turning.beams_of(within)
-        elastic = any(model.beams[name].kind == "elastic" for name in names)
+        elastic = any(_spins_alone(model.beams[name]) for name in names)
         held = any(one in model.clamped for one in within) or not turning.free_nodes(within)
         if elastic and not held and not any(_loads(model, one, turning.every, axis) for one in within):
             found.append(Spin(tuple(names), tuple(axis.tolist()), turning.every[frame]))
     return found
+
+
+def _spins_alone(beam: Beam) -> bool:
+    """Whether the rotation of a beam about its own axis is one of the structure: its ends have frames."""
+    return beam.kind == "elastic" or isinstance(beam, Piece)
 
 
 class _Turning:
@@ -181,7 +188,7 @@ def _line(points: list[NDArray[np.float64]]) -> NDArray[np.float64] | None:
 def _used(model: WholeModel) -> set[str]:
     """The nodes to which bars, bodies, drives, couplings, springs and forces of the user refer: they may hold or turn them."""
     bars = [bar for bar in model.bars.values() if not isinstance(bar, Brace)]
-    rotations = {name for name, owner in model.inner.couplings.items() if owner.table == "beams"}
+    rotations = {name for name, owner in model.inner.couplings.items() if owner.table in ("beams", "links")}
     couplings = (one for name, one in model.couplings.items() if name not in rotations)
     records = [*model.drives.values(), *couplings, *(one for _, one in model.force_elements.values())]
     return {
@@ -259,6 +266,8 @@ def beam_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
     """Faults of all beams and clamps of a model with `dim` axes."""
     held = {name for one in model.inner.spins for name in one.beams}
     for name, beam in model.beams.items():
+        if isinstance(beam, Piece):
+            continue
         path = ("beams", name)
         if name in model.members:
             yield Fault(path, f"{name!r} is also the name of a bar.", "Give each member its own name.", about=(("bars", name),))
@@ -408,9 +417,13 @@ def _clamps(model: WholeModel) -> Iterator[Fault]:
         place = ("clamped", node)
         body = model.bodies.get(to) if to != GROUND else None
         if node in model.nodes and node not in framed:
-            if not any(node in beam.ends for beam in model.beams.values()):  # released ones are pinned there
-                mend = "Join a beam to it, or fix the node."
-                yield Fault(place, "is clamped, but no beam has its rotation.", mend, about=(("beams",),))
+            links = [name for name, link in model.links.items() if node in link.nodes]
+            if not any(node in beam.ends and not isinstance(beam, Piece) for beam in model.beams.values()):
+                mend = "Join a beam to it, or fix the node."  # released ones are pinned there
+                if links:
+                    mend = f"Weld the link to it (links: {{{links[0]}: {{.., weld: [{node}]}}}}), or fix the node."
+                what = f"the link {links[0]!r} is pinned there" if links else "no beam has its rotation"
+                yield Fault(place, f"is clamped, but {what}.", mend, about=(("beams",), ("links",)))
         elif node in framed and body is not None and (body.kind != "rigid" or node not in body.nodes):
             message = f"is clamped to {to!r}, which is not a rigid body with this node."
             yield Fault(place, message, "Add the node to the nodes of a rigid body.", about=(("bodies", to),))

@@ -15,6 +15,7 @@ from kinetruss.model.bracing import CHORD
 from kinetruss.model.drives import CoordinateDrive, CosineCoordinate, Coupling
 from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
+from kinetruss.model.links import Piece
 from kinetruss.model.members import Brace, Node
 
 if TYPE_CHECKING:
@@ -50,7 +51,11 @@ class Axes:
 
 
 def frame_of(name: str, beam: Beam, end: str) -> str:
-    """Name of the frame at an end of a beam: that of the node, or the beam's own if the end is released."""
+    """Name of the frame at an end of a beam: that of the node, or the beam's own if the end is released; the parts of a link
+    share one at each of its pins.
+    """
+    if isinstance(beam, Piece):
+        return f"{beam.link}.{end}" if end in beam.release else end
     return f"{name}.{end}" if end in beam.release or end in beam.hinges else end
 
 
@@ -68,7 +73,8 @@ def frames(model: ModelData) -> dict[str, Axes]:
                 origin[one] = end
                 size[one] = min(SHARE * length, size.get(one, math.inf))
             # a rigid beam needs a frame only where another beam, a clamp or a hinge holds its rotation
-            rigid[frame] = rigid.get(frame, 0) + (1 if beam.kind == "rigid" and not hinged else 2)
+            alone = beam.kind == "rigid" and not hinged and not isinstance(beam, Piece)
+            rigid[frame] = rigid.get(frame, 0) + (1 if alone else 2)
             rigid[end] = rigid.get(end, 0) + hinged
     # the ground holds no rotation where all beams are released
     wanted = [frame for frame, count in rigid.items() if frame in origin and (count > 1 or frame in model.clamped)]
@@ -107,7 +113,13 @@ def add_frames(whole: WholeModel) -> None:
     inner.frames.update(frames(whole))
     inner.hinges.extend(hinges(whole, inner.frames))
     every = "xyz"[: whole.dim]
-    owners = {f"{name}.{end}": Owner("beams", name, end) for name, beam in whole.beams.items() for end in beam.ends}
+    owners = {
+        frame_of(name, beam, end): Owner("links", beam.link, end)
+        if isinstance(beam, Piece)
+        else Owner("beams", name, end)
+        for name, beam in whole.beams.items()
+        for end in beam.ends
+    }
 
     def add(node: str, at: tuple[float, ...], owner: Owner) -> None:
         if node not in own:  # else a fault
@@ -148,6 +160,7 @@ def rigid_groups(whole: WholeModel) -> dict[str, Body]:
         to = whole.clamped.get(name)
         # a node on the axis of a hinge belongs to both frames
         on = tuple(hinge.node for hinge in pins if name in (hinge.own, hinge.base))
+        on += (whole.inner.tips[name],) if name in whole.inner.tips else ()
         if to in found:
             body = found[to]
             found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(whole.dim), brace=True)
@@ -162,11 +175,16 @@ def rigid_groups(whole: WholeModel) -> dict[str, Body]:
     return found
 
 
+def owner_of(name: str, beam: Beam) -> Owner:
+    """Whose a beam is: the user's, or part of a link."""
+    return Owner("links", beam.link) if isinstance(beam, Piece) else Owner("beams", name)
+
+
 def add_chords(whole: WholeModel) -> None:
     """Add free bars without mass from end to end of beams: pictures show them, and their lengths are results."""
     for name, beam in sound_beams(whole):
         whole.bars[f"{name}{CHORD}"] = Brace.model_construct(ends=beam.ends, kind="free", mass=0.0)
-        whole.inner.bars[f"{name}{CHORD}"] = Owner("beams", name)
+        whole.inner.bars[f"{name}{CHORD}"] = owner_of(name, beam)
 
 
 def rigid_beams(model: ModelData) -> list[Body]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.beam_checks import beam_faults
+from kinetruss.model.links import link_faults
 from kinetruss.model.body_checks import body_faults, planar_body_faults
 from kinetruss.model.common_faults import a_bar, components, other_quantity
 from kinetruss.model.continua import continuum_faults
@@ -56,6 +57,7 @@ def faults_of(model: WholeModel) -> list[Fault]:
         *planar_body_faults(model),
         *body_faults(model, dim),
         *beam_faults(model, dim),
+        *link_faults(model, dim),
         *joint_faults(model),
         *(bearing_faults(model) if model.bearings else ()),
         *_loads(model, dim),

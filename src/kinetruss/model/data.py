@@ -28,6 +28,7 @@ from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
 from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
+from kinetruss.model.links import Link
 from kinetruss.model.loads import History, Load, LoadCase
 from kinetruss.model.members import Active, Bar, Brace, Node
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
@@ -119,6 +120,8 @@ class ModelData(Record):
     """Active members: a base and a tube with a lead screw, whose length a motor changes."""
     beams: Table[Name, Beam] = ReadOnly()
     """Members that bend and share the rotation of the nodes at which they meet."""
+    links: Table[Name, Link] = ReadOnly()
+    """Stiff members through two pins or more, straight or bent: their nodes in order, or a record with section and mass."""
     clamped: Clamps = ReadOnly()
     """Nodes of beams whose rotation is held: a list (by the ground), or node -> body."""
     bodies: Table[Name, Body] = ReadOnly()

@@ -24,7 +24,7 @@ from kinetruss.model.record import (
     SpringStiffness,
     Width,
 )
-from kinetruss.model.references import DriveName, MemberName, NodeName, Ref
+from kinetruss.model.references import DriveName, MemberName, NodeName, Ref, TurningName
 from kinetruss.units import Tagged, parse
 
 if TYPE_CHECKING:
@@ -78,14 +78,15 @@ class LengthDrive(Record):
 
 
 class AngleDrive(Record):
-    """Prescribes the angle (rad) of a bar about a fixed axis, unwrapped: it counts on over full turns.
+    """Prescribes the angle (rad) of a bar or link about a fixed axis, unwrapped: it counts on over full turns.
 
-    In the plane from +x counter-clockwise to its first -> second end. In space about `axis` (x, y, z or a direction), from the
+    In the plane from +x counter-clockwise to its first -> second end, of a link its first -> last node; a torque on the angle
+    of a link acts at its first node. In space about `axis` (x, y, z or a direction), from the
     direction `reference` to the bar, both projected onto the plane normal to the axis, right-handed about the axis; by default
     the reference of x is y, that of y is z, that of z is x, and that of other axes is the bar at the start. A `motor` turns it
     through a `gear` (motor turns per turn of the bar; by default none), fed by an `amplifier`.
 
-    bar : name of the bar.
+    bar : name of the bar, active member or link.
     axis : in space, x, y, z or a direction.
     reference : direction from which the angle counts, in space.
     gear : between motor and bar, a record or a name.
@@ -101,7 +102,7 @@ class AngleDrive(Record):
 
     _positional: ClassVar = ("bar",)
     kind: Literal["angle"] = "angle"
-    bar: MemberName
+    bar: TurningName
     axis: Direction | None = None
     reference: Direction | None = None
     gear: GearOrName | None = None

@@ -12,15 +12,15 @@ if TYPE_CHECKING:
     from kinetruss.model.hub_expansion import Pivot
 
 
-WORDS = {"beams": "beam", "bodies": "body", "hubs": "hub"}
+WORDS = {"beams": "beam", "links": "link", "bodies": "body", "hubs": "hub"}
 
 
 class Owner(NamedTuple):
-    """To what an inner part belongs: the table of the model (``nodes``, ``beams``, ``bodies``, ``hubs``), the name there, and
+    """To what an inner part belongs: the table of the model (``nodes``, ``beams``, ``links``, ``bodies``, ``hubs``), the name there, and
     the node at which it is (empty for bars).
     """
 
-    table: Literal["nodes", "beams", "bodies", "hubs"]
+    table: Literal["nodes", "beams", "links", "bodies", "hubs"]
     name: str
     at: str = ""
 
@@ -36,7 +36,7 @@ class Inner:
 
     nodes : of frames and of axes of hinges, tips of the arms of hubs, apexes. bars : chords of beams, braces, bars of hinges,
     arms of hubs. bodies : of hubs and of hinged members. couplings : of rotations of beams, of hinges.
-    frames, hinges, spins : of beams. arms : of each hub. pivots : the hinges of hubs.
+    frames, hinges, spins : of beams and links; tips : by frame of a link the node towards which its direction counts. arms : of each hub. pivots : the hinges of hubs.
     """
 
     nodes: dict[str, Owner] = field(default_factory=dict)
@@ -46,6 +46,7 @@ class Inner:
     frames: dict[str, Axes] = field(default_factory=dict)
     hinges: list[Hinge] = field(default_factory=list)
     spins: list[Spin] = field(default_factory=list)
+    tips: dict[str, str] = field(default_factory=dict)
     arms: dict[str, list[Arm]] = field(default_factory=dict)
     pivots: list[Pivot] = field(default_factory=list)
 

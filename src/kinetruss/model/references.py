@@ -63,6 +63,7 @@ class Unread:
 
 NodeName = Annotated[Name, Ref("node", "nodes")]
 MemberName = Annotated[Name, Ref("member", "bars", "active")]
+TurningName = Annotated[Name, Ref("member", "bars", "active", "links")]
 BarName = Annotated[Name, Ref("bar", "bars")]
 CouplingName = Annotated[Name, Ref("coupling", "couplings")]
 SectionName = Annotated[Name, Ref("section", "sections", advice=SECTIONS)]

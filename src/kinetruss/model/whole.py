@@ -1,4 +1,4 @@
-"""The whole of a model: the tables of the user, and behind them the inner parts that represent beams, bodies and hubs."""
+"""The whole of a model: the tables of the user, and behind them the inner parts that represent beams, links, bodies, hubs."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from kinetruss.model.hub_arms import arms_of
 from kinetruss.model.hub_expansion import add_hubs
 from kinetruss.model.hubs import missing_nodes
 from kinetruss.model.inner import Inner, Owner
+from kinetruss.model.links import add_tips, pieces
 from kinetruss.model.members import Brace
 from kinetruss.model.references import unknown_names
 from kinetruss.model.table import ReadOnly
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from kinetruss.model.members import Active, Bar
 
 
-GROWING = ("nodes", "fixed", "bars", "active", "bodies", "support_motion", "couplings")
+GROWING = ("nodes", "fixed", "bars", "active", "beams", "bodies", "support_motion", "couplings")
 """Tables to which inner parts are added; in them members of hubs end at the tips of arms."""
 
 
@@ -75,7 +76,7 @@ class WholeModel(ModelData):
 def expanded(model: ModelData) -> WholeModel:
     """The whole of a model. Beams, bodies and hubs that are at fault get no inner parts, or too few.
 
-    First hubs get their arms and bodies, then beams their frames; last the bars that all rigid ones still need.
+    First hubs get their arms and bodies, then links their beams and all beams their frames; last the bars that all rigid ones still need.
     """
     whole = WholeModel.growing(model)
     whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})
@@ -83,10 +84,13 @@ def expanded(model: ModelData) -> WholeModel:
         return whole.sealed()
     if model.hubs:
         add_hubs(model, whole)
-    if model.beams:
+    if model.links:
+        whole.beams.update(pieces(model))
+    if whole.beams:
         add_frames(whole)
+        add_tips(whole)
         add_spins(whole)
-    if whole.bodies or model.beams:
+    if whole.bodies or whole.beams:
         _add_braces(whole)
         add_chords(whole)
     return whole.sealed()

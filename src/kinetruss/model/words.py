@@ -56,6 +56,7 @@ _EXAMPLES = {
 }
 _RECORDS = {
     "beams": "{ends: [A, B]}",
+    "links": "{nodes: [A, B, C]}",
     "bodies": "{nodes: [A, B, C], mass: 2 kg}",
     "conditions": "{gravity: [0, -1.62]}",
     "coordinate": "{kind: angle, bar: crank}",
