@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from kinetruss.dynamics.starting import Singular
     from kinetruss.kernels.integrate.state import Control
     from kinetruss.kernels.structure.equations import Equations, Workspace
+    from kinetruss.mechanics.beam_shapes import FixedShapes
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -39,7 +40,7 @@ class Problem:
 
     x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit
     and description of states other than positions and velocities. not_unique : members whose force is not unique. motors :
-    those with an input. singular : data of a start near a singular position. controls : control data of integrators, by the
+    those with an input. singular : data of a start near a singular position. shapes : rigid links, which rows of `system` hold. controls : control data of integrators, by the
     end of the run (s).
     """
 
@@ -60,6 +61,7 @@ class Problem:
     not_unique: tuple[str, ...] = ()
     motors: Motors | None = None
     singular: Singular | None = None
+    shapes: FixedShapes | None = None
     controls: dict[float, Control] = field(default_factory=dict)
 
     def fresh(self) -> Problem:

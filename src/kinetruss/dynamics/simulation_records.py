@@ -18,6 +18,7 @@ from kinetruss.kernels.structure.rows import row_forces
 from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics.motions import Course, motion_of
 from kinetruss.kinematics.turns import refined
+from kinetruss.mechanics import compile
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.positions import drive_places, drive_values
 from kinetruss.results import Arrays, Axes, Forces, Motion, Simulation, provenance, variable
@@ -124,9 +125,16 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
         solved = _solved(system, rubbed, states, trace.N) | {"bearing": couple}
     else:
         solved = solved_in_space(system, loads, states, lambda pushed, space: _solved(system, pushed, space, trace.N))
+    unsure, attrs = list(work.problem.not_unique), dict[str, Any]()
+    if (shapes := work.problem.shapes) is not None:  # what rows do is the work of the beams of links
+        solved["joint"][:, shapes.chords] = 0.0
+        if undecided := [name for name in shapes.names if f"link {name}" in unsure]:
+            attrs["undecided"] = undecided
+        else:
+            solved["mode_force"] = shapes.mode_forces(trace.N)
+        solved["N"], system = trace.N[:, : shapes.rows[0, 0]], compile(system.given)
     data = force_arrays(system, motion, loads, solved, at_rest=False)
-    unsure = list(work.problem.not_unique)
-    data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0})
+    data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": unsure, "at_rest": 0, **attrs})
     return Forces(
         data=data.later,
         status=motion.status,

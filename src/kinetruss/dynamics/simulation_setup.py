@@ -22,6 +22,7 @@ from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.time_tables import table_notes
 from kinetruss.mechanics import ByIdentity, System, cached, compile, not_unique_note, rearrange
+from kinetruss.mechanics.beam_shapes import rigid_links
 from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.mobility import mobility_at, moves_text
 from kinetruss.mechanics.solvers import LARGEST_DENSE
@@ -118,7 +119,8 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     """`problem_of` without reuse of an earlier set-up."""
     run = _checked(model, t_end, options)
     chosen, method = run.method is None, DOP853() if run.method is None else run.method
-    system, load_case = compile(model), options.load_case
+    shapes, load_case = rigid_links(compile(model)), options.load_case
+    system = compile(model) if shapes is None else shapes.system
     x, v = given_positions(system, options.positions), given_velocities(system, options.velocities)
     held = with_motors_fixed(model, run.tasks)
     reduced = released(system, not_prescribed(system, held))
@@ -149,6 +151,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
         notes += ["The dense solver is used: only it chooses the independent constraints anew during the motion."]
     found = Problem(
         system=system,
+        shapes=shapes,
         eq=eq,
         ws=ws,
         user=user,

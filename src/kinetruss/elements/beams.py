@@ -13,7 +13,7 @@ and 2 of it remains.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
@@ -61,6 +61,12 @@ class BeamElements:
     line: NDArray[np.float64]
     rotary: NDArray[np.float64]
     damping: NDArray[np.float64]
+
+    def chosen(self, which: NDArray[np.bool_]) -> BeamElements:
+        """Some of them."""
+        arrays = {name: value[which] for name, value in vars(self).items() if isinstance(value, np.ndarray)}
+        kept = tuple(name for name, one in zip(self.names, which, strict=True) if one)
+        return BeamElements(names=kept, **{one.name: arrays[one.name] for one in fields(self) if one.name != "names"})
 
     @cached_property
     def record(self) -> BeamTable:

@@ -208,8 +208,7 @@ def _of_shapes(system: System) -> str:
     held = fixed_shapes(system)
     if held is None:
         return ""
-    names = [held.elements.names[k] for k in held.beams]
-    text = f"Beams keep their shape: {few(names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
+    text = f"Beams keep their shape: {few(held.names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
     return f"{text} {spin_note(system.model)}".rstrip()
 
 

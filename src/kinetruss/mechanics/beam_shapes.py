@@ -27,7 +27,8 @@ from kinetruss.mechanics.measures import measure_gradients, measured
 from kinetruss.mechanics.mobility import mobility_at
 from kinetruss.mechanics.row_gradients import constraint_jacobian
 from kinetruss.mechanics.system import System
-from kinetruss.model import Owner
+from kinetruss.model import Piece
+from kinetruss.model.beam_frames import owner_of
 from kinetruss.model.bracing import CHORD
 
 if TYPE_CHECKING:
@@ -60,19 +61,28 @@ class FixedShapes:
     forces: NDArray[np.float64]
 
     def undecided(self, not_unique: NDArray[np.bool_]) -> tuple[str, ...]:
-        """Names of held beams whose forces balance alone does not decide; not_unique : mask of the rows of `system`."""
-        return tuple(self.elements.names[k] for k in self.beams[not_unique[self.rows].any(axis=1)])
+        """Names of held beams and links whose forces balance alone does not decide; not_unique : mask of the rows of `system`."""
+        return self._named(self.beams[not_unique[self.rows].any(axis=1)])
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the held beams and links."""
+        return self._named(self.beams)
+
+    def _named(self, beams: NDArray[np.int64]) -> tuple[str, ...]:
+        every, model = (self.elements.names[k] for k in beams), self.system.model
+        return tuple(dict.fromkeys(owner_of(name, model.beams[name]).name for name in every))
 
     def modes(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Deformations of the held beams (times, k, s) at positions x (times, n, 3)."""
         return mode_values(self.elements, x)[:, self.beams]
 
-    def mode_forces(self, N: NDArray[np.float64], modes: NDArray[np.float64]) -> NDArray[np.float64]:
+    def mode_forces(self, N: NDArray[np.float64], modes: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Forces of the modes of all elastic beams (times, beams, s), N m, NaN of those not held: of row forces N of `system`
-        (times, rows), and what the beams resist where round-off deforms them.
+        (times, rows), and what the beams resist where round-off deforms them by these modes.
         """
         out = np.full((len(N), *self.elements.rigidity.shape), np.nan)
-        resisted = self.elements.rigidity[self.beams] * modes
+        resisted = 0.0 if modes is None else self.elements.rigidity[self.beams] * modes
         out[:, self.beams] = np.einsum("ksr,tkr->tks", self.forces, N[:, self.rows]) + resisted
         return out
 
@@ -84,8 +94,39 @@ def fixed_shapes(system: System) -> FixedShapes | None:
     if found is None or arrange(system).plan is not None:
         return None
     loose = _deformable(system, found)
-    if not len(loose):
+    return _with_shapes(system, found, loose) if len(loose) else None
+
+
+@cached()
+def rigid_links(system: System) -> FixedShapes | None:
+    """The system in which rigid links keep their shape by rows, and resist by these alone: what simulations integrate; None
+    without such links.
+    """
+    found = None if system.continua is None else system.continua.beams
+    if found is None or not system.model.links:
         return None
+    rigid = np.array([isinstance(one := system.model.beams[name], Piece) and one.held for name in found.names])
+    if not rigid.any():
+        return None
+    held, continua = _with_shapes(system, found, np.flatnonzero(rigid)), system.continua
+    if continua.patches or not rigid.all():
+        return replace(held, system=replace(held.system, continua=replace(continua, beams=found.chosen(~rigid))))
+    # with their mass alone they are like bodies
+    heavy, pairs = np.flatnonzero(continua.lump), np.flatnonzero(continua.mass)
+    more: dict[str, Any] = {
+        "pair_p": np.concatenate([heavy, continua.p[pairs]]),
+        "pair_q": np.concatenate([heavy, continua.q[pairs]]),
+        "pair_mass": np.concatenate([continua.lump[heavy], continua.mass[pairs]]),
+        "pair_skew": np.zeros(len(heavy) + len(pairs)),
+    }
+    for name, behind in more.items():
+        own = getattr(system, name)
+        more[name] = np.concatenate([own, behind]).astype(own.dtype)
+    return replace(held, system=replace(held.system, continua=None, **more))
+
+
+def _with_shapes(system: System, found: BeamElements, loose: NDArray[np.int64]) -> FixedShapes:
+    """The system with rows that hold the beams `loose` (k,) in their shape."""
     place = {name: i for i, name in enumerate(system.members)}
     chords = np.array([place[f"{found.names[k]}{CHORD}"] for k in loose])
     # of each beam its chord, then its sums of products
@@ -95,7 +136,8 @@ def fixed_shapes(system: System) -> FixedShapes | None:
     measure = np.insert(sums, 0, -1, axis=1).reshape(-1)
     at, factor = zip(*(one for k in loose for one in _products(found, k)), strict=True)
     size = np.array([len(one) for one in factor])
-    names = tuple(Owner("beams", found.names[k]).text for k in loose for _ in range(modes - 1))
+    owners = [owner_of(found.names[k], system.model.beams[found.names[k]]) for k in loose]
+    names = tuple(owner.text for owner in owners for _ in range(modes - 1))
     more: dict[str, Any] = {
         "measure_ptr": system.measure_ptr[-1] + np.cumsum(size),
         "term_kind": np.full(size.sum(), PRODUCT),

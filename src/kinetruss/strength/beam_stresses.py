@@ -1,4 +1,4 @@
-"""Forces, moments and stresses along elastic beams."""
+"""Forces, moments and stresses along elastic beams and links."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import section_forces
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.model import Model
+from kinetruss.model import Link, Model, Piece
 from kinetruss.results import Forces, Result, variable
+from kinetruss.strength.beam_spans import Spans, spans_of
 from kinetruss.strength.element_stresses import positions_of
 from kinetruss.strength.section_forces import fractions_of
 
@@ -27,12 +28,13 @@ if TYPE_CHECKING:
 def beams(
     model: Model, result: Result | ArrayLike, *, stations: int | ArrayLike = 13, load_case: str | None = None
 ) -> xr.Dataset:
-    """Section forces, stress and end forces of the elastic beams of a model.
+    """Section forces, stress and end forces of the elastic beams of a model, and of its links.
 
     Parameters
     ----------
     result : anything with positions or displacements (a simulation, forces, a motion, an equilibrium, `statics.linear`), or
-        positions (n_nodes, dim) or (times, n_nodes, dim), m, at rest. stations : number of them, or fractions of the length.
+        positions (n_nodes, dim) or (times, n_nodes, dim), m, at rest. stations : fractions of the length, or the number of equal
+        ones, to which the pins of links between their ends are added.
     load_case : whose gravity acts along the beams; by default that of the result, else the model's gravity. Beams of a result
         without weight of members (``weight=False`` or ``"lumped"``) have none.
 
@@ -43,7 +45,9 @@ def beams(
     ``stress`` Pa: largest normal stress |T|/A + bending. ``von_mises`` Pa: with the largest shear stress of V and of torsion
     taken at the same point, a bound; NaN where the section does not know its torsion. ``utilisation``: of the yield strength
     over its safety factor, NaN without one. ``end_force`` N and ``end_moment`` N m (beam, end, axis), by the nodes on the beam,
-    along global axes (moment in the plane: about z).
+    along global axes (moment in the plane: about z). Stations of a link count along it from its first node; at a pin it has
+    the side with the larger stress. With links ``pin_force`` (pin, axis) N, by the nodes on links, global axes; pins are called
+    ``LINK.NODE``.
 
     Raises
     ------
@@ -67,10 +71,32 @@ def beams(
     system = compile(model)
     elements = None if system.continua is None else system.continua.beams
     if elements is None:
-        raise InputError("The model has no elastic beams. Give it some: beams={'arm': ('A', 'B')}.")
+        raise InputError(
+            "The model has no elastic beams, and no links with a section and a material. Give it some: beams={'arm': ('A', 'B')}."
+        )
+    spans, xi = spans_of(system), fractions_of(stations)
+    if np.ndim(stations) == 0 and spans.parted:
+        xi = np.union1d(xi, spans.pins)
+    local = spans.places(xi)
+    values, data, timed = along_elements(model, result, local, load_case)
+    if spans.parted:
+        values = _merged(spans, values, xi, local)
+    if model.links:
+        values["pin_force"] = _on_pins(system, values)
+    values = {name: one for name, one in values.items() if name not in ("element_force", "element_moment")}
+    return _dataset(values if timed else {name: array[0] for name, array in values.items()}, timed, data, system, xi)
+
+
+def along_elements(
+    model: Model, result: Result | ArrayLike, xi: NDArray[np.float64], load_case: str | None = None
+) -> tuple[dict[str, NDArray[np.float64]], xr.Dataset | None, bool]:
+    """The values of `beams` at the fractions xi (s,) of each elastic element of a beam or link, (times, k, s, ..); the data of the
+    positions; whether these are over time.
+    """
+    system, dim = compile(model), model.dim
+    elements: BeamElements = cast(Any, system.continua).beams
     data = _data(result)
     x, timed = positions_of(system, result if data is None else cast("Result", result).with_(data=data, **_no_motion(result)))
-    xi, dim = fractions_of(stations), model.dim
     linear = data is not None and "position" not in data
     case = load_case if load_case is not None else _case_of(model, result)
     load = _gravity(system, result, case, load_case is None) - _history(system, result, data, x, "acceleration")
@@ -78,8 +104,43 @@ def beams(
     v = _history(system, result, data, x, "velocity") if elements.damping.any() else None
     loads = _along(system, case, len(x), data)
     found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given, v=v, loads=loads)
-    values = _sections(found, dim) | _stresses(model, elements, found) | _ends(found, dim)
-    return _dataset(values if timed else {name: array[0] for name, array in values.items()}, timed, data, elements, xi, dim)
+    return _sections(found, dim) | _stresses(system, elements, found) | _ends(found, dim), data, timed
+
+
+def _merged(
+    spans: Spans, values: dict[str, NDArray[np.float64]], xi: NDArray[np.float64], local: NDArray[np.float64]
+) -> dict[str, NDArray[np.float64]]:
+    """Values of elements (times, k, p, ..) as those of beams and links at xi; those of the ends of elements stay too."""
+    element, place = spans.chosen(xi, local, values["von_mises"])
+    times = np.arange(len(element))[:, None, None]
+    ends = {name: values[name] for name in ("end_force", "end_moment")}
+    found = {name: one[times, element, place] for name, one in values.items() if name not in ends}
+    first, last = ([own[at] for own in map(spans.elements, spans.names)] for at in (0, -1))
+    for name, one in ends.items():
+        found[name] = np.stack([one[:, first, 0], one[:, last, 1]], axis=2)
+    return found | {"element_force": ends["end_force"]}
+
+
+def _on_pins(system: System, values: dict[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Forces of nodes on links (times, pins, dim), N."""
+    spans, ends = spans_of(system), values.get("element_force", values["end_force"])
+    place = {name: k for k, name in enumerate(pins_of(system))}
+    found = np.zeros((len(ends), len(place), system.dim))
+    for k, (name, beam) in enumerate(_elastic(system)):
+        if isinstance(beam, Piece):
+            for end, node in enumerate(beam.ends):
+                found[:, place[f"{beam.link}.{node}"]] += ends[:, k, end]
+    return found
+
+
+def pins_of(system: System) -> list[str]:
+    """The pins of links that have section forces: ``LINK.NODE``."""
+    links = [(name, one) for name, one in zip(spans_of(system).names, spans_of(system).records, strict=True) if isinstance(one, Link)]
+    return [f"{name}.{node}" for name, one in links for node in dict.fromkeys(one.nodes)]
+
+
+def _elastic(system: System) -> list[tuple[str, Any]]:
+    return [(name, beam) for name, beam in system.model.beams.items() if beam.kind == "elastic"]
 
 
 def known_positions(forces: Forces) -> bool:
@@ -156,9 +217,9 @@ def _sections(found: dict[str, NDArray[np.float64]], dim: int) -> dict[str, NDAr
     return values | ({"torsion": moment[..., 0]} if dim == 3 else {})
 
 
-def _stresses(model: Model, elements: BeamElements, found: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
+def _stresses(system: System, elements: BeamElements, found: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
     """Normal stress, a bound of von Mises' stress, and the utilisation of the yield strength, (times, k, s)."""
-    force, moment = found["force"], found["moment"]
+    force, moment, model = found["force"], found["moment"], system.model
     normal, whole, used = (np.empty(force.shape[:-1]) for _ in range(3))
     for k, name in enumerate(elements.names):
         section, material = model.section_of(model.beams[name]), cast(Any, model.material_of(model.beams[name]))
@@ -187,8 +248,9 @@ def _ends(found: dict[str, NDArray[np.float64]], dim: int) -> dict[str, NDArray[
 
 
 def _dataset(
-    values: dict[str, NDArray[np.float64]], timed: bool, data: Any, elements: BeamElements, xi: NDArray[np.float64], dim: int
+    values: dict[str, NDArray[np.float64]], timed: bool, data: Any, system: System, xi: NDArray[np.float64]
 ) -> xr.Dataset:
+    dim = system.dim
     words = {
         "section_T": (("station",), "N", "axial force, tension positive"),
         "section_V": (("station", "transverse"), "N", "shear force along 2, 3"),
@@ -201,10 +263,15 @@ def _dataset(
         "end_moment": (("end", "about"), "N m", "moment of the node on the beam"),
     }
     first = ("time", "beam") if timed else ("beam",)
-    found = {name: variable((*first, *words[name][0]), array, *words[name][1:]) for name, array in values.items()}
-    coords: dict[str, Any] = {"beam": list(elements.names), "station": xi, "end": ["A", "B"]}
+    found = {
+        name: variable((*first, *words[name][0]), array, *words[name][1:]) for name, array in values.items() if name in words
+    }
+    coords: dict[str, Any] = {"beam": list(spans_of(system).names), "station": xi, "end": ["A", "B"]}
     coords |= {"transverse": ["2", "3"][: dim - 1], "moment": ["2", "3"][-(dim - 1) :], "axis": ["x", "y", "z"][:dim]}
     coords["about"] = ["z"] if dim == 2 else ["x", "y", "z"]
+    if "pin_force" in values:
+        found["pin_force"] = variable((*first[:-1], "pin", "axis"), values["pin_force"], "N", "force of the node on the link")
+        coords["pin"] = pins_of(system)
     if timed and data is not None and "time" in data.coords:
         coords["time"] = data["time"].values
     return xr.Dataset(found, coords=coords, attrs={"kind": "beams"})

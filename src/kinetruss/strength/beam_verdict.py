@@ -1,16 +1,17 @@
-"""Elastic beams in a verdict: their highest von Mises stress along the length, and their largest compression."""
+"""Elastic beams and links in a verdict: their highest von Mises stress along the length, and their largest compression."""
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kinetruss.display.ranks import place_of_largest
 from kinetruss.mechanics import System, cached, compile
+from kinetruss.model import Piece
 from kinetruss.results import Forces
-from kinetruss.strength.beam_stresses import beams, known_positions
+from kinetruss.strength.beam_spans import Spans, spans_of
+from kinetruss.strength.beam_stresses import along_elements, known_positions
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,18 +28,24 @@ UNKNOWN = "not checked: the positions are not those of a structure in balance, s
 
 
 def beam_parts(model: Model) -> tuple[str, ...]:
-    """Names of the elastic beams, which follow the bars in a verdict."""
+    """Names of the elastic beams and of links with a section, which follow the bars in a verdict."""
     return _names(compile(model))
 
 
 @cached()
 def _names(system: System) -> tuple[str, ...]:
-    return tuple(name for name, beam in system.model.beams.items() if beam.kind == "elastic")
+    return spans_of(system).names
 
 
 def chord_of(name: str) -> str:
     """The bar that shows a beam in pictures."""
     return f"{name}.chord"
+
+
+def chords_of(model: Model, name: str) -> list[str]:
+    """The bars that show a beam or a link in pictures: of a link one between each two pins."""
+    whole = model.whole
+    return [chord_of(one) for one, beam in whole.beams.items() if name == (beam.link if isinstance(beam, Piece) else one)]
 
 
 def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> dict[str, tuple[NDArray[np.float64], ...]]:
@@ -51,11 +58,27 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     if not all(shape) or not known_positions(forces):
         nothing = np.full(shape, np.nan)
         return dict.fromkeys(BEAM_QUANTITIES, (nothing, nothing))
-    found = beams(model, forces, stations=max(stations, SECTIONS))
-    xi, T = found["station"].values, found["section_T"].values
-    M = np.linalg.norm(found["section_M"].values, axis=-1)
-    along = dict(zip(BEAM_QUANTITIES, (T, -T, M, found["von_mises"].values), strict=True))
-    return {name: _largest(values, xi) for name, values in along.items()}
+    xi = np.linspace(0.0, 1.0, max(stations, SECTIONS))
+    found, _, _ = along_elements(model, forces, xi)
+    T, M = found["section_T"], np.linalg.norm(found["section_M"], axis=-1)
+    along = dict(zip(BEAM_QUANTITIES, (T, -T, M, found["von_mises"]), strict=True))
+    spans = spans_of(compile(model))
+    return {name: _of_spans(spans, *_largest(values, xi)) for name, values in along.items()}
+
+
+def _of_spans(
+    spans: Spans, values: NDArray[np.float64], place: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Values (times, elements) and their fractions of the element as those of whole beams and links."""
+    if not spans.parted:
+        return values, place
+    place = (spans.start + place * spans.length) / spans.total[spans.of]
+    worst = []
+    for name in spans.names:
+        own = spans.elements(name)
+        worst.append(own[np.nan_to_num(values[:, own], nan=-np.inf).argmax(axis=1)])
+    at = np.stack(worst, axis=1)
+    return np.take_along_axis(values, at, axis=1), np.take_along_axis(place, at, axis=1)
 
 
 def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
@@ -63,27 +86,28 @@ def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
     NaN where they are not known, and on those of rigid beams.
     """
     data = result.arrays if isinstance(result, Forces) else result.whole
-    found, names = np.array(data["member_force"].values, float), beam_parts(model)
+    found, beams = np.array(data["member_force"].values, float), model.whole.beams
     members = list(model.whole.members)
-    found[..., [members.index(chord_of(beam)) for beam in model.beams]] = np.nan
-    if names:
-        columns = [members.index(chord_of(name)) for name in names]
-        if not isinstance(result, Forces) or known_positions(result):
-            found[..., columns] = beams(model, result, stations=[0.5])["section_T"].values[..., 0]
+    found[..., [members.index(chord_of(beam)) for beam in beams]] = np.nan
+    columns = [members.index(chord_of(name)) for name, beam in beams.items() if beam.kind == "elastic"]
+    if columns and (not isinstance(result, Forces) or known_positions(result)):
+        values = along_elements(model, result, np.array([0.5]))[0]["section_T"][..., 0]
+        found[..., columns] = values if found.ndim > 1 else values[0]
     return found
 
 
 def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArray[np.float64]:
-    """Section forces (times, beams, stations, values) of forces or of an equilibrium, at equal distances along elastic beams:
-    T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises' stress, Pa; NaN where they
+    """Section forces (times, beams, stations, values) of forces or of an equilibrium, at equal distances along elastic beams
+    and the parts of links: T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises' stress, Pa; NaN where they
     are not known.
     """
-    shape = (-1, len(beam_parts(model)), stations, 4 if model.dim == 2 else 7)
+    elements = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
+    shape = (-1, elements, stations, 4 if model.dim == 2 else 7)
     if isinstance(result, Forces) and not known_positions(result):
         return np.full((len(result.arrays["time"].values), *shape[1:]), np.nan)
-    found = beams(model, result, stations=stations)
+    found, _, _ = along_elements(model, result, np.linspace(0.0, 1.0, stations))
     names = ("section_T", "section_V", "section_M", "torsion", "von_mises")
-    parts = [found[name].values for name in names if name in found]
+    parts = [found[name] for name in names if name in found]
     several = [one if one.ndim > parts[0].ndim else one[..., None] for one in parts]
     return np.asarray(np.concatenate(several, axis=-1)).reshape(shape)
 
@@ -96,14 +120,13 @@ def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDAr
 @cached()
 def _limits(system: System) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Allowed stress, Pa, NaN if it is not known, and length, m, of each elastic beam."""
-    model, strength, length = system.model, [], []
-    for name in _names(system):
-        beam = model.beams[name]
-        material = model.material_of(beam)
+    model, strength = system.model, []
+    spans = spans_of(system)
+    for record in spans.records:
+        material = model.material_of(record)
         known = None if material is None else material.yield_strength
         strength.append(np.nan if known is None else known / model.safety.yielding)
-        length.append(math.dist(*(model.nodes[end].at for end in beam.ends)))
-    return np.array(strength), np.array(length)
+    return np.array(strength), spans.total
 
 
 def beam_limits(model: Model) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -122,7 +145,7 @@ def beam_notes(model: Model, stress: NDArray[np.float64], compression: NDArray[n
         if np.isnan(beam_limits(model)[0][k]):
             found[k, 0] = "not checked: no yield strength"
         elif np.isnan(stress[k]):
-            section = model.section_of(model.beams[name])
+            section = model.section_of(spans_of(compile(model)).records[k])
             found[k, 0] = f"not checked: no shear stress of torsion of a {getattr(section, 'kind', '')} section"
         found[k, 1] = STABILITY if compression[k] > 0 else "never in compression"
     return found

@@ -14,7 +14,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.results import Arrays, Column, Forces, Status, Verdict, provenance, row_text, variable
 from kinetruss.results.wide_tables import most_used
-from kinetruss.strength.beam_verdict import beam_notes, beam_parts, chord_of
+from kinetruss.strength.beam_verdict import beam_notes, beam_parts, chords_of
 from kinetruss.strength.critical_loads import beyond_euler, missing, notes
 from kinetruss.strength.parts import parts_of, twisted_parts
 from kinetruss.strength.section_forces import add_to_notes, not_held, screws_not_held, sentences
@@ -59,9 +59,10 @@ def unchecked(model: Model) -> dict[str, str]:
         if what := missing(parts, r):
             found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
     for name in beam_parts(model):
-        material = model.material_of(model.beams[name])
+        material = model.material_of(model.beams.get(name) or model.links[name])
         if material is None or material.yield_strength is None:
-            found.setdefault(chord_of(name), []).append("yield: no yield strength")
+            for chord in chords_of(model, name):
+                found.setdefault(chord, []).append("yield: no yield strength")
     return {member: "; ".join(words) for member, words in found.items()}
 
 
@@ -77,7 +78,7 @@ def _by_member(
 ) -> dict[str, NDArray[np.float64]]:
     """Over (times, members), of values and utilisations over (times, parts, rules)."""
     rules, index = list(data["rule"].values), {name: k for k, name in enumerate(model.whole.members)}
-    index |= {name: index[chord_of(name)] for name in beam_parts(model)}
+    index |= {name: index[chords_of(model, name)[0]] for name in beam_parts(model)}
     of = np.array([index[str(name)] for name in data["member"].values], np.int64)
     stress, buckling = rules.index("yield"), rules.index("buckling")
     count = len(model.whole.members)
@@ -90,6 +91,10 @@ def _by_member(
         "utilisation": largest,
         "buckling": _largest(used[:, :, buckling], of, count),
     }
+    for name in model.links:  # all parts of a link show what its worst place has
+        chords = [index[one] for one in chords_of(model, name)]
+        for values in found.values():
+            values[:, chords] = values[:, chords[:1]]
     return {name: values for name, values in found.items() if not np.isnan(values).all()}
 
 
