@@ -157,6 +157,11 @@ def _check_name(model: Model, member: str | None, node: str | None) -> None:
             f"{member!r} is a beam, and free bodies are of bars and nodes. Its end forces and section forces are those of "
             f"strength.beams; the free body of its end: --node {model.beams[member].ends[0]}."
         )
+    if member in model.links:
+        raise InputError(
+            f"{member!r} is a link, and free bodies are of bars and nodes. What its nodes exert on it, and its section forces, "
+            "are those of strength.beams."
+        )
     for what, given, known in (("member", member, model.whole.members), ("node", node, model.whole.nodes)):
         if given is not None and given not in known:
             raise InputError(f"No {what} called {given!r}. {nearest(given, known)}")

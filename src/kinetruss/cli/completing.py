@@ -12,7 +12,7 @@ import click
 Complete = Callable[[click.Context, click.Parameter, str], list[str]]
 MODELS = ("model", "what", "out", "run")
 """Names of arguments that hold a model file or a run folder."""
-MEMBERS = ("bars", "active", "beams")
+MEMBERS = ("bars", "active", "beams", "links")
 MOST = 400
 """Largest number of values that are offered."""
 

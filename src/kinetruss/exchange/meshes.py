@@ -157,6 +157,7 @@ def write_vtu(
     data = {"member": number} | ({"force": force} if forces is not None else {})
     meshio.Mesh(x, cells, point_data=points, cell_data=data).write(path, file_format="vtu", binary=True)
     left = [LeftOut("beams", name, "beams are not carried") for name in model.beams]
+    left += [LeftOut("links", name, "links are not carried") for name in model.links]
     return left + [LeftOut("bodies", name, "is carried as the lines of its bars") for name in model.bodies]
 
 

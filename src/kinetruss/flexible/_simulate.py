@@ -15,7 +15,7 @@ from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics import follow, sample
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.arguments import number_of
-from kinetruss.model import Bar, Free, Model
+from kinetruss.model import Bar, Free, Model, bends
 from kinetruss.results import Simulation
 from kinetruss.threads import one_thread
 
@@ -119,7 +119,11 @@ def _soft_model(system: System, model: Model, f: NDArray[np.float64], delay: flo
     beams = {
         name: beam.with_(damping=beam.damping + delay) if beam.kind == "elastic" else beam for name, beam in model.beams.items()
     }
-    return model.with_(bars=bars, beams=beams)
+    links = {
+        name: link.with_(kind="elastic", damping=link.damping + delay) if bends(model, link) else link
+        for name, link in model.links.items()
+    }
+    return model.with_(bars=bars, beams=beams, links=links)
 
 
 class _Springs:

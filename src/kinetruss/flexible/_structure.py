@@ -162,7 +162,7 @@ def refuse_unloaded_beams(model: Model, forces: Forces) -> None:
     InputError : such forces.
     """
     unknown = forces.attrs.get("not_balanced", 0) or forces.attrs.get("undecided", ())
-    if unknown and any(beam.kind == "elastic" for beam in model.beams.values()):
+    if unknown and any(beam.kind == "elastic" for beam in model.whole.beams.values()):
         raise InputError(
             "In these positions beams are not deformed by their loads, and balance alone does not decide the forces that "
             "stiffen them. Give the equilibrium: statics.at_poses(model, statics.equilibrium(model).position.values[None])."

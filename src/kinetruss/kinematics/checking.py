@@ -10,6 +10,7 @@ from kinetruss.io import MAX_SIZE, check as data_faults, placed, read
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.mobility import afloat, beam_deformations, mobility_at
 from kinetruss.model import Model, in_python, loads_along_beams, plausibility
+from kinetruss.model.beam_frames import owner_of
 from kinetruss.threads import one_thread
 
 
@@ -68,7 +69,9 @@ def _spins(model: Model) -> list[Fault]:
     """Members that are held against a spin about their own axis."""
     said = "is free to spin about its own axis; nothing drives or loads this, so it is held."
     mend = "If it should turn, clamp or drive it, or put a hinge at one end."
-    return [Fault(("beams", one.beams[0]), said, mend) for one in model.whole.inner.spins]
+    owners = {owner_of(name, model.whole.beams[name]) for one in model.whole.inner.spins for name in one.beams[:1]}
+    # a straight link between ball joints has no other spin than this, and no need of it
+    return [Fault((owner.table, owner.name), said, mend) for owner in owners if owner.table != "links"]
 
 
 def _freedoms(model: Model) -> list[Fault]:

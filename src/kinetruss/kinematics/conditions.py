@@ -15,7 +15,18 @@ from kinetruss.kinematics.sampling import Sampled, sample, start_values
 from kinetruss.kinematics.turns import halved
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.mechanics.transfer import flat_positions
-from kinetruss.model import Bar, Condition, LengthDrive, LoadCase, Model, NodalForce, condition_faults, natural_length, nearest
+from kinetruss.model import (
+    Bar,
+    Condition,
+    LengthDrive,
+    LoadCase,
+    Model,
+    NodalForce,
+    bends,
+    condition_faults,
+    natural_length,
+    nearest,
+)
 from kinetruss.model.references import names_in
 from kinetruss.results import Motion
 
@@ -222,9 +233,11 @@ def _warmed(model: Model, condition: Condition) -> Model:
     """New lengths without force, and the place in which they close."""
     if not (condition.temperature or any(condition.temperatures.values())):
         return model
-    beams = {name: one for name, one in model.beams.items() if one.kind == "elastic"}
+    beams = {name: one for name, one in model.bending.items() if bends(model, one)}
     if without := next(iter({**model.membranes, **model.solids, **beams}), None):
-        what, mend = ("a beam", ", or model it by elastic bars") if without in beams else ("a membrane or a solid", "")
+        what, mend = (
+            ("a beam or a link", ", or model it by elastic bars") if without in beams else ("a membrane or a solid", "")
+        )
         raise InputError(f"{without!r} is {what}, which has no thermal strain here. Leave out the temperature{mend}.")
     system = compile(model)
     length = dict(zip(system.members, system.length0.tolist(), strict=True))

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.elements.beams import BeamElements
+    from kinetruss.elements.continua_arrays import Continua
 
 
 BENDS = 1e-6
@@ -61,7 +62,7 @@ class FixedShapes:
     forces: NDArray[np.float64]
 
     def undecided(self, not_unique: NDArray[np.bool_]) -> tuple[str, ...]:
-        """Names of held beams and links whose forces balance alone does not decide; not_unique : mask of the rows of `system`."""
+        """Names of held beams and links whose forces balance alone does not decide; not_unique : mask of all rows."""
         return self._named(self.beams[not_unique[self.rows].any(axis=1)])
 
     @property
@@ -108,7 +109,7 @@ def rigid_links(system: System) -> FixedShapes | None:
     rigid = np.array([isinstance(one := system.model.beams[name], Piece) and one.held for name in found.names])
     if not rigid.any():
         return None
-    held, continua = _with_shapes(system, found, np.flatnonzero(rigid)), system.continua
+    held, continua = _with_shapes(system, found, np.flatnonzero(rigid)), cast("Continua", system.continua)
     if continua.patches or not rigid.all():
         return replace(held, system=replace(held.system, continua=replace(continua, beams=found.chosen(~rigid))))
     # with their mass alone they are like bodies

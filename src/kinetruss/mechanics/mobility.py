@@ -20,7 +20,7 @@ from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, constraint_jacobia
 from kinetruss.mechanics.system import System, compile
 from kinetruss.model import CoordinateDrive, Model
 from kinetruss.model.beam_checks import SPIN
-from kinetruss.model.beam_frames import line_advice
+from kinetruss.model.beam_frames import line_advice, owner_of
 from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
@@ -115,7 +115,8 @@ def self_stress_text(system: System, state: NDArray[np.float64], names: tuple[st
     largest = float(np.abs(state[own]).max(initial=0.0)) or 1.0
     shown = [f"{names[i]} {_shown(state[i] / largest)}" for i in order]
     taking = [k for k in np.flatnonzero(np.abs(state) > 1e-6 * np.abs(state).max(initial=0.0)) if not own[k]]
-    shown += dict.fromkeys(inner[names[k]].text if k < count else f"beam {names[k]}" for k in taking)
+    beams = {name: owner_of(name, beam).text for name, beam in system.model.beams.items()}
+    shown += dict.fromkeys(inner[names[k]].text if k < count else beams.get(names[k], names[k]) for k in taking)
     return few(shown, most)
 
 
@@ -206,8 +207,8 @@ LINES = 40
 class Mobility:
     """Count and rank of a structure at one configuration (Maxwell 1864; Calladine 1978; Pellegrino & Calladine 1986).
 
-    bars : rigid bars. beams : elastic ones, which count as rigid here: what only bends them is no freedom. couplings : between
-    coordinates. drives : prescribed coordinates.
+    bars : rigid bars. beams : elastic ones, and links : those of the user, which count as rigid here: what only bends them is
+    no freedom. couplings : between coordinates. drives : prescribed coordinates.
     coordinates, fixed : of the user's nodes, with the rotations of beams and hubs. rank : of rigid bars, beams and couplings.
     degrees_of_freedom : freedoms before drives = coordinates - fixed - rank.
     undriven : freedoms left with all drives held. self_stress : number of states with all drives held.
@@ -221,6 +222,7 @@ class Mobility:
     fixed: int
     bars: int
     beams: int
+    links: int
     couplings: int
     drives: int
     rank: int
@@ -270,6 +272,7 @@ class Mobility:
 
     def __str__(self) -> str:
         held = [counted(self.bars, "rigid bar"), *([counted(self.beams, "elastic beam")] if self.beams else [])]
+        held += [counted(self.links, "link")] if self.links else []
         held += [counted(self.couplings, "coupling")] if self.couplings else []
         lines = [
             f"{', '.join(held)}, {self.coordinates} coordinates, {self.fixed} fixed, "
@@ -369,7 +372,8 @@ def mobility_at(
         coordinates=len(system.nodes) * dim - idle - len(places) * dim + loose - braces,
         fixed=int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim) - idle - (len(places) * dim - loose),
         bars=int(length.sum()) - bars,
-        beams=len(set(found.names)),
+        beams=sum(name in system.given.beams for name in set(found.names)),
+        links=len(system.given.links),
         couplings=int((system.row_kind == SUM)[system.row_drive < 0].sum()) - couplings,
         drives=len(system.drives),
         rank=rank - braces,

@@ -267,6 +267,7 @@ def beam_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
     held = {name for one in model.inner.spins for name in one.beams}
     for name, beam in model.beams.items():
         if isinstance(beam, Piece):
+            yield from _hinges(model, beam, ("links", beam.link), dim)
             continue
         path = ("beams", name)
         if name in model.members:

@@ -55,7 +55,7 @@ def frame_of(name: str, beam: Beam, end: str) -> str:
     share one at each of its pins.
     """
     if isinstance(beam, Piece):
-        return f"{beam.link}.{end}" if end in beam.release else end
+        return f"{beam.link}.{end}" if end in beam.own else end
     return f"{name}.{end}" if end in beam.release or end in beam.hinges else end
 
 
@@ -114,9 +114,7 @@ def add_frames(whole: WholeModel) -> None:
     inner.hinges.extend(hinges(whole, inner.frames))
     every = "xyz"[: whole.dim]
     owners = {
-        frame_of(name, beam, end): Owner("links", beam.link, end)
-        if isinstance(beam, Piece)
-        else Owner("beams", name, end)
+        frame_of(name, beam, end): Owner("links", beam.link, end) if isinstance(beam, Piece) else Owner("beams", name, end)
         for name, beam in whole.beams.items()
         for end in beam.ends
     }

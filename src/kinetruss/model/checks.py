@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
 from kinetruss.model.beam_checks import beam_faults
-from kinetruss.model.links import link_faults
 from kinetruss.model.body_checks import body_faults, planar_body_faults
 from kinetruss.model.common_faults import a_bar, components, other_quantity
 from kinetruss.model.continua import continuum_faults
@@ -23,6 +22,7 @@ from kinetruss.model.coordinate_checks import (
 from kinetruss.model.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, coordinate_kinds
 from kinetruss.model.gauges import gauge_faults
 from kinetruss.model.hub_expansion import bearing_faults
+from kinetruss.model.links import link_faults
 from kinetruss.model.load_checks import load_faults
 from kinetruss.model.members import Active, elastic_faults
 from kinetruss.model.references import unknown_names

@@ -197,6 +197,11 @@ class ModelData(Record):
         return len(next(iter(self.nodes.values())).at)
 
     @cached_property
+    def bending(self) -> dict[str, Beam | Link]:
+        """Beams and links by name."""
+        return ReadOnly({**self.beams, **self.links})
+
+    @cached_property
     def members(self) -> dict[str, Bar | Active]:
         """All members by name: bars, then active members. Results keep this order."""
         return ReadOnly({**self.bars, **self.active})

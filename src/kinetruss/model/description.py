@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 COUNTED = (
-    ("bars", "bar", ""), ("active", "active member", ""), ("beams", "beam", ""), ("links", "link", ""), ("bodies", "body", "bodies"),
+    ("bars", "bar", ""), ("active", "active member", ""), ("beams", "beam", ""), ("links", "link", ""),
+    ("bodies", "body", "bodies"),
     ("hubs", "hub", ""), ("membranes", "membrane", ""), ("solids", "solid", ""), ("springs", "spring", ""),
     ("loads", "load", ""), ("load_cases", "load case", ""),
 )  # fmt: skip

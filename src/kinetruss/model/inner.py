@@ -16,8 +16,8 @@ WORDS = {"beams": "beam", "links": "link", "bodies": "body", "hubs": "hub"}
 
 
 class Owner(NamedTuple):
-    """To what an inner part belongs: the table of the model (``nodes``, ``beams``, ``links``, ``bodies``, ``hubs``), the name there, and
-    the node at which it is (empty for bars).
+    """To what an inner part belongs: the table of the model (``nodes``, ``beams``, ``links``, ``bodies``, ``hubs``), the name
+    there, and the node at which it is (empty for bars).
     """
 
     table: Literal["nodes", "beams", "links", "bodies", "hubs"]
@@ -36,7 +36,8 @@ class Inner:
 
     nodes : of frames and of axes of hinges, tips of the arms of hubs, apexes. bars : chords of beams, braces, bars of hinges,
     arms of hubs. bodies : of hubs and of hinged members. couplings : of rotations of beams, of hinges.
-    frames, hinges, spins : of beams and links; tips : by frame of a link the node towards which its direction counts. arms : of each hub. pivots : the hinges of hubs.
+    frames, hinges, spins : of beams and links; tips : by frame of a link the node towards which its direction counts.
+    arms : of each hub. pivots : the hinges of hubs.
     """
 
     nodes: dict[str, Owner] = field(default_factory=dict)

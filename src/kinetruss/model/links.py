@@ -14,6 +14,7 @@ from kinetruss.model.members import Brace
 from kinetruss.model.record import Delay, Mass, Name, Record, Series, short_form
 from kinetruss.model.references import NodeName, names_in
 from kinetruss.model.sections import MaterialOrName, SectionOrName
+from kinetruss.model.table import ReadOnly, Table
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -35,6 +36,8 @@ class Link(Record):
     section, material : names or records, by default those of the model; an elastic link needs both. A rigid one without them
         is not checked for strength.
     mass : total, kg; by default density x area x length. It is spread evenly along it, with the rotary inertia of the section.
+    hinges : in space, by node the one axis about which it turns against the rotation of the node, which a clamp or a beam
+        gives: a local axis of the link there, or a vector in global axes, as of a `Beam`. Other nodes are ball joints.
     weld : of its nodes, those at which it shares the rotation of the node with clamps, with beams and with other links that
         are welded there.
     orientation : of its section in space, as of a `Beam`; a node, or a vector.
@@ -43,7 +46,8 @@ class Link(Record):
     >>> import kinetruss as kt
     >>> crane = kt.Model(nodes={"O": (0, 0), "M": (1, 0), "T": (2, 0), "P": (1, -1)}, fixed=["O", "P"], material="steel_s235",
     ...                  section=kt.Rectangle(width=0.05, height=0.1), links={"boom": ("O", "M", "T")},
-    ...                  bars={"ram": kt.Bar(ends=("P", "M"), kind="driven")}, loads={"hook": kt.NodalForce(node="T", force=(0, -1e3))})
+    ...                  bars={"ram": kt.Bar(ends=("P", "M"), kind="driven")},
+    ...                  loads={"hook": kt.NodalForce(node="T", force=(0, -1e3))})
     >>> along = kt.strength.beams(crane, kt.statics.linear(crane), stations=[0.5])
     >>> along.section_M.sel(beam="boom", moment="3").values.round(6).tolist()
     [-1000.0]
@@ -55,6 +59,7 @@ class Link(Record):
     material: MaterialOrName | None = None
     mass: Mass | None = None
     weld: Annotated[tuple[Name, ...], Series] = ()
+    hinges: Table[Name, Literal[1, 2, 3] | Vector] = ReadOnly()
     orientation: NodeName | Vector | None = None
     damping: Delay = 0.0
 
@@ -73,10 +78,12 @@ class Link(Record):
 class Piece(Beam):
     """The part of a link between two of its pins that follow each other (inner).
 
-    link : its name. start : where the part begins, m along the link. held : it keeps its shape in simulations.
+    link : its name. own : those of its ends at which it has the rotation of the link, and not that of the node. start : where
+    the part begins, m along the link. held : it keeps its shape in simulations.
     """
 
     link: Name
+    own: tuple[Name, ...]
     start: float
     held: bool
 
@@ -85,7 +92,7 @@ TIP = "tip"
 """End of the name of the node towards which the direction of a link counts."""
 
 
-def lengths_of(model: ModelData, link: Link) -> list[float]:
+def _lengths(model: ModelData, link: Link) -> list[float]:
     """Lengths of the parts of a link, m."""
     return [math.dist(model.nodes[a].at, model.nodes[b].at) for a, b in pairwise(link.nodes)]
 
@@ -98,7 +105,7 @@ def is_sound(model: ModelData, link: Link) -> bool:
         len(places) == len(link.nodes)
         and len(set(open_nodes)) == len(open_nodes) >= (2 if open_nodes == link.nodes else 3)
         and all(len(at) == model.dim for at in places)
-        and all(length > 0 for length in lengths_of(model, link))
+        and all(length > 0 for length in _lengths(model, link))
     )
 
 
@@ -108,9 +115,8 @@ def pieces(model: ModelData) -> dict[str, Piece]:
     for name, link in model.links.items():
         if not is_sound(model, link):
             continue
-        lengths, at = lengths_of(model, link), 0.0
-        section, material = (_known(model, link, field) for field in ("section", "material"))
-        known = section and material
+        lengths, at, seen = _lengths(model, link), 0.0, set[str]()
+        known = bends(model, link)
         for (a, b), length in zip(pairwise(link.nodes), lengths, strict=True):
             found[f"{name}.{a}-{b}"] = Piece.model_construct(
                 ends=(a, b),
@@ -119,14 +125,31 @@ def pieces(model: ModelData) -> dict[str, Piece]:
                 material=link.material,
                 mass=None if link.mass is None else link.mass * length / sum(lengths),
                 orientation=_orientation(model, link, a, b),
-                release=tuple(end for end in (a, b) if end not in link.weld),
+                release=tuple(end for end in (a, b) if end not in link.weld and end not in link.hinges),
+                # of both parts at a pin the first has its hinge
+                hinges={end: link.hinges[end] for end in (a, b) if end in link.hinges and end not in seen},
+                own=tuple(end for end in (a, b) if end not in link.weld),
                 damping=link.damping,
                 link=name,
                 start=at,
                 held=link.kind == "rigid",
             )
             at += length
+            seen |= {a, b}
     return found
+
+
+def bends(model: ModelData, one: Beam | Link) -> bool:
+    """Whether a beam or link has section forces: an elastic beam, a link with section and material."""
+    if isinstance(one, Link):
+        return _known(model, one, "section") and _known(model, one, "material")
+    return one.kind == "elastic"
+
+
+def length_along(model: ModelData, one: Beam | Link) -> float:
+    """Length of a beam or link, m."""
+    nodes = one.nodes if isinstance(one, Link) else one.ends
+    return sum(math.dist(model.nodes[a].at, model.nodes[b].at) for a, b in pairwise(nodes))
 
 
 def _known(model: ModelData, link: Link, field: str) -> bool:
@@ -205,11 +228,20 @@ def link_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
                 yield Fault(path, message, "Give each its own name.", about=((table, name),))
         yield from _pins(model, link, path)
         yield from _matter(model, link, path, dim)
+        for node in link.hinges:
+            if node not in link.nodes:
+                yield Fault((*path, "hinges", node), f"{node!r} is no node of the link.", f"Name one of {few(link.nodes, 6)}.")
+            elif node in link.weld:
+                yield Fault(
+                    (*path, "hinges", node), f"{node!r} is welded too.", "Name it in one of both.", about=((*path, "weld"),)
+                )
         for k, node in enumerate(link.weld):
             if node not in link.nodes:
                 yield Fault((*path, "weld", k), f"{node!r} is no node of the link.", f"Name one of {few(link.nodes, 6)}.")
         if link.kind == "rigid" and link.damping:
-            yield Fault((*path, "damping"), "is given for a rigid link, which does not vibrate.", "Leave it out, or kind: elastic.")
+            yield Fault(
+                (*path, "damping"), "is given for a rigid link, which does not vibrate.", "Leave it out, or kind: elastic."
+            )
         if link.orientation is not None and dim == 2:
             yield Fault((*path, "orientation"), "is given in a planar model.", "Leave it out: axis 2 lies in the plane.")
     yield from _doubled(model)
@@ -232,7 +264,8 @@ def _pins(model: WholeModel, link: Link, path: tuple[Any, ...]) -> Iterator[Faul
     if twice is not None:
         mend = "Name each pin once, in the order in which the link runs through them."
         if len(link.nodes) > 3:
-            mend += f" A closed frame names its first node again at the end: [{', '.join((*dict.fromkeys(link.nodes), link.nodes[0]))}]."
+            closed = ", ".join((*dict.fromkeys(link.nodes), link.nodes[0]))
+            mend += f" A closed frame names its first node again at its end: nodes: [{closed}]."
         yield Fault(place, f"names {twice!r} twice.", mend)
         return
     if len(open_nodes) < (2 if open_nodes == link.nodes else 3):
@@ -274,8 +307,7 @@ def _doubled(model: WholeModel) -> Iterator[Fault]:
         if other := next((pairs[pair] for pair in own if pair in pairs), None):
             pair = next(pair for pair in own if pairs.get(pair) == other)
             a, b = sorted(pair, key=list(every).index)
-            message = f"has two pins, {a} and {b}, in common with the rigid link {other!r}: how they share the load is not known."
-            mend = "Make one link of both, with the section of both; or let each be kind: elastic; or pin one of them elsewhere."
+            message = f"has two pins, {a} and {b}, in common with the rigid link {other!r}: who carries what is not known."
+            mend = "Make one link of both, with the section of both; or make both kind: elastic; or pin one of them elsewhere."
             yield Fault(("links", name, "nodes"), message, mend, about=(("links", other),))
         pairs |= {pair: name for pair in own if pair not in pairs}
-

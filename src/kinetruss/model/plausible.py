@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault
 from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.model.drives import coordinate_kinds, turns
+from kinetruss.model.links import length_along
 from kinetruss.model.record import Record
 from kinetruss.model.simulation import TRAJECTORY_TASKS
 from kinetruss.model.trajectories import Sine, moved_by
@@ -115,6 +116,8 @@ def _parts(model: Model) -> Iterator[tuple[Path, Any, float, bool]]:
             yield ("active", name, side), part, part.length, False
     for name, beam in model.beams.items():
         yield ("beams", name), beam, _length(model, beam), False
+    for name, link in model.links.items():
+        yield ("links", name), link, length_along(model, link), False
 
 
 def _length(model: Model, member: Any) -> float:

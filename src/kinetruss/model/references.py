@@ -46,8 +46,12 @@ class Ref:
 
     def fault(self, model: ModelData, name: str, path: Path) -> Fault:
         """That of an unknown name, with the most similar ones, those of the library included."""
+        inner = getattr(model, "inner", None)
+        hidden = {} if inner is None else {**inner.bars, **inner.nodes, **inner.couplings, **inner.bodies}
         library = (one for table in self.tables for one in shelf(table))
-        mend = nearest(name, dict.fromkeys([*self.names(model), *library]))
+        mend = nearest(name, dict.fromkeys([*(one for one in self.names(model) if one not in hidden), *library]))
+        if name in model.links and "links" not in self.tables and "bars" in self.tables:
+            mend = f"{shown(name)} is a link, which keeps its length: name a bar, or drive an angle of the link."
         if self.advice and not mend.startswith("Did"):
             mend = f"{self.advice} By name, {mend[0].lower()}{mend[1:]}"
         about = tuple((table, name.rpartition(".")[0] if table == "poses" else name) for table in self.tables)

@@ -233,9 +233,11 @@ def base_rotation_faults(model: ModelData, base: BaseRotation | None, path: tupl
         vector = getattr(base, field)
         if vector is not None and len(vector) != wanted:
             yield Fault((*path, field), f"has {len(vector)} components, the model has {wanted} {place}.", f"Give {wanted}.")
-    if left := [*model.beams, *(name for name, node in model.nodes.items() if node.scalar)]:
+    if left := [*model.bending, *(name for name, node in model.nodes.items() if node.scalar)]:
         mend = "Leave out base_rotation, or make beams of bars."
-        yield Fault(path, f"is not taken into account by beams and scalar coordinates, and the model has {left[0]!r}.", mend)
+        yield Fault(
+            path, f"is not taken into account by beams, links and scalar coordinates, and the model has {left[0]!r}.", mend
+        )
     if base.gravity_turns and (own := [name for name, node in model.nodes.items() if node.gravity is not None]):
         mend = "Leave out gravity_turns, or the gravity of the node."
         yield Fault((*path, "gravity_turns"), f"turns one gravity, but node {own[0]!r} has one of its own.", mend)

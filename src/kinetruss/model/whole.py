@@ -76,7 +76,8 @@ class WholeModel(ModelData):
 def expanded(model: ModelData) -> WholeModel:
     """The whole of a model. Beams, bodies and hubs that are at fault get no inner parts, or too few.
 
-    First hubs get their arms and bodies, then links their beams and all beams their frames; last the bars that all rigid ones still need.
+    First hubs get their arms and bodies, then links their beams, and all beams their frames; last the bars that all rigid ones
+    still need.
     """
     whole = WholeModel.growing(model)
     whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})

@@ -18,6 +18,7 @@ from kinetruss.library.joints import conditioning
 from kinetruss.model.beam_frames import frame_of
 from kinetruss.model.bodies import principal, quality
 from kinetruss.model.data import ELEMENT_FIELDS
+from kinetruss.model.links import length_along
 from kinetruss.report.page import Page
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def counts(model: Model) -> dict[str, Any]:
         "nodes": len(model.nodes),
         "bars": len(model.bars),
         "beams": len(model.beams),
+        "links": len(model.links),
         "active_members": len(model.active),
     }
 
@@ -49,7 +51,7 @@ def counted_parts(model: Model) -> str:
     """
     found = counts(model)
     parts = [counted(found["nodes"], "node"), counted(found["bars"], "bar")]
-    several = (("active_members", "active member"), ("beams", "beam"))
+    several = (("active_members", "active member"), ("beams", "beam"), ("links", "link"))
     return ", ".join([*parts, *(counted(found[key], word) for key, word in several if found[key])])
 
 
@@ -67,6 +69,7 @@ def _record(model: Model, name: str) -> dict[str, Any]:
         "bodies": _bodies(model),
         "joints": _joints(model),
         "beams": _beams(model),
+        "links": _links(model),
         **{field: list(getattr(model, field)) for field in ELEMENT_FIELDS.values()},
         "mechanisms": found.mechanism_texts(),
         "self_stress_states": found.self_stress_texts(),
@@ -85,6 +88,16 @@ def _entries(model: Model, name: str) -> Iterator[Entry]:
         *(words(f"{key} at", lambda one, key=word: ", ".join(one[key])) for key, word in ENDS.items()),
     ]
     yield Table(columns, _beams(model), "Beams")
+    columns = [
+        words("link", "name"),
+        words("kind"),
+        words("nodes", lambda one: ", ".join(one["nodes"])),
+        measured("length", unit="m"),
+        words("section", lambda one: one["section"] or "-"),
+        words("welded at", lambda one: ", ".join(one["weld"])),
+        words("hinged at", lambda one: ", ".join(one["hinges"])),
+    ]
+    yield Table(columns, _links(model), "Links")
     columns = [
         words("body", "name"),
         words("kind"),
@@ -134,6 +147,22 @@ def _beams(model: Model) -> list[dict[str, Any]]:
             }
         )
     return found
+
+
+def _links(model: Model) -> list[dict[str, Any]]:
+    """Name, kind, nodes, length (m), section, welded and hinged nodes of every link."""
+    return [
+        {
+            "name": name,
+            "kind": link.kind,
+            "nodes": list(link.nodes),
+            "length": length_along(model, link),
+            "section": None if (section := model.section_of(link)) is None else section.kind,
+            "weld": list(link.weld),
+            "hinges": dict(link.hinges),
+        }
+        for name, link in model.links.items()
+    ]
 
 
 def _bodies(model: Model) -> list[dict[str, Any]]:

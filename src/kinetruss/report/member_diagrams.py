@@ -12,7 +12,10 @@ from kinetruss import strength
 from kinetruss.display import instant, quantity
 from kinetruss.display.ranks import largest, largest_first
 from kinetruss.errors import InputError
-from kinetruss.model import nearest
+from kinetruss.mechanics import compile
+from kinetruss.model import bends, nearest
+from kinetruss.strength.beam_spans import spans_of
+from kinetruss.strength.beam_verdict import chords_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,6 +36,8 @@ STATIONS = 97
 """Stations of the first scan, equally spaced, as those at which beams are judged."""
 FINER, PASSES = 25, 3
 """Stations around each extreme value, and how often they are set closer: to 1e-5 of the length, also beside a jump."""
+BESIDE = 1e-6
+"""How far beside the pins of links there are stations, as a fraction of their place."""
 ROUND_OFF = 1e-9
 """Share of the largest force, and of that force times the length, up to which a value is round-off."""
 WORDS = {
@@ -87,8 +92,8 @@ def section_lines(model: Model, forces: Forces, parts: Sequence[str]) -> list[Al
     One entry a part whose section forces are known, in the order of `parts`: rigid beams, planar bodies, and beams out of
     balance have none.
     """
-    bars = [name for name in _spelt(model, parts) if name not in model.beams]
-    beams = [name for name in parts if name in model.beams and model.beams[name].kind == "elastic"]
+    bars = [name for name in _spelt(model, parts) if name not in model.bending]
+    beams = [name for name in parts if name in model.bending and bends(model, model.bending[name])]
     found = {
         one.part: one for one in (*_refined(model, forces, bars, _of_bars), *_refined(model, forces, beams, _sampled_beams))
     }
@@ -106,6 +111,9 @@ def _refined(model: Model, forces: Forces, parts: list[str], values_of: Sampled)
     if not parts:
         return
     xi = np.linspace(0.0, 1.0, STATIONS)
+    if values_of is _sampled_beams:  # shear forces jump at the pins of links
+        pins = spans_of(compile(model)).pins
+        xi = np.unique(np.concatenate([xi, pins, pins * (1.0 - BESIDE), pins * (1.0 + BESIDE)]))
     for _ in range(PASSES):
         found = values_of(model, forces, parts, xi)
         near = [_around(xi, values) for _, lines, *_ in found for values in lines.values()]
@@ -138,7 +146,8 @@ def _sampled_beams(model: Model, forces: Forces, parts: list[str], xi: Array) ->
     except InputError:  # positions out of balance: nothing is known of beams
         return []
     lengths = dict(zip(forces.motion.whole["member"].values, forces.motion.whole["length"].values[0], strict=True))
-    return [(name, _lines(data.sel(beam=name)), 0.0, float(lengths[f"{name}.chord"])) for name in parts]
+    found = [(name, sum(float(lengths[chord]) for chord in chords_of(model, name))) for name in parts]
+    return [(name, _lines(data.sel(beam=name)), 0.0, length) for name, length in found]
 
 
 def _lines(data: xr.Dataset) -> dict[str, Array]:
@@ -196,7 +205,7 @@ class Subject:
 def governing_diagrams(run: RunResult, record: Mapping[str, Any]) -> tuple[list[Subject], list[Subject]]:
     """Diagrams of the governing members and drives, and of beams: worst first. record : of the report of the run."""
     rows = _governing_rows(run, record)
-    members = [one for row in rows if row["part"] not in run.model.beams for one in _of_row(run, row)]
+    members = [one for row in rows if row["part"] not in run.model.bending for one in _of_row(run, row)]
     return _first(members), _of_beams(run, record, rows)
 
 
@@ -213,12 +222,12 @@ def requested(run: RunResult, parts: Sequence[str], at: float | str | None, case
         raise InputError(f"No load case called {case!r}. {nearest(case, run.forces)}")
     known = {
         *run.model.whole.members,
-        *run.model.beams,
+        *run.model.bending,
         *(f"{name}.{role}" for name in run.model.active for role in ("base", "tube")),
     }
     for name in parts:
         if name not in known:
-            raise InputError(f"{name!r} is no member and no beam. {nearest(name, known)}")
+            raise InputError(f"{name!r} is no member, beam or link. {nearest(name, known)}")
     label = case or next(iter(run.forces))
     found = _subjects(run, label, _sample_at(run, at), parts, "")
     if not found:
@@ -276,10 +285,10 @@ def _of_row(run: RunResult, row: Mapping[str, Any]) -> list[Subject]:
 
 def _of_beams(run: RunResult, record: Mapping[str, Any], rows: Sequence[Mapping[str, Any]]) -> list[Subject]:
     """The most stressed beams at the instant of the worst one; without any that was checked, of the governing entry."""
-    names = [name for name, beam in run.model.beams.items() if beam.kind == "elastic"]
+    names = [name for name, one in run.model.bending.items() if bends(run.model, one)]
     if not names or not run.forces:
         return []
-    checked = [row for row in record["strength"] if row["part"] in run.model.beams and row["value"] is not None]
+    checked = [row for row in record["strength"] if row["part"] in run.model.bending and row["value"] is not None]
     known = [row for row in (*checked[:1], *rows) if row["load_case"] in run.forces and _sample_of(run, row) is not None]
     case, sample = (known[0]["load_case"], _sample_of(run, known[0])) if known else (next(iter(run.forces)), 0)
     try:

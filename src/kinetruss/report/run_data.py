@@ -102,7 +102,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
     ``at_rest`` is the force in the same pose at rest at the time of the larger of the two.
     """
     found: dict[str, list[dict[str, Any]]] = {}
-    members, beams = run.model.whole.members, {f"{name}{CHORD}": name for name in run.model.beams}
+    members, beams = run.model.whole.members, {f"{name}{CHORD}": name for name in run.model.whole.beams}
     for case, forces in run.forces.items():
         data = forces.whole
         if not data.sizes["time"]:

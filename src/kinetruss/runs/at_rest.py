@@ -125,7 +125,7 @@ def _resting(model: Model, place: NDArray[np.float64]) -> Motion:
 def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     """Forces of the stiffness method as of one pose at rest; those of drives of lengths are minus their tensions."""
     kept = ["member_force", "end_force", "joint_force", "reaction", "reaction_moment", "held_force"]
-    kept += ["displacement"] if any(beam.kind == "elastic" for beam in model.beams.values()) else []
+    kept += ["displacement"] if any(beam.kind == "elastic" for beam in model.whole.beams.values()) else []
     data = _timed(found).whole
     data = data[[name for name in kept if name in data]]
     drive = np.full((1, len(model.all_drives)), np.nan)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.mechanics import System, cached
-from kinetruss.model import Piece
+from kinetruss.model import Piece, bends, length_along
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Spans:
-    """Beams and links by name, in the order of results; and of the elements that they are made of (k,): of (k,) the place of its
-    beam or link, start and length (k,) m along it. total (names,) length, m.
+    """Beams and links by name, in the order of results; and of the elements that they are made of: of (k,) the place of the
+    beam or link, start and length (k,) m along it. total (names,) length, m. bare : links without section or material, and their
+    lengths, which follow in a verdict.
     """
 
     names: tuple[str, ...]
@@ -28,6 +29,7 @@ class Spans:
     start: NDArray[np.float64]
     length: NDArray[np.float64]
     total: NDArray[np.float64]
+    bare: dict[str, float]
 
     @property
     def parted(self) -> bool:
@@ -102,4 +104,5 @@ def spans_of(system: System) -> Spans:
         start=np.array(start),
         length=np.array(length),
         total=np.array(total),
+        bare={name: length_along(model, one) for name, one in model.links.items() if not bends(model, one)},
     )

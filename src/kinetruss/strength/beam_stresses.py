@@ -12,7 +12,7 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import section_forces
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.model import Link, Model, Piece
+from kinetruss.model import Model, Piece
 from kinetruss.results import Forces, Result, variable
 from kinetruss.strength.beam_spans import Spans, spans_of
 from kinetruss.strength.element_stresses import positions_of
@@ -33,8 +33,8 @@ def beams(
     Parameters
     ----------
     result : anything with positions or displacements (a simulation, forces, a motion, an equilibrium, `statics.linear`), or
-        positions (n_nodes, dim) or (times, n_nodes, dim), m, at rest. stations : fractions of the length, or the number of equal
-        ones, to which the pins of links between their ends are added.
+        positions (n_nodes, dim) or (times, n_nodes, dim), m, at rest. stations : fractions of the length, or the number of
+        equal ones, to which the pins of links between their ends are added.
     load_case : whose gravity acts along the beams; by default that of the result, else the model's gravity. Beams of a result
         without weight of members (``weight=False`` or ``"lumped"``) have none.
 
@@ -72,7 +72,8 @@ def beams(
     elements = None if system.continua is None else system.continua.beams
     if elements is None:
         raise InputError(
-            "The model has no elastic beams, and no links with a section and a material. Give it some: beams={'arm': ('A', 'B')}."
+            "The model has no elastic beams, and no links with a section and a material. "
+            "Give it some: beams={'arm': ('A', 'B')}."
         )
     spans, xi = spans_of(system), fractions_of(stations)
     if np.ndim(stations) == 0 and spans.parted:
@@ -90,8 +91,8 @@ def beams(
 def along_elements(
     model: Model, result: Result | ArrayLike, xi: NDArray[np.float64], load_case: str | None = None
 ) -> tuple[dict[str, NDArray[np.float64]], xr.Dataset | None, bool]:
-    """The values of `beams` at the fractions xi (s,) of each elastic element of a beam or link, (times, k, s, ..); the data of the
-    positions; whether these are over time.
+    """The values of `beams` at the fractions xi (s,) of each elastic element of a beam or link, (times, k, s, ..); the data
+    of the positions; whether these are over time.
     """
     system, dim = compile(model), model.dim
     elements: BeamElements = cast(Any, system.continua).beams
@@ -123,10 +124,10 @@ def _merged(
 
 def _on_pins(system: System, values: dict[str, NDArray[np.float64]]) -> NDArray[np.float64]:
     """Forces of nodes on links (times, pins, dim), N."""
-    spans, ends = spans_of(system), values.get("element_force", values["end_force"])
+    ends = values.get("element_force", values["end_force"])
     place = {name: k for k, name in enumerate(pins_of(system))}
     found = np.zeros((len(ends), len(place), system.dim))
-    for k, (name, beam) in enumerate(_elastic(system)):
+    for k, beam in enumerate(beam for beam in system.model.beams.values() if beam.kind == "elastic"):
         if isinstance(beam, Piece):
             for end, node in enumerate(beam.ends):
                 found[:, place[f"{beam.link}.{node}"]] += ends[:, k, end]
@@ -135,8 +136,8 @@ def _on_pins(system: System, values: dict[str, NDArray[np.float64]]) -> NDArray[
 
 def pins_of(system: System) -> list[str]:
     """The pins of links that have section forces: ``LINK.NODE``."""
-    links = [(name, one) for name, one in zip(spans_of(system).names, spans_of(system).records, strict=True) if isinstance(one, Link)]
-    return [f"{name}.{node}" for name, one in links for node in dict.fromkeys(one.nodes)]
+    links = {name: one for name, one in system.model.links.items() if bends(system.model, one)}
+    return [f"{name}.{node}" for name, one in links.items() for node in dict.fromkeys(one.nodes)]
 
 
 def _elastic(system: System) -> list[tuple[str, Any]]:

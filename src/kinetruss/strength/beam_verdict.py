@@ -24,17 +24,18 @@ SECTIONS = 97
 """Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
 BEAM_QUANTITIES = ("tension", "compression", "bending", "stress")
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
+BARE = "not checked: no section, or no material"
 UNKNOWN = "not checked: the positions are not those of a structure in balance, so beams have no forces (statics.equilibrium)"
 
 
 def beam_parts(model: Model) -> tuple[str, ...]:
-    """Names of the elastic beams and of links with a section, which follow the bars in a verdict."""
+    """Names of the elastic beams and of links, which follow the bars in a verdict."""
     return _names(compile(model))
 
 
 @cached()
 def _names(system: System) -> tuple[str, ...]:
-    return spans_of(system).names
+    return (*spans_of(system).names, *spans_of(system).bare)
 
 
 def chord_of(name: str) -> str:
@@ -55,15 +56,19 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     NaN of positions that are not in balance.
     """
     shape = (len(forces.arrays["time"].values), len(beam_parts(model)))
-    if not all(shape) or not known_positions(forces):
+    spans = spans_of(compile(model))
+    if not shape[0] or not spans.names or not known_positions(forces):
         nothing = np.full(shape, np.nan)
         return dict.fromkeys(BEAM_QUANTITIES, (nothing, nothing))
     xi = np.linspace(0.0, 1.0, max(stations, SECTIONS))
     found, _, _ = along_elements(model, forces, xi)
     T, M = found["section_T"], np.linalg.norm(found["section_M"], axis=-1)
     along = dict(zip(BEAM_QUANTITIES, (T, -T, M, found["von_mises"]), strict=True))
-    spans = spans_of(compile(model))
-    return {name: _of_spans(spans, *_largest(values, xi)) for name, values in along.items()}
+    of_spans = {name: _of_spans(spans, *_largest(values, xi)) for name, values in along.items()}
+    more = ((0, 0), (0, len(spans.bare)))
+    return {
+        name: (np.pad(values, more, constant_values=np.nan), np.pad(place, more)) for name, (values, place) in of_spans.items()
+    }
 
 
 def _of_spans(
@@ -98,8 +103,8 @@ def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
 
 def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArray[np.float64]:
     """Section forces (times, beams, stations, values) of forces or of an equilibrium, at equal distances along elastic beams
-    and the parts of links: T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises' stress, Pa; NaN where they
-    are not known.
+    and the parts of links: T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises'
+    stress, Pa; NaN where they are not known.
     """
     elements = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
     shape = (-1, elements, stations, 4 if model.dim == 2 else 7)
@@ -126,7 +131,8 @@ def _limits(system: System) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         material = model.material_of(record)
         known = None if material is None else material.yield_strength
         strength.append(np.nan if known is None else known / model.safety.yielding)
-    return np.array(strength), spans.total
+    bare = [*spans.bare.values()]
+    return np.append(strength, np.full(len(bare), np.nan)), np.append(spans.total, bare)
 
 
 def beam_limits(model: Model) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -139,6 +145,9 @@ def beam_notes(model: Model, stress: NDArray[np.float64], compression: NDArray[n
     names = beam_parts(model)
     found = np.full((len(names), 3), "", dtype=object)
     for k, name in enumerate(names):
+        if name in spans_of(compile(model)).bare:
+            found[k, :2] = BARE
+            continue
         if np.isnan(compression[k]):
             found[k, :2] = UNKNOWN
             continue

@@ -180,7 +180,7 @@ def sections_of_beams(model: Model, result: Forces | Result) -> dict[str, NDArra
     """``beam_section``, the `beam_sections` along elastic beams; nothing where they are many."""
     from kinetruss.strength.beam_verdict import beam_sections
 
-    count = sum(beam.kind == "elastic" for beam in model.beams.values())
+    count = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
     if not count or result.whole.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
         return {}
     return {"beam_section": beam_sections(model, result, STATIONS)}

@@ -32,14 +32,14 @@ def mobility_record(model: Model) -> dict[str, Any] | None:
         return None
     elastic = [name for name, bar in model.bars.items() if bar.kind == "elastic"]
     stiff = None
-    if elastic and not model.beams:
+    if elastic and not model.bending:
         bars = {name: Bar(ends=bar.ends, mass=0.0) if name in elastic else bar for name, bar in model.bars.items()}
         try:
             stiff = _mobility(model.with_(bars=bars))
         except (KinetrussError, ValueError):  # another record needs the bar to be elastic
             stiff = None
     return _mobility(model) | {
-        "elastic": bool(elastic or model.beams or model.membranes or model.solids),
+        "elastic": bool(elastic or model.bending or model.membranes or model.solids),
         "elastic_as_rigid": stiff,
     }
 

@@ -13,7 +13,7 @@ from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
-from kinetruss.model import Active, Model, Of, Record, Run
+from kinetruss.model import Active, Link, Model, Of, Record, Run, length_along
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
@@ -30,7 +30,7 @@ def section_constants(model: Model) -> list[Table]:
     """A table of A, I, W, r about both axes and J of every section in use; nothing without sections."""
     users: dict[str, list[str]] = {}
     sections: dict[str, Any] = {}
-    for name, member in {**model.whole.real_members, **model.beams}.items():
+    for name, member in {**model.whole.real_members, **model.bending}.items():
         rods = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, rod in rods.items():
             section = model.section_of(rod)
@@ -81,8 +81,8 @@ def _support(model: Model, name: str) -> str:
 
 
 def members_of(model: Model) -> list[Row]:
-    """Every bar, active member and beam, and arms of hubs with a mass: name, kind, ends, length (m), section and mass (kg),
-    without masses on its nodes. A bar that stands for a planar body has the mass of the body.
+    """Every bar, active member, beam and link, and arms of hubs with a mass: name, kind, ends, length (m), section and mass
+    (kg), without masses on its nodes. A bar that stands for a planar body has the mass of the body.
     """
     system = compile(model)
     mass = system.rods[:, 0] + system.rods[:, 3] + system.body[:, 0]
@@ -93,14 +93,15 @@ def members_of(model: Model) -> list[Row]:
         rods = (member.base, member.tube) if isinstance(member, Active) else (member,)
         kind = "active" if isinstance(member, Active) else str(member.kind)
         found.append(_entry(name, kind, member.ends, float(system.length0[k]), _sections(model, rods), float(mass[k])))
-    for name, beam in model.beams.items():
-        length = math.dist(*(system.model.nodes[end].at for end in beam.ends))
+    for name, beam in model.bending.items():
+        length = length_along(model, beam)
         section, material = model.section_of(beam), model.material_of(beam)
         own = beam.mass
         if own is None:
             own = 0.0 if section is None or material is None else material.density * section.area * length
-        kind = "beam" if beam.kind == "elastic" else f"{beam.kind} beam"
-        found.append(_entry(name, kind, beam.ends, length, _sections(model, (beam,)), float(own)))
+        kind, ends = ("link", beam.nodes) if isinstance(beam, Link) else ("beam", beam.ends)
+        kind = kind if (beam.kind == "elastic") == (kind == "beam") else f"{beam.kind} {kind}"
+        found.append(_entry(name, kind, ends, length, _sections(model, (beam,)), float(own)))
     return found
 
 
@@ -249,10 +250,15 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
     kinds = [bar.kind for bar in model.bars.values()]
     counts = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
     yield "nodes", f"{len(model.nodes)}, in {'the plane' if model.dim == 2 else 'space'}"
-    if kinds or not model.beams:
+    if kinds or not model.bending:
         yield "bars", f"{len(kinds)}" + (f" ({counts})" if kinds else "")
     if model.beams:
         yield "beams", f"{len(model.beams)}: {listed(_ended(model))}"
+    if model.links:
+        links = (
+            f"{name} ({'' if one.kind == 'rigid' else 'elastic, '}{'-'.join(one.nodes)})" for name, one in model.links.items()
+        )
+        yield "links", f"{len(model.links)}: {listed(links)}"
     for what, records in (("membranes", model.membranes), ("solids", model.solids)):
         if records:
             yield what, f"{len(records)}: {listed(records)}"
@@ -290,7 +296,7 @@ def _to(clamp: str) -> str:
 def _parts(model: Model) -> Iterator[tuple[str, str]]:
     """Materials and sections with the parts that use them."""
     users: dict[str, list[str]] = {}
-    for name, member in {**model.whole.real_members, **model.beams}.items():
+    for name, member in {**model.whole.real_members, **model.bending}.items():
         parts = {f"{name}.base": member.base, f"{name}.tube": member.tube} if isinstance(member, Active) else {name: member}
         for label, part in parts.items():
             for record in (model.material_of(part), model.section_of(part)):

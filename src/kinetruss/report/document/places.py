@@ -100,9 +100,11 @@ def largest_shear(model: Model, forces: Forces, part: str) -> float:
 
 
 def record_of(model: Model, part: str) -> Any:
-    """The bar, beam, base or tube of a part by its name in a verdict."""
-    if part in model.whole.bars or part in model.beams:
-        return model.whole.bars.get(part) or model.beams[part]
+    """The bar, beam, link, base or tube of a part by its name in a verdict."""
+    if part in model.bending:
+        return model.bending[part]
+    if part in model.whole.bars:
+        return model.whole.bars[part]
     member, _, role = part.rpartition(".")
     return getattr(model.active[member], role)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, counted, element, instant, number, quantity
 from kinetruss.display.ranks import largest
+from kinetruss.model import bends
 from kinetruss.report.drive_data import exceeded
 from kinetruss.report.tables import cased, is_over, is_single, not_checked, share_of, used_of
 from kinetruss.runs import MissionRun
@@ -111,6 +112,8 @@ def _assumed(run: RunResult, record: dict[str, Any], finding: Finding, *, condit
         yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
     if any(beam.kind == "elastic" for beam in model.beams.values()):
         yield "Beams are elastic, without shear deformation. They share the rotation of a node, but for released ends."
+    if any(bends(model, link) for link in model.links.values()):
+        yield "Links are pinned at their nodes, unless welded there, and stiff between; they bend without shear deformation."
     if model.membranes or model.solids:
         yield "Membranes and solids are elastic (St Venant-Kirchhoff); membranes have no bending stiffness."
     if record["strength"]:

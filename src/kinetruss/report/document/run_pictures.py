@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import Markup, element, quantity
+from kinetruss.model import bends
 from kinetruss.report.document.diagram_pages import drawn, scales_of
 from kinetruss.report.entries import Figure
 from kinetruss.report.member_diagrams import governing_diagrams
@@ -146,7 +147,7 @@ ZERO = {"V2": "shear forces V₂", "V3": "V₃", "M2": "bending moments M₂", "
 def diagrams_of(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
     """The diagrams of governing members and of beams, each as a figure that may stand on several sheets."""
     members, beams = governing_diagrams(run, record)
-    count = sum(beam.kind == "elastic" for beam in run.model.beams.values())
+    count = sum(bends(run.model, one) for one in run.model.bending.values())
     found: list[Entry] = []
     if members:
         words = "Section forces along the governing members, each at the instant of its governing entry."

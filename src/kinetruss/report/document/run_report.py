@@ -210,7 +210,7 @@ def basis(run: RunResult) -> list[Table]:
 
 def _changes(run: RunResult) -> bool:
     """True if lengths are driven or can change; lengths of rigid bars need no figure."""
-    return bool(run.model.all_drives or run.model.beams) or any(bar.kind != "rigid" for bar in run.model.bars.values())
+    return bool(run.model.all_drives or run.model.bending) or any(bar.kind != "rigid" for bar in run.model.bars.values())
 
 
 def _shown(run: RunResult, record: dict[str, Any], view: str, drawn: _Drawn) -> list[Entry]:

@@ -70,7 +70,7 @@ def member_sheet(run: RunResult, row: Row) -> Sheet | None:
     sample = None if forces is None else sample_of(forces, row)
     if forces is None or sample is None:
         return None
-    work = beam_yield_sheet if row.part in run.model.beams else WORKS[row.rule]
+    work = beam_yield_sheet if row.part in run.model.bending else WORKS[row.rule]
     return work(run.model, only(forces, sample), row)
 
 
