@@ -138,6 +138,7 @@ SPACE = STOCK | {
         },
     },
     "beams": {"mast": {"ends": ["Hen", "Bee"], "orientation": "Ant", "section": "round", "material": "steel"}},
+    "links": {"boom": {"nodes": ["Ant", "Dog", "Gnu"], "orientation": "Bee", "section": "round", "material": "steel"}},
     "clamped": {"Hen": "ground"},
     "membranes": {"skin": {"nodes": TOP, "elements": [[0, 1, 2]], "thickness": 0.001, "material": "steel"}},
     "solids": {"block": {"nodes": ["Ant", "Bee", "Cat", "Dog"], "elements": [[0, 1, 2, 3]], "material": "steel"}},

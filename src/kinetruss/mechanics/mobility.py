@@ -290,7 +290,11 @@ class Mobility:
     def mechanism_texts(self, most: int | None = None) -> list[str]:
         """Each mechanism in words, the first `most`: which node moves in which direction, largest first."""
         plane = self.system.dim == 2
-        fix = "a link with a pin in its middle is made of two beams" if plane else "hold a node off the plane by bars"
+        fix = (
+            "a member with a pin in its middle is a link (links: {boom: [A, M, C]})"
+            if plane
+            else "hold a node off the plane by bars"
+        )
         advice = line_advice(self.system.model) or f"{fix}, or add a support"
         soft = f" -- stiff to second order only, loose under the least load: {advice}"
         return [

@@ -262,15 +262,10 @@ def _length(model: ModelData, beam: Beam) -> float:
     return math.dist(*(model.nodes[end].at for end in beam.ends))
 
 
-# Links with a pin in their middle: what bars on one line do not hold, and how beams do.
+# Members with a pin in their middle: what bars on one line do not hold, and links do.
 
 LINE = 1e-6
-"""A node within this fraction of the length of a link from its axis lies on it."""
-
-OWN_NODE = (
-    "where two links cross, the second one gets a node of its own at the same place (coincident: true), and two couplings keep "
-    "x and y of both nodes equal"
-)
+"""A node within this fraction of the length of a bar from its axis lies on it."""
 
 
 def middle_pins(model: ModelData) -> list[tuple[str, str, str]]:
@@ -300,14 +295,15 @@ def middle_pins(model: ModelData) -> list[tuple[str, str, str]]:
 
 
 def line_advice(model: ModelData) -> str:
-    """How to make a link of which bars do not hold the middle; empty if there is none."""
+    """How to make a member of which bars do not hold the middle; empty if there is none."""
     pins = middle_pins(model)
     if not pins:
         return ""
     a, m, c = pins[0]
-    text = f"{a}, {m} and {c} lie on one line, so that bars do not hold {m}: make the link of two beams ({a}-{m}, {m}-{c})"
-    crossed = Counter(middle for _, middle, _ in pins)[m] > 1
-    return f"{text}; {OWN_NODE}" if crossed else text
+    text = f"{a}, {m} and {c} lie on one line, so that bars do not hold {m}: make one link of them "
+    text += f"(links: {{boom: [{a}, {m}, {c}]}})"
+    crossed = next(((p, q) for p, middle, q in pins[1:] if middle == m and {p, q} != {a, c}), None)
+    return text if crossed is None else f"{text}, and another of {crossed[0]}, {m} and {crossed[1]}: they turn freely at {m}"
 
 
 def shared_rotations(model: ModelData) -> str:
@@ -319,6 +315,6 @@ def shared_rotations(model: ModelData) -> str:
     if not nodes:
         return ""
     return (
-        f"Beams that meet at {few(nodes, 4)} share one rotation, as if welded. Release a beam that is pinned to the others "
-        f"(release: [{nodes[0]}]); {OWN_NODE}."
+        f"Beams that meet at {few(nodes, 4)} share one rotation, as if welded. Make a link of those that run through it as "
+        f"one member (links: {{boom: [.., {nodes[0]}, ..]}}), or release a beam that ends there (release: [{nodes[0]}])."
     )

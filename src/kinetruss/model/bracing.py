@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Mapping, Sequence
-from itertools import combinations, islice, pairwise
+from itertools import combinations, islice
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.errors import Fault
@@ -142,13 +142,13 @@ def _others(model: ModelData, name: str, body: Body, at: dict[str, Any], dim: in
     if not span:
         return mend
     if body.brace and body.kind == "rigid" and len(body.nodes) > span + 1:  # bars would not hold its nodes on this line
-        return f"{mend} {_of_beams(body.nodes, at)}({ADDS}.)"
+        return f"{mend} {_as_link(name, body.nodes, at)}({ADDS}.)"
     fewer = "In the plane two carry any body" if dim == 2 else ("If it is a rod, two" if span == 1 else "If it is flat, three")
     return f"{mend} {fewer}{'' if dim == 2 else ' carry it'}: carriers: [{', '.join(good)}]. ({ADDS}.)"
 
 
-def _of_beams(nodes: tuple[str, ...], at: dict[str, Any]) -> str:
-    """How a straight link is made of beams, if the nodes are on one line; with a blank at the end."""
+def _as_link(name: str, nodes: tuple[str, ...], at: dict[str, Any]) -> str:
+    """How it is made a link, if the nodes are on one line; with a blank at the end."""
     import numpy as np
 
     points = np.array([at[node] for node in nodes], float)
@@ -156,8 +156,7 @@ def _of_beams(nodes: tuple[str, ...], at: dict[str, Any]) -> str:
         return ""
     along = points[int(np.argmax(np.linalg.norm(points - points[0], axis=1)))] - points[0]
     order = [nodes[k] for k in np.argsort(points @ along, kind="stable")]
-    pairs = ", ".join(f"{a}-{b}" for a, b in pairwise(order))
-    return f"Or make a straight link of beams in place of the body: {pairs}; stiff where they meet, bars are pinned to them. "
+    return f"Or make it a link in place of the body (links: {{{name}: [{', '.join(order)}]}}): other parts are pinned to it. "
 
 
 def _worth(points: Any) -> tuple[float, float]:
@@ -225,7 +224,7 @@ def _held(model: ModelData, body: Body, at: dict[str, Any], path: tuple[str, str
         mend = f"{_add(points, dim, new)[:-1]}; {'it needs' if len(new) == 1 else 'they need'} no mass ({ADDS})."
         if not body.carriers:
             mend += f" Keep its carriers: [{', '.join(body.carried_by(dim))}]."
-        mend += f" {_of_beams(body.nodes, at)}".rstrip()
+        mend += f" {_as_link(path[1], body.nodes, at)}".rstrip()
         yield Fault((*path, "nodes"), message, mend, about=(*(("nodes", name) for name in body.nodes),))
 
 

@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 from kinetruss.errors import Fault, few
 from kinetruss.model.beams import Beam, Vector
 from kinetruss.model.members import Brace
-from kinetruss.model.record import Delay, Mass, Name, Record, Series, short_form
+from kinetruss.model.record import Delay, Distance, Flag, Mass, Name, Record, Series, short_form
 from kinetruss.model.references import NodeName, names_in
 from kinetruss.model.sections import MaterialOrName, SectionOrName
 from kinetruss.model.table import ReadOnly, Table
@@ -83,9 +83,9 @@ class Piece(Beam):
     """
 
     link: Name
-    own: tuple[Name, ...]
-    start: float
-    held: bool
+    own: Annotated[tuple[Name, ...], Series] = ()
+    start: Distance = 0.0
+    held: Flag = False
 
 
 TIP = "tip"

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Spans:
     """Beams and links by name, in the order of results; and of the elements that they are made of: of (k,) the place of the
-    beam or link, start and length (k,) m along it. total (names,) length, m. bare : links without section or material, and their
-    lengths, which follow in a verdict.
+    beam or link, start and length (k,) m along it. total (names,) length, m. bare : links without section or material, and
+    their lengths, which follow in a verdict.
     """
 
     names: tuple[str, ...]

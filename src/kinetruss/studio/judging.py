@@ -43,7 +43,7 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
 
     >>> places = {"A": [0, 0], "B": [2, 0], "C": [1, 0], "D": [1, 1]}
     >>> loose_ends(places, {"b1": ["A", "B"], "b2": ["C", "D"]})
-    ['C lies on b1 but is not joined to it. To join them, make b1 of two beams that meet at C; two bars would fold there.']
+    ['C lies on b1 but is not joined to it. To join them, make b1 a link through C; two bars would fold there.']
     """
     if not places or len(places) * max(1, len(members)) > MOST_PAIRS:
         return []
@@ -65,7 +65,7 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
     inside = (off < near) & (way > near) & (size[:, None] - way > near)
     for member, node in np.argwhere(inside).tolist():
         name = labels[long[member]]
-        mend = f"To join them, make {name} of two beams that meet at {names[node]}; two bars would fold there."
+        mend = f"To join them, make {name} a link through {names[node]}; two bars would fold there."
         found.append(f"{names[node]} lies on {name} but is not joined to it. {mend}")
     rest = len(found) - LISTED_NODES
     return found[:LISTED_NODES] + ([f"{rest} more places where parts meet without being joined."] if rest > 0 else [])
