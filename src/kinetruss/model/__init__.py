@@ -48,7 +48,13 @@ if TYPE_CHECKING:
         TableInput as TableInput,
     )
     from kinetruss.model.joints import GROUND as GROUND, Bearing as Bearing, Hinge as Hinge, Joint as Joint
-    from kinetruss.model.links import Link as Link, Piece as Piece, bends as bends, length_along as length_along
+    from kinetruss.model.links import (
+        Link as Link,
+        Piece as Piece,
+        bends as bends,
+        length_along as length_along,
+        piece_at as piece_at,
+    )
     from kinetruss.model.load_checks import loads_along_beams as loads_along_beams
     from kinetruss.model.loads import (
         BodyCouple as BodyCouple,

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from kinetruss.model.data import ModelData
+    from kinetruss.model.the_model import Model
     from kinetruss.model.whole import WholeModel
 
 
@@ -176,6 +177,12 @@ def _orientation(model: ModelData, link: Link, a: str, b: str) -> Any:
 
 LINE = 1e-6
 """Sine of the angle between a part of a link and its orientation below which these are parallel."""
+
+
+def piece_at(model: Model, name: str, place: float) -> str:
+    """The name of the part of a link at a place (m along it)."""
+    own = [(key, one.start) for key, one in model.whole.beams.items() if isinstance(one, Piece) and one.link == name]
+    return [key for key, start in own if start <= max(place, 0.0)][-1]
 
 
 def turned_links(model: ModelData) -> list[str]:

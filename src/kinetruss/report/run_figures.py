@@ -10,11 +10,13 @@ import numpy as np
 
 from kinetruss.display import instant
 from kinetruss.display.ranks import largest_first, order_of
+from kinetruss.model.bracing import CHORD
 from kinetruss.report.pictures.specs import Bars, Drawing, Figure, Histories, Panel
 from kinetruss.report.pictures.stands import drawing, shown_at
 from kinetruss.report.run_data import worst
 from kinetruss.runs.doubts import moment, poses_of
 from kinetruss.runs.mission_results import check_histories
+from kinetruss.strength.beam_verdict import middle_forces
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
 
@@ -76,7 +78,7 @@ def specifications(run: RunResult) -> list[Figure]:
     if run.simulation is not None:
         found.append(_energies(run.simulation.data))
     for case, forces in run.forces.items():
-        found += _of_case("forces", case, run, _forces(forces))
+        found += _of_case("forces", case, run, _forces(run.model, forces))
         found += _of_case("drives", case, run, _drives(run, case, forces))
     if run.verdict is not None:
         found += _utilisation(run)
@@ -172,22 +174,30 @@ def _most_moving(data: Any) -> dict[str, NDArray[np.float64]]:
     return {str(data["member"].values[k]): length[:, k] for k in order}
 
 
-def _forces(forces: Forces) -> Histories | None:
-    """The members with the largest forces, and the band of all; dotted: the same poses at rest. None without members."""
-    data = forces.whole
-    values = data["member_force"].values
-    if not values.shape[1]:
+def _forces(model: Model, forces: Forces) -> Histories | None:
+    """The members with the largest forces, of beams in their middle, and the band of all; dotted: the same poses at rest. None
+    without members.
+    """
+    data, beams = forces.whole, {f"{name}{CHORD}": name for name in model.whole.beams}
+    values, every = middle_forces(model, forces), list(map(str, data["member"].values))
+    real = np.array([name in beams or name in model.whole.real_members for name in every], np.bool_)
+    kept = np.flatnonzero(real & ~np.isnan(values).any(axis=0))
+    if not len(kept):
         return None
-    order = order_of(np.max(np.abs(values), axis=0))[: CURVES - 1]
-    names = [str(data["member"].values[k]) for k in order]
+    order = kept[order_of(np.max(np.abs(values[:, kept]), axis=0))[: CURVES - 1]]
+    names = [beams.get(every[k], every[k]) for k in order]
     lines = {name: values[:, k] for name, k in zip(names, order, strict=True)}
     still: dict[str, NDArray[np.float64]] = {}
     if forces.static is not None:
-        rest = forces.static.whole["member_force"].values
+        rest = middle_forces(model, forces.static)
         still = {name: rest[:, k] for name, k in zip(names, order, strict=True)}
-    panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=(values.min(axis=1), values.max(axis=1)))
+    panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=_band(values[:, kept]))
     title = "Largest member forces (mean axial force, tension positive)"
     return Histories(name="forces", title=title, time=data["time"].values, panels=(panel,))
+
+
+def _band(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    return values.min(axis=1), values.max(axis=1)
 
 
 def _drives(run: RunResult, case: str, forces: Forces) -> Histories | None:

@@ -14,7 +14,7 @@ from kinetruss.elements.continua_arrays import skin_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import compile
-from kinetruss.model import Model, nearest
+from kinetruss.model import Model, nearest, piece_at
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.results.records import check_samples
 from kinetruss.results.wide_tables import NOT_CHECKED
@@ -114,6 +114,8 @@ def scene(
     finding = _finding(subject)
     header["verdict"] = finding.record | ({"text": AT_REST} if subject.rest is not None else {})
     header["verdict"]["more"] += finding.doubts
+    if finding.governing is not None and (governing := header["verdict"]["governing"])["member"] in subject.model.links:
+        governing["member"] = piece_at(subject.model, governing["member"], finding.governing.position)
     header["not_checked"] = _not_checked(finding)
     if subject.motion is None:
         more, histories = _standing(subject)

@@ -16,6 +16,7 @@ from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pre
 from kinetruss.model.bodies import placed
 from kinetruss.model.bracing import CHORD
 from kinetruss.model.joints import GROUND
+from kinetruss.strength.beam_verdict import chords_of
 from kinetruss.strength.parts import parts_of
 
 if TYPE_CHECKING:
@@ -68,11 +69,16 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     index = {name: i for i, name in enumerate(whole.nodes)}
     chords, frames = beams_by_chord(whole), frame_nodes(whole)
     inner = len(members) - len(parts.first)
+    links = {name: set(chords_of(model, name)) for name in model.links}
     header: dict[str, Any] = {
         "nodes": list(whole.nodes),
         "members": [name.removesuffix(CHORD) if name in chords else name for name in members],
         "kinds": shown_kinds(whole),
         "beams": [k for k, name in enumerate(members) if name in chords],
+        "links": [
+            {"name": name, "members": [k for k, member in enumerate(members) if member in chords]}
+            for name, chords in links.items()
+        ],
         "directors": [k for k, name in enumerate(whole.nodes) if name in frames],
         "supports": [
             {"node": index[node], "axes": axes, "clamped": model.clamped.get(node) == GROUND}
@@ -80,7 +86,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
             if node not in frames
         ],
         "drives": [
-            _drive(name, drive, index, list(members), [one.ends for one in members.values()])
+            _drive(name, drive, index, list(members), [one.ends for one in members.values()], links)
             for name, drive in model.all_drives.items()
         ],
         "parts": [*parts.names, *list(members)[len(parts.first) :]],
@@ -121,7 +127,14 @@ def _pressures(model: Model) -> dict[str, float] | None:
     return {"count": len(found), "least": min(found), "largest": max(found)} if found else None
 
 
-def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], ends: list[tuple[str, str]]) -> dict[str, Any]:
+def _drive(
+    name: str,
+    drive: Any,
+    nodes: dict[str, int],
+    members: list[str],
+    ends: list[tuple[str, str]],
+    links: dict[str, set[str]],
+) -> dict[str, Any]:
     found: dict[str, Any] = {"name": name, "kind": drive.kind, "unit": "rad" if turns(drive) else "m"}
     if isinstance(drive, HingeDrive):
         found |= {"axis": [nodes[one] for one in drive.axis], "start": nodes[drive.start], "end": nodes[drive.end]}
@@ -132,7 +145,8 @@ def _drive(name: str, drive: Any, nodes: dict[str, int], members: list[str], end
         return found | {"node": nodes[drive.node], "axis": drive.axis}
     if getattr(drive, "axis", None) is not None:
         found["about"] = [float(one) for one in drive.axis]
-    return found | {"member": members.index(drive.bar)}
+    chords: set[str] = links.get(drive.bar, {drive.bar})
+    return found | {"member": next(k for k, one in enumerate(members) if one in chords)}
 
 
 def _body(member: int, bar: Bar) -> dict[str, Any]:

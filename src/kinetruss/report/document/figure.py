@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import DRIVEN, instant, number, quantity
-from kinetruss.model import Pressure
+from kinetruss.model import Pressure, piece_at
 from kinetruss.report.document.run_pictures import lines_of
 from kinetruss.report.entries import Figure
 from kinetruss.report.pictures.drawing import drawn, round_length
@@ -66,7 +66,7 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
     over, labels, chief = False, [], None
     if worst is not None:
         over = worst.status == "exceeded"
-        chief = _member(places, run, worst.part)
+        chief = _member(places, run, worst.part, getattr(worst, "position", None))
     if worst is not None and chief is not None:
         words = f"{worst.part}: {worst.rule} {share_of(worst.utilisation)}"
         labels.append(Label(words=words, at=middle(places, chief), colour=ALARM if over else INK, bold=True))
@@ -86,11 +86,13 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
     return figure, _caption(run, case, k, worst, over, places)
 
 
-def _member(places: Places, run: RunResult, part: str) -> int | None:
+def _member(places: Places, run: RunResult, part: str, place: float | None = None) -> int | None:
     """The place among the members shown of the member that an entry is about."""
     model = run.model
-    name = part if part in {*model.whole.members, *model.beams, *model.drives} else part.rpartition(".")[0]
+    name = part if part in {*model.whole.members, *model.bending, *model.drives} else part.rpartition(".")[0]
     name = getattr(model.all_drives.get(name), "bar", name)
+    if name in model.links:
+        name = piece_at(model, name, place or 0.0)
     names = [places.scene.header["members"][k] for k in places.members]
     return names.index(name) if name in names else None
 

@@ -117,8 +117,13 @@ def named(places: Places, view: str = "iso", names: bool | None = None) -> list[
             Label(words=header["nodes"][k], at=projected(places.x[k], view), colour=INK, most=APART) for k in places.nodes
         ]
     if len(places.members) <= MEMBERS if names is None else names:
-        lines = zip(places.members, places.lines, strict=True)
-        found += [Label(words=header["members"][k], at=projected(line, view), colour=QUIET, most=FREE) for k, line in lines]
+        lines, words = dict(zip(places.members, places.lines, strict=True)), dict(enumerate(header["members"]))
+        for link in header["links"]:  # one name for all parts of a link, at the longest
+            long = max(link["members"], key=lambda k: float(np.ptp(lines[k], axis=0).max()))
+            words |= dict.fromkeys(link["members"], "") | {long: link["name"]}
+        found += [
+            Label(words=words[k], at=projected(line, view), colour=QUIET, most=FREE) for k, line in lines.items() if words[k]
+        ]
     return found
 
 
