@@ -208,8 +208,12 @@ def _of_shapes(system: System) -> str:
     held = fixed_shapes(system)
     if held is None:
         return ""
-    text = f"Beams keep their shape: {few(held.names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
-    return f"{text} {spin_note(system.model)}".rstrip()
+    # a rigid link is expected to
+    links = system.model.links
+    names = [name for name in held.names if name not in links or links[name].kind == "elastic"]
+    kept = f"Beams keep their shape: {few(names, 8)}. Their deflection under load: statics.deflection, flexible.vibration."
+    text = kept if names else ""
+    return f"{text} {spin_note(system.model)}".strip()
 
 
 def with_note(motion: Motion, note: str) -> Motion:

@@ -52,6 +52,7 @@ if TYPE_CHECKING:
         Link as Link,
         Piece as Piece,
         bends as bends,
+        column_ends as column_ends,
         length_along as length_along,
         piece_at as piece_at,
     )

@@ -10,14 +10,14 @@ from pydantic import Field, model_validator
 
 from kinetruss.errors import Fault, few
 from kinetruss.model.beams import Beam, Vector
-from kinetruss.model.members import Brace
+from kinetruss.model.members import Brace, EndCondition
 from kinetruss.model.record import Delay, Distance, Flag, Mass, Name, Record, Series, short_form
 from kinetruss.model.references import NodeName, names_in
 from kinetruss.model.sections import MaterialOrName, SectionOrName
 from kinetruss.model.table import ReadOnly, Table
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from kinetruss.model.data import ModelData
     from kinetruss.model.the_model import Model
@@ -43,6 +43,9 @@ class Link(Record):
         are welded there.
     orientation : of its section in space, as of a `Beam`; a node, or a vector.
     damping : of an elastic link, s, as of a `Beam`.
+    buckling : how the ends of a straight one are held for buckling over its whole length, as of a `Bar`; by default
+        ``pinned-pinned`` where other parts or supports hold both, ``clamped-free`` where one end is a free tip. Pins between
+        them, which shorten what buckles, are left out of account.
 
     >>> import kinetruss as kt
     >>> crane = kt.Model(nodes={"O": (0, 0), "M": (1, 0), "T": (2, 0), "P": (1, -1)}, fixed=["O", "P"], material="steel_s235",
@@ -63,6 +66,7 @@ class Link(Record):
     hinges: Table[Name, Literal[1, 2, 3] | Vector] = ReadOnly()
     orientation: NodeName | Vector | None = None
     damping: Delay = 0.0
+    buckling: EndCondition | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -173,6 +177,21 @@ def _orientation(model: ModelData, link: Link, a: str, b: str) -> Any:
         return None
     cross = (d[1] * given[2] - d[2] * given[1], d[2] * given[0] - d[0] * given[2], d[0] * given[1] - d[1] * given[0])
     return link.orientation if math.hypot(*cross) > LINE * math.hypot(*d) * math.hypot(*given) else None
+
+
+def column_ends(model: Model, name: str) -> str | float:
+    """The end condition of a link for buckling: its own, else by what else is at its first and its last node."""
+    link = model.links[name]
+    if link.buckling is not None:
+        return link.buckling
+    held = {*model.fixed, *model.clamped}
+    tables: tuple[Mapping[str, Record], ...] = (
+        model.bars, model.active, model.beams, model.bodies, model.cylinders, model.springs, model.stops, model.drives,
+        model.couplings, model.membranes, model.solids, {key: one for key, one in model.links.items() if key != name},
+    )  # fmt: skip
+    for table in tables:
+        held |= {node for record in table.values() for ref, node, _ in names_in(record) if "nodes" in ref.tables}
+    return "pinned-pinned" if set(link.ends) <= held else "clamped-free"
 
 
 LINE = 1e-6

@@ -185,7 +185,8 @@ class Envelope:
         """The same from its arrays."""
         self.members.rods, self.members.members = np.array(arrays["rods"]), np.array(arrays["members"])
         if "beams" in arrays:
-            self.members.beams = np.array(arrays["beams"])
+            kept = np.array(arrays["beams"])  # of earlier versions without the last quantities
+            self.members.beams[: len(kept)] = kept
         self.drives.drives, self.drives.trains = np.array(arrays["drives"]), np.array(arrays["trains"])
         self.rows = [tuple(row) for row in np.asarray(arrays["rows"]).tolist()]
         self.findings = [str(text) for text in arrays["findings"]]

@@ -12,6 +12,7 @@ from kinetruss.model import Piece
 from kinetruss.results import Forces
 from kinetruss.strength.beam_spans import Spans, spans_of
 from kinetruss.strength.beam_stresses import along_elements, known_positions
+from kinetruss.strength.link_columns import columns_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 SECTIONS = 97
 """Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
-BEAM_QUANTITIES = ("tension", "compression", "bending", "stress")
+BEAM_QUANTITIES = ("tension", "compression", "bending", "stress", "combined")
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
 BARE = "not checked: no section, or no material"
 UNKNOWN = "not checked: the positions are not those of a structure in balance, so beams have no forces (statics.equilibrium)"
@@ -52,7 +53,8 @@ def chords_of(model: Model, name: str) -> list[str]:
 def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> dict[str, tuple[NDArray[np.float64], ...]]:
     """Of each of `BEAM_QUANTITIES` its largest value along the beams, and the fraction of the length where, (times, beams).
 
-    tension, compression N (negative if the other sign holds throughout), bending N m (resultant), stress Pa (von Mises).
+    tension, compression N (negative if the other sign holds throughout), bending N m (resultant), stress Pa (von Mises),
+    combined compression and bending of straight links, of 1.
     NaN of positions that are not in balance.
     """
     shape = (len(forces.arrays["time"].values), len(beam_parts(model)))
@@ -63,12 +65,29 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     xi = np.linspace(0.0, 1.0, max(stations, SECTIONS))
     found, _, _ = along_elements(model, forces, xi)
     T, M = found["section_T"], np.linalg.norm(found["section_M"], axis=-1)
-    along = dict(zip(BEAM_QUANTITIES, (T, -T, M, found["von_mises"]), strict=True))
+    along = dict(zip(BEAM_QUANTITIES[:4], (T, -T, M, found["von_mises"]), strict=True))
     of_spans = {name: _of_spans(spans, *_largest(values, xi)) for name, values in along.items()}
+    of_spans["combined"] = _combined(model, found["section_M"], of_spans["compression"][0], xi)
     more = ((0, 0), (0, len(spans.bare)))
     return {
         name: (np.pad(values, more, constant_values=np.nan), np.pad(place, more)) for name, (values, place) in of_spans.items()
     }
+
+
+def _combined(
+    model: Model, M: NDArray[np.float64], push: NDArray[np.float64], xi: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Compression with bending of the columns among beams and links, and the fraction of the length where, (times, spans), from
+    moments M (times, elements, stations, axes) and largest compressions (times, spans).
+    """
+    system = compile(model)
+    spans, columns, safety = spans_of(system), columns_of(system), model.safety.buckling
+    value, place = np.full(M.shape[:3], np.nan), np.zeros(M.shape[:2])
+    for k, of in enumerate(spans.of.tolist()):
+        if columns.ends[of]:
+            value[:, k] = columns.combined(of, push[:, of], M[:, k], safety)
+    worst, place = _largest(np.nan_to_num(value, nan=-np.inf, posinf=np.inf), xi)
+    return _of_spans(spans, np.where(np.isneginf(worst), np.nan, worst), place)
 
 
 def _of_spans(
@@ -140,8 +159,11 @@ def beam_limits(model: Model) -> tuple[NDArray[np.float64], NDArray[np.float64]]
     return _limits(compile(model))
 
 
-def beam_notes(model: Model, stress: NDArray[np.float64], compression: NDArray[np.float64]) -> NDArray[np.object_]:
-    """Notes over (beam, rule) of the largest stress and compression (beams,), NaN if they are not known."""
+def beam_notes(
+    model: Model, stress: NDArray[np.float64], compression: NDArray[np.float64], combined: NDArray[np.float64]
+) -> NDArray[np.object_]:
+    """Notes over (beam, rule) of the largest stress and compression, and of both in one rule, (beams,); NaN if not known."""
+    columns = columns_of(compile(model))
     names = beam_parts(model)
     found = np.full((len(names), 3), "", dtype=object)
     for k, name in enumerate(names):
@@ -157,4 +179,8 @@ def beam_notes(model: Model, stress: NDArray[np.float64], compression: NDArray[n
             section = model.section_of(spans_of(compile(model)).records[k])
             found[k, 0] = f"not checked: no shear stress of torsion of a {getattr(section, 'kind', '')} section"
         found[k, 1] = STABILITY if compression[k] > 0 else "never in compression"
+        if compression[k] > 0 and columns.ends[k]:
+            found[k, 1] = f"{'Johnson' if columns.johnson[k] else 'Euler'}, {columns.ends[k]}, over the whole length"
+            if np.isnan(combined[k]):
+                found[k, 2] = "not checked: no yield strength"
     return found

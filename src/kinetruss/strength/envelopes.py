@@ -16,12 +16,17 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Forces, Status, Verdict, provenance, variable
 from kinetruss.strength.beam_verdict import BEAM_QUANTITIES, beam_histories, beam_limits, beam_parts
 from kinetruss.strength.critical_loads import end_condition
+from kinetruss.strength.link_columns import columns_of
 from kinetruss.strength.parts import histories, parts_of
 from kinetruss.strength.utilisations import RULES, axes_of_verdict, subjects, twisting, utilised
 from kinetruss.strength.verdict import NOTHING, told
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+
+JUDGED = {"stress": YIELD, "compression": BUCKLING, "combined": BEAM_COLUMN}
+"""Quantities of beams and links that have limits, and the rules of these."""
 
 
 class Gathering:
@@ -92,18 +97,20 @@ class Gathering:
     def _bend(self, model: Model, forces: Forces, times: NDArray[np.float64], pair: float) -> None:
         """Take beams into account."""
         allowed, length = beam_limits(model)
+        column = columns_of(compile(model)).critical / model.safety.buckling
+        limits = {"stress": allowed, "compression": column, "combined": np.ones(len(column))}
         found = beam_histories(model, forces)
         for row, (what, (values, place)) in zip(self.beams, found.items(), strict=True):
             for k, name in enumerate(beam_parts(model)):
                 if np.isnan(values[:, k]).all():
                     continue
                 at, own = place_of_largest(values[:, k]), self._beams[name]
-                limit = float(allowed[k]) if what == "stress" else math.nan
+                limit = float(limits[what][k]) if what in limits else math.nan
                 score = values[at, k] if math.isnan(limit) else values[at, k] / limit
                 if score > row[own, 0]:
                     row[own] = score, values[at, k], limit, times[at], place[at, k] * length[k], pair, 0.0
                 if not math.isnan(limit) and score > self.top[0]:
-                    self.top[:] = score, len(self._parts) + own, YIELD, times[at]
+                    self.top[:] = score, len(self._parts) + own, JUDGED[what], times[at]
 
     def _rules(self, model: Model) -> Rules:
         parts = parts_of(model)
@@ -165,7 +172,8 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str], cases: Seq
     table = np.full((bars + found.beams.shape[1], len(RULES), found.rods.shape[2]), np.nan)
     table[:bars][has_rod, 0] = found.rods[3, rod[has_rod]]
     table[:bars][has_whole, 1:] = found.members[:, whole[has_whole]].swapaxes(0, 1)
-    table[bars:, 0], table[bars:, 1] = found.beams[3], found.beams[1]
+    for rule, quantity in enumerate((3, 1, 4)):
+        table[bars:, rule] = found.beams[quantity]
     table[bars:, 1, 1] = np.where(table[bars:, 1, 1] < 0, 0.0, table[bars:, 1, 1])
     worst = np.full(table.shape[:2], NOTHING)
     for key, column in (("value", 1), ("limit", 2), ("time_of", 3), ("position", 4), ("factored", 1), ("euler", 6)):

@@ -17,6 +17,7 @@ from kinetruss.model import Model
 from kinetruss.results import Arrays, Axes, Forces, variable
 from kinetruss.strength.beam_verdict import beam_histories, beam_limits, beam_parts
 from kinetruss.strength.critical_loads import amplification, critical_load, end_condition, euler_load
+from kinetruss.strength.link_columns import columns_of
 from kinetruss.strength.parts import Parts, histories, parts_of, shear_of_torsion, torsion_of, with_torsion
 
 if TYPE_CHECKING:
@@ -238,8 +239,9 @@ def _arrays(
         value, limit, position, station = (
             np.concatenate(pair, axis=1) for pair in zip((value, limit, position, station), more, strict=True)
         )
-        johnson = np.concatenate([johnson, np.zeros(more[0].shape[:2], np.bool_)], axis=1)
-        euler = np.concatenate([euler, np.full(more[0].shape[:2], np.nan)], axis=1)
+        columns, over = columns_of(compile(model)), more[0].shape[:2]
+        johnson = np.concatenate([johnson, np.broadcast_to(columns.johnson, over)], axis=1)
+        euler = np.concatenate([euler, np.broadcast_to(columns.euler.min(axis=1), over)], axis=1)
     over = ("time", "part", "rule")
     data = {
         "value": variable(over, value, "", "demand, in the rule's unit"),
@@ -261,6 +263,9 @@ def _beam_rows(model: Model, bent: dict[str, tuple[NDArray[np.float64], ...]]) -
     found = np.full((4, *stress.shape, len(RULES)), np.nan)
     found[0, :, :, 0], found[1, :, :, 0], found[3, :, :, 0] = stress, allowed, stress_at
     found[0, :, :, 1], found[3, :, :, 1] = np.where(push < 0, 0.0, push), push_at
+    found[1, :, :, 1] = columns_of(compile(model)).critical / model.safety.buckling
+    found[0, :, :, 2], found[3, :, :, 2] = bent["combined"]
+    found[1, :, :, 2] = 1.0
     found[2] = found[3] * length[:, None]
     return tuple(found)
 

@@ -255,7 +255,7 @@ def told(
     }
     if (worst["pose"] != "").any():
         data["pose"] = variable(over, worst["pose"].astype(str), "", "name of the worst pose")
-    every = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:])])
+    every = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:], worst["value"][bars:, -1])])
     data["note"] = variable(over, every.astype(str), "", "formula used, or why it was not checked")
     return data, [*sentences(left), *screws_not_held(model, under)]
 

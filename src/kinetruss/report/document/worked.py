@@ -16,7 +16,14 @@ from kinetruss.errors import KinetrussError
 from kinetruss.report.document.places import sample_of
 from kinetruss.report.document.sheets import Sheet, valued
 from kinetruss.report.document.worked_drives import drive_sheet
-from kinetruss.report.document.worked_members import beam_column_sheet, beam_yield_sheet, buckling_sheet, yield_sheet
+from kinetruss.report.document.worked_members import (
+    beam_column_sheet,
+    beam_yield_sheet,
+    buckling_sheet,
+    link_beam_column_sheet,
+    link_buckling_sheet,
+    yield_sheet,
+)
 from kinetruss.report.member_diagrams import only
 from kinetruss.report.tables import cased
 from kinetruss.results.wide_tables import exceeds
@@ -32,6 +39,8 @@ NEGLIGIBLE = 1e-9
 CHAINED = ("voltage", "current", "torque", "speed", "input")
 """Demands that are worked from the load of the drive, step by step."""
 WORKS = {"yield": yield_sheet, "buckling": buckling_sheet, "beam-column": beam_column_sheet}
+OF_BENDING = {"yield": beam_yield_sheet, "buckling": link_buckling_sheet, "beam-column": link_beam_column_sheet}
+"""The same of beams and links."""
 
 
 def worked(run: RunResult) -> list[Sheet]:
@@ -70,7 +79,7 @@ def member_sheet(run: RunResult, row: Row) -> Sheet | None:
     sample = None if forces is None else sample_of(forces, row)
     if forces is None or sample is None:
         return None
-    work = beam_yield_sheet if row.part in run.model.bending else WORKS[row.rule]
+    work = (OF_BENDING if row.part in run.model.bending else WORKS)[row.rule]
     return work(run.model, only(forces, sample), row)
 
 

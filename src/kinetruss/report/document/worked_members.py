@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import strength
+from kinetruss.model import column_ends, length_along
 from kinetruss.report.document.places import Cut, constants, cuts, largest_shear, made_of, without_round_off
 from kinetruss.report.document.sheets import Sheet
+from kinetruss.strength.beam_verdict import beam_histories, beam_parts
 from kinetruss.strength.critical_loads import beyond_euler
 
 if TYPE_CHECKING:
@@ -266,6 +268,51 @@ def beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     return sheet
 
 
+def link_buckling_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
+    """Compression of a straight link against its critical load; forces : of the entry's sample."""
+    sheet = Sheet(title=f"{row.part}: buckling", row=row)
+    _pushed(sheet, model, forces, row.part)
+    _critical(sheet, model, row.part, length_along(model, model.links[row.part]))
+    sheet.step("P_allow", "allowed compression", "P_cr/n_b", "N", "critical load over its safety factor")
+    return sheet.close("P", "P_allow")
+
+
+def link_beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
+    """Compression and bending of a straight link; forces : of the entry's sample."""
+    sheet = Sheet(title=f"{row.part}: beam-column", row=row)
+    _pushed(sheet, model, forces, row.part)
+    _critical(sheet, model, row.part, length_along(model, model.links[row.part]), bends=True)
+    found = strength.beams(model, forces, stations=[row.station]).sel(beam=row.part).isel(station=0, time=0)
+    bent = dict(zip(map(str, found["moment"].values), map(float, found["section_M"].values), strict=True))
+    section, _ = made_of(model, row.part)
+    axes = {"": math.hypot(*bent.values())} if section.round else {f"_{axis}": abs(M) for axis, M in bent.items()}
+    lowest = min(sheet.values[f"P_e{axis[1:]}"] for axis in axes)
+    if sheet.values["n_b"] * sheet.values["P"] >= lowest:
+        words = beyond_euler(sheet.values["n_b"] * sheet.values["P"], lowest, model.safety.buckling)
+        sheet.notes.append(f"{words[0].upper()}{words[1:]}: the interaction has no finite value.")
+        sheet.values["s"], sheet.units["s"] = math.inf, ""
+    else:
+        terms = ["n_b*P/P_cr"]
+        sheet.give("C_m", "moment factor", 1.0, "", "loads across a member")
+        sheet.give("n_y", "safety factor on yielding", model.safety.yielding, "", "safety of the model")
+        for axis, moment in axes.items():
+            words = f"about axis {axis[1:]}" if axis else "resultant of both axes"
+            sheet.give(f"M{axis}", f"bending moment, {words}", moment, "N m", "section force of the run")
+            sheet.step(f"M_allow{axis}", "allowed bending moment", f"S_y/n_y*W{axis}", "N m", AISC)
+            terms.append(f"C_m*M{axis}/((1 - n_b*P/P_e{axis[1:]})*M_allow{axis})")
+        sheet.step("s", "interaction", " + ".join(terms), "", AISC)
+    sheet.values["one"], sheet.units["one"] = 1.0, ""
+    sheet.result, sheet.allowed = "s", "one"
+    sheet.values["u"], sheet.units["u"] = sheet.values["s"], "%"
+    return sheet
+
+
+def _pushed(sheet: Sheet, model: Model, forces: Forces, link: str) -> None:
+    """Enter the largest compression along a link."""
+    P = float(beam_histories(model, forces)["compression"][0][0, beam_parts(model).index(link)])
+    sheet.give("P", "largest compression along the link", P, "N", "section force of the run, minus the tension")
+
+
 def _parts(model: Model, member: str) -> list[str]:
     return [f"{member}.base", f"{member}.tube"] if member in model.active else [member]
 
@@ -283,7 +330,7 @@ def _known(model: Model, part: str) -> bool:
 def _critical(sheet: Sheet, model: Model, member: str, length: float, *, bends: bool = False) -> None:
     """The critical load of a member: of the weaker of its parts that have a section. bends : section moduli are needed."""
     known = [part for part in _parts(model, member) if _known(model, part)]
-    ends = model.whole.members[member].buckling
+    ends = column_ends(model, member) if member in model.links else model.whole.members[member].buckling
     sheet.give("L", "length of the member at this instant", length, "m", "pose of the run")
     sheet.give("C", "end-condition constant", strength.end_condition(ends), "", f"ends: {ends}")
     sheet.give("n_b", "safety factor on buckling", model.safety.buckling, "", "safety of the model")
