@@ -208,7 +208,7 @@ class Envelope:
         """The pairs that are done."""
         done: list[Pair] = self.pairs[: len(self.rows)]
         rows = np.array(self.rows, float).reshape(len(done), len(NUMBERS))
-        parts, members = list(self.members.part_names), list(self.model.whole.real_members)
+        parts, members = list(self.members.part_names), list(self.members.member_names)
         subject = [_subject(row, parts, members) for row in self.rows]
 
         def text(values: list[str], words: str) -> Any:

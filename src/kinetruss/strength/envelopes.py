@@ -42,7 +42,7 @@ class Gathering:
         self.rods = np.full((4, len(self._parts), COLUMNS), np.nan)
         self.members = np.full((2, len(self._members), COLUMNS), np.nan)
         self._beams = {name: k for k, name in enumerate(beam_parts(model))}
-        self.part_names = (*parts.names, *self._beams)
+        self.part_names, self.member_names = (*parts.names, *self._beams), (*self._members, *self._beams)
         self.beams = np.full((len(BEAM_QUANTITIES), len(self._beams), COLUMNS), np.nan)
         self.beams[:, :, 0] = -math.inf
         self.rods[:3, :, 0] = -math.inf  # a tension may be negative, a bending moment zero
@@ -109,8 +109,10 @@ class Gathering:
                 score = values[at, k] if math.isnan(limit) else values[at, k] / limit
                 if score > row[own, 0]:
                     row[own] = score, values[at, k], limit, times[at], place[at, k] * length[k], pair, 0.0
-                if not math.isnan(limit) and score > self.top[0]:
-                    self.top[:] = score, len(self._parts) + own, JUDGED[what], times[at]
+                # beyond Euler's load the buckling is the number
+                if not math.isnan(limit) and math.isfinite(score) and score > self.top[0]:
+                    before = self._parts if JUDGED[what] == YIELD else self._members
+                    self.top[:] = score, len(before) + own, JUDGED[what], times[at]
 
     def _rules(self, model: Model) -> Rules:
         parts = parts_of(model)
