@@ -166,6 +166,22 @@ def diagrams(path: Path) -> None:
     kt.report.diagrams(kt.run(frame), path, width="page")
 
 
+def links(path: Path) -> None:
+    """Section forces along the legs of a scissor lift at the start of its motion."""
+    lift = kt.Model(
+        nodes={"A": (0, 0), "B": (0.8, 0), "M": (0.4, 0.3), "C": (0.8, 0.6), "D": (0, 0.6)},
+        fixed={"A": "xy", "B": "y"},
+        links={"front": ("A", "M", "C"), "back": ("B", "M", "D")},
+        section=kt.Rectangle(width=0.02, height=0.06),
+        material=kt.library.materials.STEEL_S235,
+        gravity=(0, -9.81),
+        drives={"push": kt.CoordinateDrive(node="B", axis="x")},
+        loads={side: kt.NodalForce(node=side, force=(0, -1e3)) for side in ("C", "D")},
+        runs={"up": kt.Run(trajectory=kt.Quintic(moves={"push": (0.8, 0.5)}, duration=4.0))},
+    )
+    kt.report.diagrams(kt.run(lift), path, members=["front", "back"], at=0.0, width="page")
+
+
 PICTURES: dict[str, Callable[[Path], None]] = {
     "wiper": wiper,
     "shape": figure("shape"),
@@ -180,6 +196,7 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "view": view,
     "report": report,
     "diagrams": diagrams,
+    "links": links,
     **{f"example_{name}": lambda path, name=name: example(name, path) for name in EXAMPLE},
 }
 
