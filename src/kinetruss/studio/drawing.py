@@ -35,8 +35,10 @@ def faulty_shape(data: Data) -> list[Fault]:
             found.append(Fault((table,), "is not a table of names.", f"Write for example {table}: {{b: [A, B]}}."))
             continue
         for name, entry in entries.items():
-            ends = entry.get("ends") if isinstance(entry, dict) else entry
-            if not (isinstance(ends, list) and len(ends) == 2 and all(isinstance(end, str) for end in ends)):
+            link = table == "links"
+            ends = entry.get("nodes" if link else "ends") if isinstance(entry, dict) else entry
+            given = ends if isinstance(ends, list) else []
+            if not (len(given) >= 2 if link else len(given) == 2) or not all(isinstance(end, str) for end in given):
                 found.append(Fault((table, name), "has no two ends.", "Write for example [A, B]."))
     fixed = data.get("fixed") or {}
     names = list(fixed.values()) if isinstance(fixed, dict) else fixed
@@ -224,4 +226,4 @@ class Drawing:
     def _plain(self) -> bool:
         """True if places of nodes alone differ between the model and a model with moved nodes: nothing is derived from them."""
         model = self.found.model
-        return model is not None and not (model.beams or model.bodies or model.hubs)
+        return model is not None and not (model.bending or model.bodies or model.hubs)

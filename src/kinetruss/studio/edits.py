@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
@@ -80,8 +81,7 @@ def _with_members(data: Data, twin: Mapping[str, str]) -> Data:
             if frozenset(there) in joined or there[0] == there[1]:
                 continue
             joined.add(frozenset(there))
-            record = {**entry, "ends": there} if isinstance(entry, dict) else there
-            found[table] = {**found[table], _name_like(found, table, name): record}
+            found[table] = {**found[table], _name_like(found, table, name): joining(table, entry, there)}
     fixed = data.get("fixed")
     if isinstance(fixed, dict):
         found["fixed"] = {**fixed, **{twin[name]: axes for name, axes in fixed.items() if name in twin}}
@@ -129,11 +129,10 @@ def _prefixed(more: Data, prefix: str) -> Data:
     for table in MEMBERS:
         found[table] = {}
         for name, entry in (more.get(table) or {}).items():
-            record = dict(entry) if isinstance(entry, dict) else {"ends": entry}
-            record["ends"] = [prefix + end for end in record["ends"]]
-            if isinstance(record.get("orientation"), str):
+            record = joining(table, entry, [prefix + end for end in ends_of(entry)])
+            if isinstance(record, dict) and isinstance(record.get("orientation"), str):
                 record["orientation"] = prefix + record["orientation"]
-            found[table][prefix + name] = record if len(record) > 1 else record["ends"]
+            found[table][prefix + name] = record
     if "fixed" in more:
         fixed = more["fixed"]
         found["fixed"] = {prefix + name: axes for name, axes in fixed.items()} if isinstance(fixed, dict) else [
@@ -155,10 +154,10 @@ def _apart(a: Sequence[float], b: Sequence[float]) -> list[float]:
 
 Data = dict[str, Any]
 
-MEMBERS = ("bars", "active", "beams")
+MEMBERS = ("bars", "active", "beams", "links")
 """Tables of members, which are drawn as lines."""
 
-SHORT = {"nodes": "at", "bars": "ends", "beams": "ends"}
+SHORT = {"nodes": "at", "bars": "ends", "beams": "ends", "links": "nodes"}
 """Tables whose entries may be the list of one field alone."""
 
 ROUNDS = 20
@@ -188,8 +187,13 @@ def place_of(data: Data, node: str) -> list[Any]:
 
 
 def ends_of(entry: Any) -> list[str]:
-    """The two nodes of a member as written."""
-    return list(entry["ends"] if isinstance(entry, dict) else entry)
+    """The nodes of a member as written: two, or of a link more."""
+    return list(entry["nodes" if "nodes" in entry else "ends"] if isinstance(entry, dict) else entry)
+
+
+def joining(table: str, entry: Any, nodes: Sequence[str]) -> Any:
+    """A member with other nodes."""
+    return {**entry, "nodes" if table == "links" else "ends": list(nodes)} if isinstance(entry, dict) else list(nodes)
 
 
 def entry_of(entry: Any) -> dict[str, Any]:
@@ -210,9 +214,11 @@ def without(data: Data, table: str, name: str) -> Data:
 
 
 def clamped_where_beams_are(data: Data) -> Data:
-    """The data without clamps of nodes at which no beam ends."""
+    """The data without clamps of nodes at which no beam ends, and no link is welded or hinged."""
     given = data.get("clamped")
     ends = {end for entry in (data.get("beams") or {}).values() for end in ends_of(entry)}
+    links = (entry for entry in (data.get("links") or {}).values() if isinstance(entry, dict))
+    ends |= {node for entry in links for key in ("weld", "hinges") for node in entry.get(key) or ()}
     kept: Any = {node: body for node, body in given.items() if node in ends} if isinstance(given, dict) else [
         node for node in given or () if node in ends]  # fmt: skip
     rest = {key: value for key, value in data.items() if key != "clamped"}
@@ -332,7 +338,10 @@ def deleted(data: Data, nodes: Iterable[str], members: Iterable[str]) -> tuple[D
     lost: list[str] = []
     for table in MEMBERS:
         entries = found.get(table) or {}
-        cut |= {name for name, entry in entries.items() if gone & set(ends_of(entry))}
+        left = {name: [end for end in ends_of(entry) if end not in gone] for name, entry in entries.items()}
+        if table == "links":  # which goes on without a pin
+            entries = {name: _shortened(entry, left[name], gone) for name, entry in entries.items()}
+        cut |= {name for name, ends in left.items() if len(set(ends)) < 2}
         found[table] = {name: entry for name, entry in entries.items() if name not in cut}
     if found.get("fixed"):
         found["fixed"] = {name: axes for name, axes in supports(data).items() if name not in gone}
@@ -350,6 +359,49 @@ def deleted(data: Data, nodes: Iterable[str], members: Iterable[str]) -> tuple[D
             found = with_value(found, (table, entry), None)
             lost.append(f"{table}.{entry}")
     return found, lost
+
+
+def _shortened(entry: Any, nodes: Sequence[str], gone: set[str]) -> Any:
+    """A link without some of its pins."""
+    found = joining("links", entry, nodes)
+    if isinstance(found, dict):
+        for key in ("weld", "hinges"):
+            if given := found.get(key):
+                found[key] = {one: given[one] for one in given if one not in gone} if isinstance(given, dict) else [
+                    one for one in given if one not in gone]  # fmt: skip
+    return found
+
+
+def pinned(data: Data, member: str, node: str) -> tuple[Data, str]:
+    """The data with a node that lies on a bar or link as a further pin of it; the bar becomes a link. And its name.
+
+    Raises
+    ------
+    InputError : no such bar, link or node; a bar that is no rigid one.
+    """
+    _known(data, "nodes", node)
+    table = next((one for one in ("bars", "links") if member in (data.get(one) or {})), None)
+    if table is None:
+        known = [*_keys(data.get("bars")), *_keys(data.get("links"))]
+        raise InputError(f"No bar or link called {member!r}. {nearest(member, known)}")
+    entry = data[table][member]
+    nodes = ends_of(entry)
+    if node in nodes:
+        raise InputError(f"{node!r} is a pin of {member!r} already.")
+    if isinstance(entry, dict) and table == "bars" and (odd := sorted(set(entry) - {"ends", "section", "material", "mass"})):
+        raise InputError(f"{member!r} has {', '.join(odd)}, which a link has not. Remove what it has besides section and mass.")
+    place = {name: [parse(value, "length") for value in place_of(data, name)] for name in (node, *nodes)}
+
+    def detour(pair: tuple[str, str]) -> float:
+        """How much longer the way over the node is."""
+        a, b = (place[one] for one in pair)
+        return math.dist(a, place[node]) + math.dist(place[node], b) - math.dist(a, b)
+
+    at = min(range(len(nodes) - 1), key=lambda k: detour((nodes[k], nodes[k + 1])))
+    nodes = [*nodes[: at + 1], node, *nodes[at + 1 :]]
+    fields = {key: value for key, value in entry.items() if key not in ("ends", "nodes")} if isinstance(entry, dict) else {}
+    link = {"nodes": nodes, **fields} if fields else nodes
+    return _put(without(data, table, member), "links", member, link), member
 
 
 def renamed(data: Data, table: str, old: str, new: str) -> Data:
@@ -386,10 +438,7 @@ def _with_node_renamed(data: Data, old: str, new: str) -> Data:
     for table in MEMBERS:
         if table not in found:
             continue
-        found[table] = {
-            name: {**entry, "ends": _swapped(entry["ends"], old, new)} if isinstance(entry, dict) else _swapped(entry, old, new)
-            for name, entry in found[table].items()
-        }
+        found[table] = {name: joining(table, entry, _swapped(ends_of(entry), old, new)) for name, entry in found[table].items()}
     fixed = found.get("fixed")
     if isinstance(fixed, dict):
         found["fixed"] = {new if name == old else name: axes for name, axes in fixed.items()}

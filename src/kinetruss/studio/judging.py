@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -39,7 +40,7 @@ LISTED_NODES = 4
 def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequence[str]]) -> list[str]:
     """Sentences about nodes that lie on members, or on other nodes, without being joined to them.
 
-    places : node -> place, m. members : name -> its two ends.
+    places : node -> place, m. members : name -> its two ends, or the nodes of a link.
 
     >>> places = {"A": [0, 0], "B": [2, 0], "C": [1, 0], "D": [1, 1]}
     >>> loose_ends(places, {"b1": ["A", "B"], "b2": ["C", "D"]})
@@ -49,12 +50,26 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
         return []
     names, x = list(places), np.array(list(places.values()), float)
     near = NEAR * (float(np.ptp(x, axis=0).max()) or 1.0)
-    index = {name: k for k, name in enumerate(names)}
     same: dict[bytes, list[str]] = {}
     for name, place in zip(names, np.round(x / near), strict=True):
         same.setdefault((place + 0.0).tobytes(), []).append(name)
     found = [f"{' and '.join(some)} are at the same place but are not joined." for some in same.values() if len(some) > 1]
-    labels, ends = list(members), np.array([[index[end] for end in pair] for pair in members.values()], int).reshape(-1, 2)
+    for node, name in on_members(places, members):
+        mend = f"To join them, make {name} a link through {node}; two bars would fold there."
+        found.append(f"{node} lies on {name} but is not joined to it. {mend}")
+    rest = len(found) - LISTED_NODES
+    return found[:LISTED_NODES] + ([f"{rest} more places where parts meet without being joined."] if rest > 0 else [])
+
+
+def on_members(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequence[str]]) -> list[tuple[str, str]]:
+    """Nodes that lie on members without being joined to them, each with the member; arguments as of `loose_ends`."""
+    if not places or len(places) * max(1, len(members)) > MOST_PAIRS:
+        return []
+    names, x = list(places), np.array(list(places.values()), float)
+    near = NEAR * (float(np.ptp(x, axis=0).max()) or 1.0)
+    index = {name: k for k, name in enumerate(names)}
+    pairs = [(name, index[a], index[b]) for name, nodes in members.items() for a, b in pairwise(nodes)]
+    labels, ends = [name for name, *_ in pairs], np.array([pair for _, *pair in pairs], int).reshape(-1, 2)
     start, along = x[ends[:, 0]], x[ends[:, 1]] - x[ends[:, 0]]
     square = (along**2).sum(axis=1)
     long = np.flatnonzero(square > near**2)
@@ -63,12 +78,8 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
     way = np.einsum("mnk,mk->mn", apart, along) / size[:, None]
     off = np.linalg.norm(apart - (way / size[:, None])[..., None] * along[:, None], axis=2)
     inside = (off < near) & (way > near) & (size[:, None] - way > near)
-    for member, node in np.argwhere(inside).tolist():
-        name = labels[long[member]]
-        mend = f"To join them, make {name} a link through {names[node]}; two bars would fold there."
-        found.append(f"{names[node]} lies on {name} but is not joined to it. {mend}")
-    rest = len(found) - LISTED_NODES
-    return found[:LISTED_NODES] + ([f"{rest} more places where parts meet without being joined."] if rest > 0 else [])
+    found = [(names[node], labels[long[member]]) for member, node in np.argwhere(inside).tolist()]
+    return [(node, name) for node, name in found if node not in members[name]]
 
 
 # What a drawing is worth: the model, its closed pose, mobility in words, forces; or what is missing.
@@ -183,7 +194,7 @@ def _forces(
     model: Model, system: System, position: NDArray[np.float64], mobility: Mobility, fine: bool
 ) -> tuple[Forces | None, str]:
     """Forces at rest, or why there are none."""
-    soft = bool(model.beams) or has_elements(system) or any(bar.kind in SOFT for bar in model.bars.values())
+    soft = bool(model.bending) or has_elements(system) or any(bar.kind in SOFT for bar in model.bars.values())
     try:
         if not mobility.undriven and arrange(system).plan is not None:
             return at_rest(model, position), ""

@@ -28,7 +28,7 @@ Place = Annotated[list[Typed], Field(min_length=2, max_length=3)]
 Places = Annotated[dict[Name, Place], Field(max_length=100_000)]
 Arguments = dict[Name, Any]
 Placed = Annotated[dict[Name, Any], Field(max_length=20)]
-Part = Literal["active", "beam", "bar", "angle_spring", "body", "run"]
+Part = Literal["active", "beam", "bar", "link", "angle_spring", "body", "run"]
 Positive = Annotated[Finite, Field(ge=0)]
 Ends = Annotated[list[Name], Field(min_length=2, max_length=2)]
 Path = Annotated[list[Name], Field(min_length=1, max_length=12)]
@@ -224,6 +224,13 @@ def bar(session: Session, ends: Ends, name: Name | None = None) -> Answer:
 
 
 @message
+def pin(session: Session, member: Name, node: Name) -> Answer:
+    """A node that lies on a bar or link becomes a pin of it; the bar becomes a link."""
+    data, name = edits.pinned(session.data, member, node)
+    return session.take(data, f"pinning {node} to {member}", {"member": name})
+
+
+@message
 def set_(session: Session, path: Path, value: Any = None, typed: bool = False) -> Answer:
     """Set the value at a path of the data, e.g. bars, b1, length; null removes it. typed : texts in it are YAML."""
     new = edits.typed(session.data, value) if typed else value
@@ -237,7 +244,7 @@ def set_(session: Session, path: Path, value: Any = None, typed: bool = False) -
 @message
 def make(
     session: Session,
-    what: Literal["active", "beam", "bar", "angle_spring", "body", "run"],
+    what: Part,
     nodes: Names = (),
     members: Names = (),
 ) -> Answer:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 Spec = dict[str, Any]
 
-SHORT = {"nodes": "Node", "bars": "Bar", "beams": "Beam"}
+SHORT = {"nodes": "Node", "bars": "Bar", "beams": "Beam", "links": "Link"}
 """Tables whose entries may be plain lists -> their record."""
 
 
@@ -133,14 +133,14 @@ def made(
 ) -> tuple[Data, str, str]:
     """The data with a new entry, the table of it and its name.
 
-    what : active, beam, bar (of the picked member, in its place), angle_spring (between the picked members, or of one
+    what : active, beam, link, bar (of the picked member, in its place), angle_spring (between the picked members, or of one
     to the ground), body (of the picked nodes), run (of all drives). drives : name -> present value and unit, m or rad.
 
     Raises
     ------
     InputError : something else must be picked.
     """
-    if what in ("active", "beam", "bar"):
+    if what in ("active", "beam", "bar", "link"):
         return _member(data, what, members)
     if what == "angle_spring":
         entry = {"coordinate": _angle(data, nodes, members), "stiffness": "10 N m/rad"}
@@ -215,10 +215,13 @@ def _member(data: Data, what: str, members: Sequence[str]) -> tuple[Data, str, s
         raise InputError("Pick one member.")
     name = members[0]
     table, given = _found(data, name)
-    to = {"bar": "bars", "beam": "beams", "active": "active"}[what]
-    record = entry_of(given)
+    to = {"bar": "bars", "beam": "beams", "active": "active", "link": "links"}[what]
     if to == table:
         return data, table, name
+    nodes, record = ends_of(given), entry_of(given)
+    if len(nodes) > 2:
+        raise InputError(f"{name!r} is a link through {', '.join(nodes)}; a {what} joins two nodes. Delete pins of it first.")
+    record = {"ends": nodes, **{key: value for key, value in record.items() if key != "nodes"}}
     entry: Any = {key: record[key] for key in SHARED if key in record}
     if what == "active":
         entry = {"ends": record["ends"], **_rods(data, record)}
@@ -228,7 +231,9 @@ def _member(data: Data, what: str, members: Sequence[str]) -> tuple[Data, str, s
         if not (entry.get("material") or data.get("material")):
             entry["material"] = MATERIAL
     rest = without(data, table, name)
-    found = {**rest, to: {**(rest.get(to) or {}), name: entry if len(entry) > 1 else entry["ends"]}}
+    if what == "link":
+        entry["nodes"] = entry.pop("ends")
+    found = {**rest, to: {**(rest.get(to) or {}), name: entry if len(entry) > 1 else nodes}}
     return clamped_where_beams_are(found), to, name
 
 

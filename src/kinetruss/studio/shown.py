@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from contextlib import suppress
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -16,7 +17,7 @@ from kinetruss.model import NodalForce, turns
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
 from kinetruss.studio.edits import CELLS, MEMBERS, ends_of, place_of, supports
-from kinetruss.studio.judging import loose_ends
+from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
 from kinetruss.studio.member_kinds import role_of
 from kinetruss.studio.new_parts import forms
 from kinetruss.studio.poses import number
@@ -196,6 +197,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     places = _places(drawing)
     members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
     known = {name: ends for name, ends in members.items() if all(end in places for end in ends)}
+    lines = [(name, list(pair), k > 0) for name, ends in known.items() for k, pair in enumerate(pairwise(ends))]
     record = {
         "kind": "moved" if light else "drawing",
         "revision": drawing.revision,
@@ -207,7 +209,9 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "alarms": found.alarms,
         "mobility": _mobility(found, light),
         "drives": _drives(found),
-        **_forces(found.forces, list(known), clamps(compile(found.model)) if found.model is not None else set()),
+        **_forces(
+            found.forces, [name for name, *_ in lines], clamps(compile(found.model)) if found.model is not None else set()
+        ),
     }
     if light:
         return record
@@ -215,7 +219,10 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     return record | {
         "dim": drawing.dim,
         "nodes": list(places),
-        "members": [{"name": name, "ends": ends, "kind": _kind(drawing, name)} for name, ends in known.items()],
+        "members": [
+            {"name": name, "ends": ends, "kind": _kind(drawing, name), **({"goes_on": True} if on else {})}
+            for name, ends, on in lines
+        ],
         "fixed": supports(data),
         "loads": _loads(found),
         "data": data,
@@ -223,12 +230,19 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "faults": fault_rows(located(text, found.faults)),
         "valid": found.model is not None,
         "hints": loose_ends(places, known),
+        "pins": _pins(data, places, known),
         "file": "" if session.file is None else session.file.name,
         "dirty": drawing.state is not session.saved,
         "writable": session.folder is not None,
         "offered": session.offered is not None,
         **_history(drawing),
     }
+
+
+def _pins(data: dict[str, Any], places: dict[str, list[float]], members: dict[str, list[str]]) -> list[dict[str, str]]:
+    """What one click may join: nodes that lie on a bar or link, as a pin of it."""
+    takes = {*(data.get("bars") or {}), *(data.get("links") or {})}
+    return [{"node": node, "member": name} for node, name in on_members(places, members) if name in takes][:LISTED_NODES]
 
 
 def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
@@ -260,6 +274,8 @@ def _kind(drawing: Drawing, name: str) -> str:
     model = drawing.found.model
     if name in (drawing.state.data.get("beams") or {}):
         return "beam"
+    if name in (drawing.state.data.get("links") or {}):
+        return "rigid"
     if model is not None:
         return role_of(model, name)
     return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"

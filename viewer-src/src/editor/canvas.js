@@ -103,8 +103,8 @@ export class Canvas {
     this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
     const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
     for (const k of order) {
-      const { name, ends } = state.members[k], must = picked.members.has(name);
-      if (state.members.length <= FEW || must) this.names.member(this.tags[k], this.at(ends[0]), this.at(ends[1]), must);
+      const { name, ends, goes_on: more } = state.members[k], must = picked.members.has(name) && !more;
+      if ((state.members.length <= FEW && !more) || must) this.names.member(this.tags[k], this.at(ends[0]), this.at(ends[1]), must);
       else this.tags[k].setAttribute("display", "none");
     }
   }

@@ -4,7 +4,7 @@ import { el, section } from "../dom.js";
 import { button, choice, field, refill } from "./fields.js";
 import { Forms, words } from "./forms.js";
 
-const FIRST = ["active", "beams", "bodies", "springs", "drives", "loads", "load_cases", "trajectories"];
+const FIRST = ["active", "beams", "links", "bodies", "springs", "drives", "loads", "load_cases", "trajectories"];
 const AGAIN = 300; // ms between questions how far a run is
 const STEMS = { bodies: "body", trajectories: "trajectory", load_cases: "case", poses: "pose" };
 

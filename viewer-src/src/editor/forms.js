@@ -29,7 +29,7 @@ export class Forms {
   entry(table, name) {
     const path = [table, name], spec = this.forms.tables[table];
     const given = this.draw.state.data[table]?.[name];
-    const short = { nodes: "at", bars: "ends", beams: "ends" }[table];
+    const short = { nodes: "at", bars: "ends", beams: "ends", links: "nodes" }[table];
     const value = Array.isArray(given) && short ? { [short]: given } : given;
     if (spec.type !== "record" || (value !== undefined && typeof value !== "object")) return this.field(this.live(), spec, name, value, path);
     return this.record(this.live(), spec, table, value, path, true);

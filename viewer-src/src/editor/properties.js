@@ -6,7 +6,7 @@ import { Forms } from "./forms.js";
 import { button, check, choice, field, refill, showIn } from "./fields.js";
 
 const KINDS = [["rigid", "rigid"], ["driven", "driven length"], ["elastic", "elastic (spring)"], ["cable", "cable"], ["free", "free (measures only)"]];
-const OTHER = [["active", "active member (rods, screw, motor)"], ["beam", "beam (bends)"]];
+const OTHER = [["active", "active member (rods, screw, motor)"], ["beam", "beam (bends)"], ["link", "link (more pins)"]];
 const MAKES = { angle_spring: "Angle spring", body: "Body" };
 const LISTED = 12; // names of what is picked
 const AXES = [..."xyz"];
@@ -25,7 +25,7 @@ export class Properties {
 
   entry(table, name) {
     const found = this.draw.state.data[table]?.[name];
-    return Array.isArray(found) ? { [table === "nodes" ? "at" : "ends"]: found } : found || {};
+    return Array.isArray(found) ? { [{ nodes: "at", links: "nodes" }[table] || "ends"]: found } : found || {};
   }
 
   rebuild() {
@@ -41,7 +41,7 @@ export class Properties {
   /** Lists of all nodes and members: picking by keys. */
   lists(state, nodes, members) {
     const list = (type, label, names, chosen) => choice(label, [["", "-"], ...names], chosen.length === 1 ? chosen[0] : "", (name) => this.draw.pick(name ? { type, name } : null), `pick a ${type}`);
-    return el("div", { class: "row" }, list("node", "Node", state.nodes, nodes), list("member", "Member", state.members.map(({ name }) => name), members));
+    return el("div", { class: "row" }, list("node", "Node", state.nodes, nodes), list("member", "Member", [...new Set(state.members.map(({ name }) => name))], members));
   }
 
   /** An empty drawing of the other kind. */
@@ -103,7 +103,7 @@ export class Properties {
 
   ofMember(name) {
     const { draw } = this, { state } = draw;
-    if (!(name in (state.data.bars || {}))) return this.ofOther(name in (state.data.beams || {}) ? "beams" : "active", name);
+    if (!(name in (state.data.bars || {}))) return this.ofOther(["beams", "links"].find((table) => name in (state.data[table] || {})) || "active", name);
     const entry = this.entry("bars", name);
     const kind = entry.kind || "rigid";
     this.span = el("small", { class: "span" }, this.spanText(name));
@@ -119,10 +119,10 @@ export class Properties {
       el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["bars", name, "mass"], value), { hint: "of its section", name: `mass of ${name}` })), this.making(["angle_spring"])];
   }
 
-  /** An active member or a beam: all its fields. */
+  /** An active member, a beam or a link: all its fields. */
   ofOther(table, name) {
     this.span = el("small", { class: "span" }, this.spanText(name));
-    const kind = table === "beams" ? "beam" : "active";
+    const kind = { beams: "beam", links: "link" }[table] || "active";
     return [this.naming(table, name), this.span, el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
       table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), this.forms.entry(table, name)];
   }
@@ -189,9 +189,10 @@ export class Properties {
     const { state } = this.draw;
     const k = state.members.findIndex((one) => one.name === name);
     if (k < 0) return "";
-    const [a, b] = state.members[k].ends.map((end) => this.draw.at(end));
+    const parts = state.members.filter((one) => one.name === name).map(({ ends }) => ends); // of a link one between each two pins
+    const length = (pair) => ((a, b) => Math.hypot(...a.map((value, i) => value - b[i])))(...pair.map((end) => this.draw.at(end)));
     const force = state.force?.[k] ?? null;
-    return `${state.members[k].ends.join(" to ")}, ${quantity(Math.hypot(...a.map((value, i) => value - b[i])), "m")}${force === null ? "" : `, ${quantity(force, "N")}${state.unsure.includes(name) ? " (not unique)" : ""}`}`;
+    return `${[parts[0][0], ...parts.map((pair) => pair[1])].join(" to ")}, ${quantity(parts.map(length).reduce((sum, one) => sum + one), "m")}${force === null ? "" : `, ${quantity(force, "N")}${state.unsure.includes(name) ? " (not unique)" : ""}`}`;
   }
 
   /** While nodes are dragged: only what they change. */

@@ -30,13 +30,14 @@ export class Status {
     for (const { kind, text } of state.warnings) rows.push([HEADS[kind] || kind, text]);
     for (const text of state.alarms) rows.push(["limit", text]);
     for (const { text, line } of state.faults || []) rows.push(["fault", line ? `Line ${line}: ${text}` : text]);
-    const hints = state.hints || [];
-    const key = JSON.stringify([rows, hints, state.why]);
+    const hints = state.hints || [], pins = state.pins || [];
+    const key = JSON.stringify([rows, hints, pins, state.why]);
     if (key !== this.last) {
       this.last = key;
       const good = !rows.length && state.force;
       this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `Stable, ${driven(state.drives.length)}. ${state.why}` : state.why),
-        el("ul", {}, rows.slice(0, 14).map(([head, text, kind = head.split(" ")[0]]) => el("li", { class: `of-${kind}` }, head ? el("b", {}, head) : null, head ? " " : null, text)), hints.map((text) => el("li", {}, el("b", {}, "note"), " ", text))));
+        el("ul", {}, rows.slice(0, 14).map(([head, text, kind = head.split(" ")[0]]) => el("li", { class: `of-${kind}` }, head ? el("b", {}, head) : null, head ? " " : null, text)), hints.map((text) => el("li", {}, el("b", {}, "note"), " ", text)),
+          pins.map(({ node, member }) => el("li", {}, el("button", { type: "button", class: "pin", title: `${member} becomes a link through ${node}: stiff there, and pinned to what else is at ${node}`, onclick: () => this.draw.edit({ do: "pin", member, node }) }, `Pin ${node} to ${member}`)))));
     }
     this.mobility.textContent = state.mobility ? state.mobility.text || "It follows when the pointer rests." : "";
     this.numbers(state);
