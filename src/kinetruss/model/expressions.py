@@ -75,7 +75,7 @@ class Kind(NamedTuple):
 
 
 def _to_power(name: str, power: Fraction) -> str:
-    return name if power == 1 else f"{name}^{power if power.denominator == 1 else float(power):g}".replace(".0", "")
+    return name if power == 1 else f"{name}^{float(power):g}"
 
 
 NUMBER, LENGTH, ANGLE = Kind(), Kind(length=Fraction(1)), Kind(turn=Fraction(1))
@@ -216,13 +216,13 @@ FUNCTIONS: dict[str, tuple[Function, ...]] = {
 def function_of(op: str, given: Sequence[Kind], dim: int) -> Function:
     """The function of this name for these arguments; Wrong if there is none."""
     chosen = "".join("v" if one.vector else "s" for one in given)
-    known = [one for one in FUNCTIONS[op] if one.only in (0, dim)]
-    for one in known:
-        if "".join(one.given) == chosen:
-            return one
+    # in the plane the one with a sign comes first
+    known = {"".join(one.given): one for one in reversed(FUNCTIONS[op]) if one.only in (0, dim)}
+    if chosen in known:
+        return known[chosen]
     words = {"v": "vector", "s": "number"}
     has = ", ".join(f"a {words[letter]}" for letter in chosen) or "nothing"
-    takes = "; or ".join(", ".join(f"a {words[letter]}" for letter in one.given) for one in known) or "nothing here"
+    takes = "; or ".join(", ".join(f"a {words[letter]}" for letter in letters) for letters in sorted(known, key=len)) or "nothing here"
     where = " in the plane" if dim == 2 else " in space"
     raise Wrong(f"{op}(...) takes {takes}{where if len(FUNCTIONS[op]) > 1 else ''}; it has {has}.", _written(op, dim))
 

@@ -141,7 +141,7 @@ def member_turns(run: RunResult, names: Sequence[str] = ()) -> list[dict[str, An
     if not names and len(own) > LISTED:
         return []
     chosen = list(names or own)
-    series = _angles(run, chosen)
+    series = angle_histories(run, chosen)
     time, drive = run.motion.whole["time"].values, driver(run)
     rate = _rate_of(run, drive) if drive else None
     found = []
@@ -168,8 +168,8 @@ def member_turns(run: RunResult, names: Sequence[str] = ()) -> list[dict[str, An
     return found if names else largest_first(found, lambda row: row["sweep"])
 
 
-def _angles(run: RunResult, names: Sequence[str]) -> list[tuple[Array, Array, Array]]:
-    """Angle, rate and second rate (times,) of members."""
+def angle_histories(run: RunResult, names: Sequence[str]) -> list[tuple[Array, Array, Array]]:
+    """Angle, rate and second rate (times,) of members: rad, rad/s, rad/s^2; in space from the direction at the start."""
     if run.model.dim == 2:
         found = quantities(run.model, run.motion, {f"{k}": f'angle(member("{name}"))' for k, name in enumerate(names)})
         return [tuple(found[one].values[:, k] for one in ("value", "rate", "second_rate")) for k in range(len(names))]  # type: ignore[misc]
@@ -353,5 +353,4 @@ def mechanism_record(run: RunResult) -> dict[str, Any]:
         "paths": largest_first(node_paths(run), lambda row: row["path"]),
         "turns": member_turns(run),
         "transmission": transmission_angles(run),
-        "quantities": quantity_rows(run),
     }

@@ -107,14 +107,9 @@ def transmission(rows: Rows) -> Table:
     return Table(columns, rows, "Transmission angles", foot=foot, most=MOST)
 
 
-def entries(record: Mapping[str, Any], dim: int, *, timed: bool = True) -> list[Table]:
-    """All of them."""
-    found = [
-        quantities(record["quantities"], timed=timed),
-        paths(record["paths"], dim),
-        turned(record["turns"], dim),
-        transmission(record["transmission"]),
-    ]
+def entries(record: Mapping[str, Any], dim: int) -> list[Table]:
+    """Where nodes go, how members turn, how well they transmit."""
+    found = (paths(record["paths"], dim), turned(record["turns"], dim), transmission(record["transmission"]))
     return [one for one in found if one]
 
 
@@ -154,8 +149,8 @@ def of_member(row: Record, angles: Rows, dim: int) -> Table:
         unit = row["ratio_unit"]
         low, high = (quantity(one, unit) for one in row["ratio"])
         rows.append((f"rate over that of {row['drive']}", f"{low} to {high}"))
-        gain = quantity(row["advantage"], row["advantage_unit"])
-        words_ = f"at least {gain} in magnitude, at {instant(row['advantage_time'])}" + ("; without bound at dead points" if row["dead"] else "")
+        gain = quantity(abs(row["advantage"]), row["advantage_unit"])
+        words_ = f"{gain} in magnitude at the least, at {instant(row['advantage_time'])}" + ("; without bound at dead points" if row["dead"] else "")
         rows.append(("mechanical advantage", f"torque on it over that of {row['drive']}: {words_} (without friction, weight, inertia)"))
         rows.append(("dead points", f"it stands while {row['drive']} moves: {dead(row['dead'])}" if row["dead"] else "none"))
     rows += [
