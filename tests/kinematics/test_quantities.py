@@ -71,7 +71,7 @@ def test_a_slider_crank_has_the_place_the_velocity_and_the_acceleration_of_its_f
     ratio = of(model, motion, f"rate({slider}.x)/rate(drive({drive}))")
     np.testing.assert_allclose(ratio.value, first, atol=1e-13)
     np.testing.assert_allclose(ratio.rate, second * w, atol=1e-12)
-    assert ratio.unit.item() == "m/rad"
+    assert ratio.quantity_unit.item() == "m/rad"
     assert np.isnan(ratio.second_rate).all()
 
 

@@ -49,7 +49,7 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
 
     Returns
     -------
-    Dataset over (time,) quantity: ``value`` in the unit of each (coordinate ``unit``: m, rad, m/rad, ...); along a motion
+    Dataset over (time,) quantity: ``value`` in the unit of each (coordinate ``quantity_unit``: m, rad, m/rad, ...); along a motion
     ``rate``, per s, and ``second_rate``, per s^2. Angles count on over full turns; in the first sample they are the nearest to
     those of the model. Of `statics.linear` the value is that of the model plus its change to first order. NaN : what is not
     known, as a rate at rest, the second rate of an expression that has rates, an angle between directions of which one
@@ -70,8 +70,8 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
     >>> model = kt.library.mechanisms.four_bar().with_(quantities={"rocker_angle": "angle(rocker)"})
     >>> motion = kt.kinematics.follow(model, kt.ConstantRate(rates={"motor": 1.0}, duration=1.0), samples=3)
     >>> found = kt.kinematics.quantities(model, motion, {"ratio": "rate(rocker_angle)/rate(angle(crank))"})
-    >>> found.value.sel(quantity="ratio").values.round(4).tolist(), found.unit.item()
-    ([0.3195, 0.2836, 0.2247], '')
+    >>> found.value.sel(quantity="ratio").values.round(4).tolist(), found.quantity_unit.item()
+    ([0.3692, 0.4007, 0.3461], '')
     """
     trees, kinds = _read(model, expressions)
     system = compile(model)
@@ -81,14 +81,18 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
     found = _evaluated(system, trees, states, time, _evaluated(system, trees, start, None, None)[1])[0][:, :, samples]
     value = found[0] + found[1] if linear else found[0]
     over = ("time", "quantity") if "time" in coords else ("quantity",)
-    names, units = np.array(list(trees), dtype=object).astype(str), [kind.unit for kind in kinds]
-    unit, _ = unit_along("quantity", units, "unit", "")
-    columns = {"value": variable(over, value.T if "time" in coords else value[:, 0], unit, "quantity")}
-    if time is not None:
-        for name, order, per, times in (("rate", 1, "/s", 1.0), ("second_rate", 2, "/s^2", 2.0)):
-            columns[name] = variable(over, times * found[order].T, f"{unit}{per}", f"{name.replace('_', ' ')} of the quantity")
+    names = np.array(list(trees), dtype=object).astype(str)
+    more: dict[str, Any] = {"quantity": names, "quantity_unit": ("quantity", np.array([kind.unit for kind in kinds], str))}
+    columns = {}
+    values = {"value": value} | ({} if time is None else {"rate": found[1], "second_rate": 2.0 * found[2]})
+    for order, (name, one) in enumerate(values.items()):
+        per = [kind._replace(time=kind.time - order).unit for kind in kinds]
+        unit, own = unit_along("quantity", per, "quantity_unit" if order == 0 else f"{name}_unit", "")
+        more |= own
+        said = "quantity" if order == 0 else f"{name.replace('_', ' ')} of the quantity"
+        columns[name] = variable(over, one.T if "time" in coords else one[:, 0], unit, said)
     words = [model.quantities[name].words if expressions is None else "" for name in trees]
-    more = {"quantity": names, "unit": ("quantity", np.array(units, str)), "words": ("quantity", np.array(words, str))}
+    more["words"] = ("quantity", np.array(words, str))
     return xr.Dataset(columns, coords=coords | more, attrs={"kind": "quantities"})
 
 

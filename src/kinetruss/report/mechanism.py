@@ -32,7 +32,7 @@ def motion(run: RunResult, nodes: Sequence[str] = (), members: Sequence[str] = (
     --------
     >>> import kinetruss as kt
     >>> run = kt.run(kt.read(kt.library.example_files()["wiper"][0]))
-    >>> print("\n".join(kt.report.motion(run, members=["arm1"]).text.splitlines()[:3]))
+    >>> print(kt.report.motion(run, members=["arm1"]).text.partition("largest")[0].rstrip())
     Member arm1
     angle                         92.08 deg to 181.4 deg, from +x
     sweep                         89.32 deg

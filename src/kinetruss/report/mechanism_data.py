@@ -16,6 +16,7 @@ from kinetruss.display.ranks import largest_first, place_of_largest
 from kinetruss.errors import InputError
 from kinetruss.kinematics.quantities import quantities
 from kinetruss.model import nearest, turns
+from kinetruss.model.quantities import kinds_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -307,7 +308,7 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
     """Value at the start, least and largest (with times, s), largest rate (with time) of the quantities of the model, each in
     its unit; its limits, and whether they are kept.
     """
-    found, checked = [], {}
+    found, checked, kinds = list[dict[str, Any]](), dict[tuple[str, str], str](), kinds_of(run.model)
     for row in run.finding.quantities:
         checked.setdefault((row.part, row.load_case), row.status)
     for case, data in run.quantities.items():
@@ -316,13 +317,13 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
         for k, name in enumerate(map(str, data["quantity"].values)):
             values = data["value"].values[:, k] if timed else data["value"].values[k : k + 1]
             rates = data["rate"].values[:, k] if "rate" in data else np.full(1, np.nan)
-            unit, record = str(data["unit"].values[k]), run.model.quantities[name]
+            unit, record = str(data["quantity_unit"].values[k]), run.model.quantities[name]
             row = {
                 "quantity": name,
                 "words": record.words,
                 "value": record.value,
                 "unit": unit,
-                "rate_unit": f"{unit or '1'}/s",
+                "rate_unit": kinds[name]._replace(time=kinds[name].time - 1).unit,
                 "load_case": case,
                 "limits": None if record.limits is None else list(record.limits),
                 "status": checked.get((name, case), ""),

@@ -93,7 +93,7 @@ def quantity_figures(run: RunResult) -> Iterator[Histories]:
         if "time" not in data.coords or data.sizes["time"] < 2 or "pose" in data.coords:
             continue
         units: dict[str, list[int]] = {}
-        for k, unit in enumerate(map(str, data["unit"].values)):
+        for k, unit in enumerate(map(str, data["quantity_unit"].values)):
             if np.isfinite(data["value"].values[:, k]).any():
                 units.setdefault(unit, []).append(k)
         panels = []

@@ -81,7 +81,7 @@ def _row(
         rule="limit",
         value=value,
         limit=float(min(known, key=lambda one: abs(value - one))) if known else math.nan,
-        unit=str(data["unit"].values[k]),
+        unit=str(data["quantity_unit"].values[k]),
         utilisation=used,
         margin=math.inf if used == 0 else 1 / used - 1,
         time=time,

@@ -265,7 +265,7 @@ def _measured(found: xr.Dataset) -> dict[str, Any]:
     for k, name in enumerate(map(str, found["quantity"].values)):
         one = found["value"][:, k : k + 1].rename(name)
         words = str(found["words"].values[k]) or name.replace("_", " ")
-        every.setdefault(name, one.assign_attrs(units=str(found["unit"].values[k]), long_name=words))
+        every.setdefault(name, one.assign_attrs(units=str(found["quantity_unit"].values[k]), long_name=words))
     return every
 
 
