@@ -60,9 +60,8 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     >>> import tempfile
     >>> run = kt.run(model)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     sorted(path.name for path in kt.report.figures(run, folder, formats=["svg"]))
-    ['drives.svg', 'forces.svg', 'lengths.svg', 'paths.svg', 'shape.svg', 'speeds.svg', 'stresses.svg', 'turning.svg',
-     'utilisation.svg']
+    ...     " ".join(sorted(path.stem for path in kt.report.figures(run, folder, formats=["svg"])))
+    'drives forces lengths paths shape speeds stresses turning utilisation'
     """
     from kinetruss.report.pictures.draw import save
 
