@@ -31,9 +31,7 @@ def crank_rocker(**more):
 
 
 def turned(model, turns=1.0, samples=73, drive="motor"):
-    return kt.kinematics.follow(
-        model, kt.ConstantRate(rates={drive: 2 * np.pi * turns}, duration=1.0), samples=samples
-    )
+    return kt.kinematics.follow(model, kt.ConstantRate(rates={drive: 2 * np.pi * turns}, duration=1.0), samples=samples)
 
 
 def of(model, motion, text):
@@ -114,7 +112,9 @@ def test_the_roll_centre_of_a_symmetric_suspension_is_that_of_similar_triangles(
             "roll_centre": "w.y - w.x*(meet(a, b, c, d).y - w.y)/(meet(a, b, c, d).x - w.x)",
         },
     )
-    motion = kt.kinematics.follow(model, kt.Quintic(moves={"jounce": (np.arctan2(low[1] - h, low[0] - p),) * 2}, duration=1.0), samples=2)
+    motion = kt.kinematics.follow(
+        model, kt.Quintic(moves={"jounce": (np.arctan2(low[1] - h, low[0] - p),) * 2}, duration=1.0), samples=2
+    )
     found = quantities(model, motion).value[0]
     np.testing.assert_allclose(found, [p, h, h * half / (half - p)], atol=1e-12)
 
@@ -122,8 +122,8 @@ def test_the_roll_centre_of_a_symmetric_suspension_is_that_of_similar_triangles(
 PLANE = [
     "B.x", "C.y - 20*mm", "length(coupler)", "distance(A, C)", "distance(A, C)**2", "distance(A, C)**-1.5", "angle(rocker)",
     "angle(rocker, crank)", "angle(C - A)", "dot(B - A, C - D)", "cross(crank, rocker).x", "length(cross(crank, rocker))",
-    "unit(rocker).x", "meet(A, B, D, C + ex*0.1*m).y", "sin(motor)", "cos(2*motor)", "tan(angle(rocker)/3)", "asin(B.x/(0.5*m))",
-    "acos(B.x/(0.5*m))", "atan(B.y/C.y)", "atan2(B.y, C.x)", "sqrt(C.y/m)", "abs(B.x + 1*m)", "-(C - B).y/2",
+    "unit(rocker).x", "meet(A, B, D, C + ex*0.1*m).y", "sin(motor)", "cos(2*motor)", "tan(angle(rocker)/3)",
+    "asin(B.x/(0.5*m))", "acos(B.x/(0.5*m))", "atan(B.y/C.y)", "atan2(B.y, C.x)", "sqrt(C.y/m)", "abs(B.x + 1*m)", "-(C - B).y/2",
     "(C.x + B.x)*angle(rocker)", "3*angle(rocker) - 2*angle(crank)", "length(2*coupler - rocker/3)",
 ]  # fmt: skip
 SPACE = [
@@ -167,7 +167,9 @@ def test_rates_are_those_of_complex_steps(model, text):
     assert 2 * second == pytest.approx(moved[1], rel=1e-11, abs=1e-11)
 
 
-@pytest.mark.parametrize("text", ["rate(angle(rocker))", "length(rate(C))", "rate(C.x)/rate(motor)", "rate(angle(rocker))**2*C.y"])
+@pytest.mark.parametrize(
+    "text", ["rate(angle(rocker))", "length(rate(C))", "rate(C.x)/rate(motor)", "rate(angle(rocker))**2*C.y"]
+)
 def test_rates_within_expressions_agree_with_differences(text):
     model = crank_rocker()
     h = 1e-4
@@ -236,8 +238,10 @@ def test_simulations_and_inverse_kinematics_have_them_too():
 
 def test_at_rest_there_are_values_without_rates_and_linear_statics_has_their_change():
     frame = kt.Model(
-        nodes={"A": (0, 0), "B": (1, 0), "C": (0, 1)}, fixed={"A": "xy", "C": "x"}, bars={"b": ("A", "B"), "c": ("C", "B"), "v": ("A", "C")},
-        section=kt.Rod(diameter=0.01), material=kt.Material(E=200e9, density=0.0), loads={"P": kt.NodalForce(node="B", force=(50, -100))},
+        nodes={"A": (0, 0), "B": (1, 0), "C": (0, 1)}, fixed={"A": "xy", "C": "x"},
+        bars={"b": ("A", "B"), "c": ("C", "B"), "v": ("A", "C")},
+        section=kt.Rod(diameter=0.01), material=kt.Material(E=200e9, density=0.0),
+        loads={"P": kt.NodalForce(node="B", force=(50, -100))},
         quantities={"d": "distance(C, B)", "q": "angle(b)", "w": "rate(angle(b))"},
     )  # fmt: skip
     linear = kt.statics.linear(frame)
@@ -266,7 +270,12 @@ def test_poses_have_the_angle_nearest_to_that_of_the_model():
 @settings(max_examples=25, deadline=None)
 @given(st.floats(-3.0, 3.0), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
 def test_angles_and_distances_of_parts_do_not_depend_on_where_the_model_stands(turn, dx, dy):
-    names = {"mu": "angle(coupler, rocker)", "d": "distance(B, D)", "s": "length(rate(C))", "r": "rate(angle(rocker))/rate(angle(crank))"}
+    names = {
+        "mu": "angle(coupler, rocker)",
+        "d": "distance(B, D)",
+        "s": "length(rate(C))",
+        "r": "rate(angle(rocker))/rate(angle(crank))",
+    }
     model = crank_rocker()
     R = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     moved = model.with_(nodes={name: tuple(R @ one.at + [dx, dy]) for name, one in model.nodes.items()})
@@ -321,7 +330,9 @@ def test_limits_have_the_unit_of_their_quantity():
 
 def test_names_that_are_no_words_of_python_stand_in_quotes():
     model = kt.Model(nodes={"n-1": (0, 0), "2": (3, 4)}, fixed=["n-1", "2"], bars={"bar.1": ("n-1", "2")})
-    still = kt.kinematics.from_arrays(model, [0.0, 1.0], *([[list(n.at) for n in model.nodes.values()]] * 2,), np.zeros((2, 2, 2)), np.zeros((2, 2, 2)))
+    still = kt.kinematics.from_arrays(
+        model, [0.0, 1.0], *([[list(n.at) for n in model.nodes.values()]] * 2,), np.zeros((2, 2, 2)), np.zeros((2, 2, 2))
+    )
     found = quantities(model, still, {"a": 'distance("n-1", "2")', "b": 'length("bar.1")', "c": 'node("2").y'})
     assert found.value[0].values.tolist() == [5.0, 5.0, 4.0]
 

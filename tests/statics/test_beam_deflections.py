@@ -39,7 +39,9 @@ def test_a_simple_beam_under_a_uniform_load_and_its_turns_at_the_supports():
     model = plane(clamped=[], fixed={"A": "xy", "B": "y"}, loads={"q": kt.MemberLoad(member="b", force=(0, Q))})
     linear = kt.statics.linear(model)
     found = kt.strength.beams(model, linear, stations=XI)
-    np.testing.assert_allclose(found.displacement[0, :, 1], Q * X * (L**3 - 2 * L * X**2 + X**3) / (24 * E * I), rtol=1e-10, atol=1e-15)
+    np.testing.assert_allclose(
+        found.displacement[0, :, 1], Q * X * (L**3 - 2 * L * X**2 + X**3) / (24 * E * I), rtol=1e-10, atol=1e-15
+    )
     np.testing.assert_allclose(linear.node_rotation[:, 0], [Q * L**3 / (24 * E * I), -Q * L**3 / (24 * E * I)], rtol=1e-12)
 
 
@@ -56,7 +58,12 @@ def test_shear_adds_its_part():
 def test_a_rod_that_hangs_stretches_under_its_own_weight():
     heavy = kt.Material(E=1e6, density=1000.0)
     model = kt.Model(
-        nodes={"A": (0, 0), "B": (0, -L)}, beams={"b": ("A", "B")}, clamped=["A"], section=SECTION, material=heavy, gravity=(0, -9.81)
+        nodes={"A": (0, 0), "B": (0, -L)},
+        beams={"b": ("A", "B")},
+        clamped=["A"],
+        section=SECTION,
+        material=heavy,
+        gravity=(0, -9.81),
     )
     found = kt.strength.beams(model, kt.statics.linear(model), stations=XI).displacement[0, :, 1]
     np.testing.assert_allclose(found, -1000 * 9.81 * (L * X - X**2 / 2) / 1e6, rtol=1e-12, atol=1e-15)
@@ -71,7 +78,7 @@ LOADS = {
 
 @pytest.mark.parametrize("case", LOADS)
 def test_one_beam_deflects_as_many_do(case):
-    """The nodes of a fine mesh are exact, so their displacements are those between the nodes of a coarse one. The load is across."""
+    """The nodes of a fine mesh are exact, so their displacements are those between the nodes of a coarse one (load across)."""
     share = {"start": 0.0, "end": L, "shape": (1.0, 1.0), **LOADS[case]}
     load = kt.MemberLoad(member="b", force=across(0.4, Q), **LOADS[case])
     model = plane(0.4, loads={"q": load, "P": kt.NodalForce(node="B", force=(5, -40))})
@@ -148,8 +155,8 @@ def test_a_moment_rolls_a_beam_up_by_its_rotation():
 def test_a_simulation_has_the_rotations_of_a_swinging_beam():
     heavy = kt.Material(E=E, density=7800.0)
     swing = kt.Model(
-        nodes={"A": (0, 0, 0), "B": (1, 0, 0)}, beams={"b": ("A", "B")}, fixed=["A"], section=kt.Rod(diameter=0.05), material=heavy,
-        gravity=(0, 0, -9.81),
+        nodes={"A": (0, 0, 0), "B": (1, 0, 0)}, beams={"b": ("A", "B")}, fixed=["A"], section=kt.Rod(diameter=0.05),
+        material=heavy, gravity=(0, 0, -9.81),
     )  # fmt: skip
     run = kt.dynamics.simulate(swing, t_end=0.4, samples=9)
     chord = (run.motion.position.sel(node="B") - run.motion.position.sel(node="A")).values
@@ -157,11 +164,20 @@ def test_a_simulation_has_the_rotations_of_a_swinging_beam():
     np.testing.assert_allclose(run.motion.node_rotation.sel(frame="A", about="y"), angle, atol=2e-4)
     assert angle[-1] > 0.5
     still = kt.statics.linear(swing.with_(clamped=["A"]))
-    np.testing.assert_allclose(still.node_rotation.sel(frame="B", about="y").item(), 7800 * 9.81 * np.pi / 4 * 0.05**2 / (6 * E * np.pi / 64 * 0.05**4), rtol=1e-9)
+    np.testing.assert_allclose(
+        still.node_rotation.sel(frame="B", about="y").item(),
+        7800 * 9.81 * np.pi / 4 * 0.05**2 / (6 * E * np.pi / 64 * 0.05**4),
+        rtol=1e-9,
+    )
 
 
 def test_beams_that_keep_their_shape_have_no_deflection():
-    model = plane(clamped=[], fixed=["A"], loads={"P": kt.NodalForce(node="B", force=(0, -1))}, drives={"d": {"kind": "coordinate", "node": "B", "axis": "y"}})
+    model = plane(
+        clamped=[],
+        fixed=["A"],
+        loads={"P": kt.NodalForce(node="B", force=(0, -1))},
+        drives={"d": {"kind": "coordinate", "node": "B", "axis": "y"}},
+    )
     motion = kt.kinematics.follow(model, kt.Quintic(moves={"d": (0.0, 0.2)}, duration=1.0), samples=3)
     found = kt.strength.beams(model, kt.dynamics.inverse(model, motion), stations=[0.5])
     assert np.isnan(found.displacement).all()

@@ -57,7 +57,11 @@ def export(
     (362, 'time (s)')
     """
     path = Path(file)
-    writers: dict[str, Callable[[Store, list[str], Path, Mapping[str, xr.Dataset]], None]] = {".csv": _csv, ".parquet": _parquet, ".nc": _netcdf}
+    writers: dict[str, Callable[[Store, list[str], Path, Mapping[str, xr.Dataset]], None]] = {
+        ".csv": _csv,
+        ".parquet": _parquet,
+        ".nc": _netcdf,
+    }
     if path.suffix not in writers:
         raise InputError(f"{path}: a run is exported to {', '.join(writers)}. Choose one of these endings.")
     store = open_store(Path(out))

@@ -163,9 +163,10 @@ def follow(
     Returns
     -------
     Motion with position, velocity, acceleration (time, node, axis) m, m/s, m/s^2; length and its rates (time, member);
-    of beams also node_rotation (time, frame, about) rad, of their nodes from the model: in the plane from -pi to pi, in space
-    the vector along the axis; drive_position and its rates (time, drive); singularity (time): distance from a singular position, 0 in one: the smallest
-    singular value of the Jacobian's blocks, rows of unit length, where the shape of rigid parts does not count.
+    drive_position and its rates (time, drive); of beams node_rotation (time, frame, about) rad, of their nodes from the model:
+    in the plane from -pi to pi, in space the vector along the axis; singularity (time): distance from a singular position, 0
+    in one: the smallest singular value of the Jacobian's blocks, rows of unit length, where the shape of rigid parts does not
+    count.
 
     Raises
     ------

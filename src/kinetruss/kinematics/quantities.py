@@ -20,7 +20,18 @@ from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.measure_arrays import terms_of
 from kinetruss.mechanics.measures import terms_sum
-from kinetruss.model.expressions import AXES, CONSTANTS, FUNCTIONS, Kind, Tree, Wrong, function_of, kind_of, looked_up, read_expression
+from kinetruss.model.expressions import (
+    AXES,
+    CONSTANTS,
+    FUNCTIONS,
+    ExpressionError,
+    Kind,
+    Tree,
+    function_of,
+    kind_of,
+    looked_up,
+    read_expression,
+)
 from kinetruss.model.quantities import kinds_of
 from kinetruss.results import Motion, variable
 from kinetruss.results.wide_tables import unit_along
@@ -49,9 +60,9 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
 
     Returns
     -------
-    Dataset over (time,) quantity: ``value`` in the unit of each (coordinate ``quantity_unit``: m, rad, m/rad, ...); along a motion
-    ``rate``, per s, and ``second_rate``, per s^2. Angles count on over full turns; in the first sample they are the nearest to
-    those of the model. Of `statics.linear` the value is that of the model plus its change to first order. NaN : what is not
+    Dataset over (time,) quantity: ``value`` in the unit of each (coordinate ``quantity_unit``: m, rad, m/rad, ...); along a
+    motion ``rate``, per s, and ``second_rate``, per s^2. Angles count on over full turns; in the first sample they are the
+    nearest to those of the model. Of `statics.linear` the value is that of the model plus its change to first order. NaN : what is not
     known, as a rate at rest, the second rate of an expression that has rates, an angle between directions of which one
     vanishes, and the value of an angle from an instant on before which the samples are too far apart to count its turns.
 
@@ -106,8 +117,8 @@ def _read(model: Model, expressions: Mapping[str, str] | None) -> tuple[dict[str
             trees[name] = looked_up(model, read_expression(text))
             kinds.append(kind_of(model, trees[name]))
             if kinds[-1].vector:
-                raise Wrong(f"{text!r} is a vector.", "Take a component, as in (B - A).x, its length, or an angle.")
-        except Wrong as error:
+                raise ExpressionError(f"{text!r} is a vector.", "Take a component, as in (B - A).x, its length, or an angle.")
+        except ExpressionError as error:
             raise InputError(f"{name}: {error}") from None
     return trees, kinds
 
@@ -125,7 +136,9 @@ def _states(system: System, result: Result) -> Known:
     held = held if isinstance(held, Motion) else result
     arrays = held.arrays
     if "position" not in arrays and "displacement" not in arrays:
-        raise InputError(f"{type(result).__name__} has no positions of nodes. Give a motion, forces, a simulation or a position.")
+        raise InputError(
+            f"{type(result).__name__} has no positions of nodes. Give a motion, forces, a simulation or a position."
+        )
     linear = "position" not in arrays
     place = arrays["displacement" if linear else "position"].values
     timed = place.ndim == 3
@@ -188,7 +201,11 @@ def _series(
     given = known
     if rates:
         inner = [one.parts[0] for one in rates]
-        parts = [Tree("part", (one,), c) if _vector(system, one) else one for one in inner for c in (range(3) if _vector(system, one) else (0,))]
+        parts = [
+            Tree("part", (one,), c) if _vector(system, one) else one
+            for one in inner
+            for c in (range(3) if _vector(system, one) else (0,))
+        ]
         found = _series(system, parts, known, time, before, angles, (*place, 0))
         # c0 + c1 t + c2 t^2 has the rate c1 + 2 c2 t; what follows is not known
         more = np.stack([found[1], 2.0 * found[2], np.full_like(found[1], np.nan)])
@@ -207,7 +224,7 @@ def _series(
             break
         turns = counted
     angles[place] = out[0, len(results) :, 0].real if turning else np.zeros(0)
-    return out[:, : len(results)]
+    return np.asarray(out[:, : len(results)])
 
 
 def _counted(bare: Array, series: Array, time: Array | None, start: Array | None) -> Array:
@@ -218,7 +235,7 @@ def _counted(bare: Array, series: Array, time: Array | None, start: Array | None
     if time is None or bare.shape[1] < 2:
         if start is None or time is not None:
             return np.broadcast_to(first[:, None], bare.shape).copy()
-        return np.nan_to_num(np.rint((start[:, None] - bare) / TURN))  # poses, each by itself
+        return np.asarray(np.nan_to_num(np.rint((start[:, None] - bare) / TURN)))  # poses, each by itself
     h, (w, b) = np.diff(time), (series[1], 2.0 * series[2])
     change = 0.5 * h * (w[:, 1:] + w[:, :-1]) + h**2 / 12.0 * np.nan_to_num(b[:, :-1] - b[:, 1:])
     more = np.rint((np.nan_to_num(change) - np.diff(bare, axis=1)) / TURN)
@@ -226,7 +243,7 @@ def _counted(bare: Array, series: Array, time: Array | None, start: Array | None
     ahead = np.maximum(np.abs(w[:, 1:]), np.abs(w[:, :-1])) * h
     unsure = (ahead > math.pi) & (np.abs(w[:, 1:] - w[:, :-1]) * h > 0.5 * math.pi)
     more[unsure] = np.nan
-    return first[:, None] + np.concatenate([np.zeros((len(bare), 1)), np.cumsum(more, axis=1)], axis=1)
+    return np.asarray(first[:, None] + np.concatenate([np.zeros((len(bare), 1)), np.cumsum(more, axis=1)], axis=1))
 
 
 def _outermost(model: Model, tree: Tree) -> Iterator[Tree]:

@@ -262,9 +262,9 @@ def _frames(found: BeamElements, x: Floats) -> Floats:
     return np.stack([one, two, np.cross(one, two)], axis=-2)
 
 
-# Deflections between the nodes of beams: curvature, shear and strain from the section forces, integrated twice and once, between
-# the displacements of both ends. The section forces are polynomials between the ends of loads, so Gauss' rule is exact; so are
-# deflections of small displacements, as far as those of the nodes are.
+# Deflections between the nodes of beams: curvature, shear and strain from the section forces, integrated twice and once,
+# between the displacements of both ends. The section forces are polynomials between the ends of loads, so Gauss' rule is exact;
+# so are deflections of small displacements, as far as those of the nodes are.
 
 
 def deflections(
@@ -279,8 +279,8 @@ def deflections(
     v: Floats = None,
     loads: Sequence[tuple[OnBeam, Floats]] = (),
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Displacements (times, k, s, 3), m, of the axes of beams at their shares xi (s,), global axes; and how far they are from the
-    line of both ends, along the axes 2 and 3 of the deformed beam, (times, k, s, 2). Arguments as of `section_forces`.
+    """Displacements (times, k, s, 3), m, of the axes of beams at their shares xi (s,), global axes; and how far they are from
+    the line of both ends, along the axes 2 and 3 of the deformed beam, (times, k, s, 2). Arguments as of `section_forces`.
 
     w'' = M/(E I) + (V/(G A_s))', u' = N/(E A) (Timoshenko). NaN of beams that keep their shape.
     """

@@ -36,17 +36,19 @@ def framed(system: System) -> Framed | None:
 
 
 def rotations(system: System, x: Array) -> Array:
-    """Rotations (times, k, 1 or 3), rad, of the frames from the model to positions x (times, n, 3): the angle in the plane, from
-    -pi to pi; in space the vector along the axis, of the size of the angle (0 to pi), global axes.
+    """Rotations (times, k, 1 or 3), rad, of the frames from the model to positions x (times, n, 3): the angle in the plane,
+    from -pi to pi; in space the vector along the axis, of the size of the angle (0 to pi), global axes.
     """
     found = framed(system)
     if found is None:
         return np.zeros((len(x), 0, 1 if system.dim == 2 else 3))
     # edges as columns: D = R D0
-    D0, D = (np.swapaxes(y[:, found.axes] - y[:, found.origin][:, :, None], 2, 3)[:, :, : system.dim] for y in (system.x0[None], x))
+    D0, D = (
+        np.swapaxes(y[:, found.axes] - y[:, found.origin][:, :, None], 2, 3)[:, :, : system.dim] for y in (system.x0[None], x)
+    )
     R = D @ np.linalg.inv(D0)
     if system.dim == 2:
-        return np.arctan2(R[..., 1, 0] - R[..., 0, 1], R[..., 0, 0] + R[..., 1, 1])[..., None]
+        return np.asarray(np.arctan2(R[..., 1, 0] - R[..., 0, 1], R[..., 0, 0] + R[..., 1, 1])[..., None])
     from scipy.spatial.transform import Rotation
 
     return np.asarray(Rotation.from_matrix(R.reshape(-1, 3, 3)).as_rotvec().reshape(*R.shape[:2], 3))
@@ -61,7 +63,7 @@ def small_rotations(system: System, x: Array, u: Array) -> Array:
     edges = edges / np.square(edges).sum(axis=-1, keepdims=True)
     # w x e = d for orthogonal edges e: the sum of e x d/|e|^2 is 2 w in space, and 2 w in the plane
     turned = 0.5 * np.cross(edges, moved).sum(axis=1)
-    return turned[:, 2:] if system.dim == 2 else turned
+    return np.asarray(turned[:, 2:] if system.dim == 2 else turned)
 
 
 def rotation_axes(system: System) -> dict[str, Any]:

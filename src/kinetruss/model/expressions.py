@@ -30,8 +30,8 @@ LARGEST_POWER = 8
 
 class Tree(NamedTuple):
     """What an expression computes. op : ``number`` (value), ``name`` (value), ``add`` ``subtract`` ``multiply`` ``divide``
-    ``power`` (value: the exponent) ``negate``, ``part`` (value: 0, 1 or 2), a function of `FUNCTIONS`, a kind of `KINDS` (value:
-    the name), ``rate``. text : as it is written.
+    ``power`` (value: the exponent) ``negate``, ``part`` (value: 0, 1 or 2), a function of `FUNCTIONS`, a kind of `KINDS`
+    (value: the name), ``rate``. text : as it is written.
     """
 
     op: str
@@ -40,7 +40,7 @@ class Tree(NamedTuple):
     text: str = ""
 
 
-class Wrong(Exception):
+class ExpressionError(Exception):
     """A fault of an expression: the message, and how to mend it."""
 
     def __init__(self, message: str, mend: str) -> None:
@@ -137,7 +137,9 @@ def _angle_kind(_: Sequence[Kind]) -> Kind:
 def _plain(given: Sequence[Kind]) -> Kind:
     """A plain number of an angle or a plain number."""
     if given[0].length or given[0].time:
-        raise Wrong(f"takes an angle or a plain number, not one in {given[0].unit}.", "Divide by a quantity of that unit.")
+        raise ExpressionError(
+            f"takes an angle or a plain number, not one in {given[0].unit}.", "Divide by a quantity of that unit."
+        )
     return NUMBER
 
 
@@ -214,17 +216,20 @@ FUNCTIONS: dict[str, tuple[Function, ...]] = {
 
 
 def function_of(op: str, given: Sequence[Kind], dim: int) -> Function:
-    """The function of this name for these arguments; Wrong if there is none."""
+    """The function of this name for these arguments; ExpressionError if there is none."""
     chosen = "".join("v" if one.vector else "s" for one in given)
     # in the plane the one with a sign comes first
-    known = {"".join(one.given): one for one in reversed(FUNCTIONS[op]) if one.only in (0, dim)}
+    known: dict[str, Function] = {"".join(one.given): one for one in reversed(FUNCTIONS[op]) if one.only in (0, dim)}
     if chosen in known:
         return known[chosen]
     words = {"v": "vector", "s": "number"}
     has = ", ".join(f"a {words[letter]}" for letter in chosen) or "nothing"
-    takes = "; or ".join(", ".join(f"a {words[letter]}" for letter in letters) for letters in sorted(known, key=len)) or "nothing here"
+    takes = (
+        "; or ".join(", ".join(f"a {words[letter]}" for letter in letters) for letters in sorted(known, key=len))
+        or "nothing here"
+    )
     where = " in the plane" if dim == 2 else " in space"
-    raise Wrong(f"{op}(...) takes {takes}{where if len(FUNCTIONS[op]) > 1 else ''}; it has {has}.", _written(op, dim))
+    raise ExpressionError(f"{op}(...) takes {takes}{where if len(FUNCTIONS[op]) > 1 else ''}; it has {has}.", _written(op, dim))
 
 
 def _written(op: str, dim: int) -> str:
@@ -237,11 +242,11 @@ def _written(op: str, dim: int) -> str:
 
 
 def same_unit(a: Kind, b: Kind) -> None:
-    """Raise Wrong if two units do not match; angles are plain numbers."""
+    """Raise ExpressionError if two units do not match; angles are plain numbers."""
     if (a.length, a.time) != (b.length, b.time):
         one, other = (kind.unit or "plain" for kind in (a, b))
         mend = "Give a plain number its unit, as in 0.3*m, 20*mm, 5*deg." if NUMBER in (a, b) else "Mend one of them."
-        raise Wrong(f"puts together what is in {one} and what is in {other}.", mend)
+        raise ExpressionError(f"puts together what is in {one} and what is in {other}.", mend)
 
 
 # Reading.
@@ -254,30 +259,32 @@ def read_expression(text: str) -> Tree:
 
     Raises
     ------
-    Wrong : it is no expression, or has what may not stand in one.
+    ExpressionError : it is no expression, or has what may not stand in one.
 
     >>> read_expression("P.y - 20*mm").op
     'subtract'
     """
     if len(text) > LONGEST:
-        raise Wrong(f"has {len(text)} characters, more than {LONGEST}.", "Divide it into several quantities.")
+        raise ExpressionError(f"has {len(text)} characters, more than {LONGEST}.", "Divide it into several quantities.")
     try:
         found = ast.parse(text.strip(), mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         why = error.msg if isinstance(error, SyntaxError) and error.msg else "it cannot be read"
-        raise Wrong(f"{shown(text)} is no expression: {why}.", "Write for example distance(A, B), or angle(crank).") from None
+        raise ExpressionError(
+            f"{shown(text)} is no expression: {why}.", "Write for example distance(A, B), or angle(crank)."
+        ) from None
     return _tree(found, text.strip(), 0)
 
 
 def _tree(node: Any, text: str, depth: int) -> Tree:
     if depth > DEEPEST:
-        raise Wrong(f"has more than {DEEPEST} operations in each other.", "Divide it into several quantities.")
+        raise ExpressionError(f"has more than {DEEPEST} operations in each other.", "Divide it into several quantities.")
 
     def below(*ones: Any) -> tuple[Tree, ...]:
         return tuple(_tree(one, text, depth + 1) for one in ones)
 
     own = ast.get_source_segment(text, node) or text
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
         return Tree("number", value=_finite(node.value, own), text=own)
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         return Tree("name", value=node.value, text=own)
@@ -291,26 +298,32 @@ def _tree(node: Any, text: str, depth: int) -> Tree:
         return Tree("power", below(node.left), value=_exponent(node.right, own), text=own)
     if isinstance(node, ast.Attribute):
         if node.attr not in ("x", "y", "z"):
-            raise Wrong(f"has no part {node.attr!r} in {own!r}.", 'Write .x, .y or .z; a name with a dot as text: node("A.1").')
+            raise ExpressionError(
+                f"has no part {node.attr!r} in {own!r}.", 'Write .x, .y or .z; a name with a dot as text: node("A.1").'
+            )
         return Tree("part", below(node.value), value="xyz".index(node.attr), text=own)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
         return _call(node, own, below)
-    raise Wrong(f"has {own!r}, which may not stand here.", f"Write numbers, names, + - * / **, and {', '.join(FUNCTIONS)}, rate.")
+    raise ExpressionError(
+        f"has {own!r}, which may not stand here.", f"Write numbers, names, + - * / **, and {', '.join(FUNCTIONS)}, rate."
+    )
 
 
 def _call(node: ast.Call, own: str, below: Callable[..., tuple[Tree, ...]]) -> Tree:
     """A function with its arguments."""
     name = node.func.id  # type: ignore[attr-defined]
     if name in KINDS:
-        (one, *more) = node.args or [None]
+        one, more = (node.args[0], node.args[1:]) if node.args else (None, [])
         named = one.id if isinstance(one, ast.Name) else one.value if isinstance(one, ast.Constant) else None
         if more or not isinstance(named, str):
-            raise Wrong(f"{own!r} names no {name}.", f"Write for example {name}(A).")
+            raise ExpressionError(f"{own!r} names no {name}.", f"Write for example {name}(A).")
         return Tree(name, value=named, text=own)
     if name not in FUNCTIONS and name != "rate":
-        raise Wrong(f"has no function {name!r}.", nearest(name, [*FUNCTIONS, "rate", *KINDS]))
+        raise ExpressionError(f"has no function {name!r}.", nearest(name, [*FUNCTIONS, "rate", *KINDS]))
     if name == "rate" and len(node.args) != 1:
-        raise Wrong(f"rate(...) takes one expression; it has {len(node.args)}.", "Write for example rate(angle(crank)).")
+        raise ExpressionError(
+            f"rate(...) takes one expression; it has {len(node.args)}.", "Write for example rate(angle(crank))."
+        )
     return Tree(name, below(*node.args), text=own)
 
 
@@ -318,7 +331,7 @@ def _finite(value: float, own: str) -> float:
     if isinstance(value, int) and abs(value) > 10**15:
         value = math.inf
     if not math.isfinite(value):
-        raise Wrong(f"has the number {shown(own)}, which is too large.", "Give a smaller one.")
+        raise ExpressionError(f"has the number {shown(own)}, which is too large.", "Give a smaller one.")
     return float(value)
 
 
@@ -326,10 +339,12 @@ def _exponent(node: Any, own: str) -> Fraction:
     sign = 1
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         sign, node = -1, node.operand
-    value = node.value if isinstance(node, ast.Constant) else None
+    value: Any = node.value if isinstance(node, ast.Constant) else None
     if type(value) in (int, float) and abs(value) <= LARGEST_POWER and float(2 * value).is_integer():
         return Fraction(sign * int(2 * value), 2)
-    raise Wrong(f"has the power {own!r}.", f"Exponents are whole or half numbers up to {LARGEST_POWER}: a**2, a**0.5.")
+    raise ExpressionError(
+        f"has the power {own!r}.", f"Exponents are whole or half numbers up to {LARGEST_POWER}: a**2, a**0.5."
+    )
 
 
 # Names and units.
@@ -340,11 +355,11 @@ def looked_up(model: ModelData, tree: Tree) -> Tree:
 
     Raises
     ------
-    Wrong : unknown names, and those that stand for several things.
+    ExpressionError : unknown names, and those that stand for several things.
     """
     if tree.op in KINDS:
         if tree.value not in (known := _known(model)[tree.op]):
-            raise Wrong(f"has no {tree.op} called {tree.value!r}.", nearest(tree.value, known))
+            raise ExpressionError(f"has no {tree.op} called {tree.value!r}.", nearest(tree.value, known))
         return tree
     if tree.op != "name":
         return tree._replace(parts=tuple(looked_up(model, one) for one in tree.parts))
@@ -356,7 +371,7 @@ def looked_up(model: ModelData, tree: Tree) -> Tree:
     if len(found) > 1 or (found and name in (*CONSTANTS, *AXES)):
         kinds = [*found, *(["unit" if name in CONSTANTS else "axis"] if name in (*CONSTANTS, *AXES) else [])]
         mend = f"Write {' or '.join(f'{kind}({quoted})' for kind in found)}."
-        raise Wrong(f"{name!r} is a {' and a '.join(kinds)}.", mend)
+        raise ExpressionError(f"{name!r} is a {' and a '.join(kinds)}.", mend)
     if found:
         return Tree(found[0], value=name, text=tree.text)
     if name in AXES:
@@ -364,7 +379,7 @@ def looked_up(model: ModelData, tree: Tree) -> Tree:
     if name in CONSTANTS:
         return Tree("constant", value=name, text=tree.text)
     every = [one for names in known.values() for one in names]
-    raise Wrong(f"has no node, member, drive or quantity called {name!r}.", nearest(name, every))
+    raise ExpressionError(f"has no node, member, drive or quantity called {name!r}.", nearest(name, every))
 
 
 def _known(model: ModelData) -> dict[str, Any]:
@@ -381,7 +396,7 @@ def kind_of(model: ModelData, tree: Tree, inside: tuple[str, ...] = ()) -> Kind:
 
     Raises
     ------
-    Wrong : units that do not match, wrong arguments, a quantity that needs itself.
+    ExpressionError : units that do not match, wrong arguments, a quantity that needs itself.
     """
     if tree.op == "number":
         return NUMBER
@@ -399,16 +414,18 @@ def kind_of(model: ModelData, tree: Tree, inside: tuple[str, ...] = ()) -> Kind:
     if tree.op in FUNCTIONS:
         try:
             return function_of(tree.op, given, model.dim).kind(given)
-        except Wrong as error:
-            raise Wrong(error.message if tree.op in error.message else f"{tree.text!r} {error.message}", error.mend) from None
+        except ExpressionError as error:
+            raise ExpressionError(
+                error.message if tree.op in error.message else f"{tree.text!r} {error.message}", error.mend
+            ) from None
     return _of_operation(tree, given)
 
 
 def _of_quantity(model: ModelData, name: str, inside: tuple[str, ...]) -> Kind:
     if name in inside:
-        raise Wrong(f"needs itself: {' of '.join((*inside[inside.index(name):], name))}.", "Take one of them out.")
+        raise ExpressionError(f"needs itself: {' of '.join((*inside[inside.index(name) :], name))}.", "Take one of them out.")
     if len(inside) > DEEPEST:
-        raise Wrong(f"rests on more than {DEEPEST} quantities, each on the next.", "Write some of them directly.")
+        raise ExpressionError(f"rests on more than {DEEPEST} quantities, each on the next.", "Write some of them directly.")
     return kind_of(model, looked_up(model, model.quantities[name].tree), (*inside, name))
 
 
@@ -416,7 +433,9 @@ def _of_operation(tree: Tree, given: Sequence[Kind]) -> Kind:
     first, last = given[0], given[-1]
     if tree.op == "part":
         if not first.vector:
-            raise Wrong(f"{tree.text!r} takes a part of a number.", "A node, a member, a difference of places have parts.")
+            raise ExpressionError(
+                f"{tree.text!r} takes a part of a number.", "A node, a member, a difference of places have parts."
+            )
         return _no_vector(first)
     if tree.op == "rate":
         return first._replace(time=first.time - 1)
@@ -424,19 +443,21 @@ def _of_operation(tree: Tree, given: Sequence[Kind]) -> Kind:
         return first
     if tree.op == "power":
         if first.vector:
-            raise Wrong(f"{tree.text!r} is a power of a vector.", "Take its length first.")
+            raise ExpressionError(f"{tree.text!r} is a power of a vector.", "Take its length first.")
         return first.to(tree.value)
     vectors = [one.vector for one in given]
     if tree.op in ("add", "subtract"):
         if vectors[0] != vectors[1]:
-            raise Wrong(f"{tree.text!r} puts a vector and a number together.", "Take a component, as A.x, or a length.")
+            raise ExpressionError(
+                f"{tree.text!r} puts a vector and a number together.", "Take a component, as A.x, or a length."
+            )
         try:
             same_unit(first, last)
-        except Wrong as error:
-            raise Wrong(f"{tree.text!r} {error.message}", error.mend) from None
+        except ExpressionError as error:
+            raise ExpressionError(f"{tree.text!r} {error.message}", error.mend) from None
         return first if first.turn >= last.turn else last
     if (tree.op == "multiply" and all(vectors)) or (tree.op == "divide" and vectors[1]):
-        raise Wrong(f"{tree.text!r} multiplies or divides by a vector.", "Write dot(a, b) or cross(a, b).")
+        raise ExpressionError(f"{tree.text!r} multiplies or divides by a vector.", "Write dot(a, b) or cross(a, b).")
     return first.times(last, 1 if tree.op == "multiply" else -1)
 
 

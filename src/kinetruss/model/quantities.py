@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import AfterValidator, Field, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault
-from kinetruss.model.expressions import DEEPEST, LONGEST, Kind, Tree, Wrong, kind_of, looked_up, read_expression, walk
+from kinetruss.model.expressions import DEEPEST, LONGEST, ExpressionError, Kind, Tree, kind_of, looked_up, read_expression, walk
 from kinetruss.model.record import Coordinate, Record
 from kinetruss.units import Tagged
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def _formula(text: str) -> str:
     try:
         read_expression(text)
-    except Wrong as error:
+    except ExpressionError as error:
         raise ValueError(str(error)) from None
     return text
 
@@ -93,7 +93,7 @@ def quantity_faults(model: ModelData) -> Iterator[Fault]:
         path, about = ("quantities", name, "value"), (*(place[:1] for place in every), ("quantities", name))
         try:
             kind = kind_of(model, looked_up(model, one.tree), (name,))
-        except Wrong as error:
+        except ExpressionError as error:
             yield Fault(path, error.message, error.mend, about=about)
             continue
         if kind.vector:
@@ -101,13 +101,21 @@ def quantity_faults(model: ModelData) -> Iterator[Fault]:
             yield Fault(path, f"{one.value!r} is a vector.", mend, about=about)
         elif kind.unit not in ("m", "rad", ""):
             if one.limits is not None and any(getattr(limit, "quantity", None) for limit in one.limits):
-                yield Fault(("quantities", name, "limits"), f"have a unit, but {name!r} is in {kind.unit}.", "Give plain numbers in that unit.")
+                yield Fault(
+                    ("quantities", name, "limits"),
+                    f"have a unit, but {name!r} is in {kind.unit}.",
+                    "Give plain numbers in that unit.",
+                )
         elif one.limits is not None:
             meant = {"m": "length", "rad": "angle", "": None}[kind.unit]
             for limit in one.limits:
                 if isinstance(limit, Tagged) and limit.quantity and limit.quantity != meant:
                     has = f"is in {kind.unit}" if kind.unit else "has no unit"
-                    yield Fault(("quantities", name, "limits"), f"has the unit of a {limit.quantity}, but {name!r} {has}.", "Mend one of them.")
+                    yield Fault(
+                        ("quantities", name, "limits"),
+                        f"has the unit of a {limit.quantity}, but {name!r} {has}.",
+                        "Mend one of them.",
+                    )
                     break
 
 

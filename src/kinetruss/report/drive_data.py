@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 
 def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list[dict[str, Any]]:
-    """Largest force (N) or torque (N m), its time (s) and root mean square, rate (m/s, rad/s), largest power (W) and its time of
-    every drive and load case.
+    """Largest force (N) or torque (N m), its time (s) and root mean square, rate (m/s, rad/s), largest power (W) and its time
+    of every drive and load case.
 
     shown : rows of the table of motors, whose drives are omitted.
     """

@@ -38,7 +38,7 @@ def motion(run: RunResult, nodes: Sequence[str] = (), members: Sequence[str] = (
     sweep                         89.32 deg
     """
     check_histories(run)
-    chosen = {"nodes": tuple(nodes), "members": tuple(members)}
+    chosen: dict[str, Any] = {"nodes": tuple(nodes), "members": tuple(members)}
     return Page(found=run, as_record=partial(_record, **chosen), as_entries=partial(_entries, **chosen))
 
 

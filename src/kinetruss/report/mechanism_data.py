@@ -7,7 +7,7 @@ Extremes are those of the samples.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +21,7 @@ from kinetruss.model.quantities import kinds_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.model import Model
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
@@ -252,53 +253,44 @@ def transmission_angles(run: RunResult) -> list[dict[str, Any]]:
     drive = driver(run)
     if not drive or run.model.dim != 2 or len(run.model.members) > LISTED:
         return []
-    model, data, found = run.model, run.motion.whole, []
+    model, data = run.model, run.motion.whole
     place = {str(name): k for k, name in enumerate(data["node"].values)}
-    x, time, moved = data["position"].values, data["time"].values, getattr(model.all_drives[drive], "bar", "")
+    x, moved = data["position"].values, getattr(model.all_drives[drive], "bar", "")
+    along = {name: x[:, place[one.ends[1]]] - x[:, place[one.ends[0]]] for name, one in model.members.items()}
     meeting: dict[str, list[str]] = {}
     for name, one in model.members.items():
-        for end in one.ends:
+        for end in one.ends if name != moved else ():
             meeting.setdefault(end, []).append(name)
+    pairs = list[tuple[str, str, str, Array, Array]]()
+    for pin, end, name in _followers(model, moved):
+        for other in meeting[end]:
+            if other != name and pin not in model.members[other].ends:
+                d, e = along[name], along[other]
+                pairs.append((end, name, other, d[:, 0] * e[:, 1] - d[:, 1] * e[:, 0], np.einsum("tc,tc->t", d, e)))
+    for node, axes in model.fixed.items():
+        if node in place and (free := {"x": 1, "y": 0}.get(axes)) is not None:
+            # the angle between the member and the normal of the axis
+            pairs += [
+                (node, f"slider {node}", name, along[name][:, free], along[name][:, 1 - free]) for name in meeting.get(node, ())
+            ]
+    rows = (_transmission(*one, data["time"].values) for one in pairs)
+    # members of one rigid part keep their angle
+    return [row for row in rows if row["largest"] - row["least"] > STILL]
 
-    def along(name: str) -> Array:
-        p, q = (x[:, place[end]] for end in model.members[name].ends)
-        return q - p
 
-    def row(node: str, of: str, other: str, s: Array, c: Array) -> Iterable[dict[str, Any]]:
-        angle = np.arctan2(np.abs(s), np.abs(c))
-        if np.ptp(angle) > STILL:  # members of one rigid part keep their angle
-            at = place_of_largest(-angle)
-            yield {
-                "node": node,
-                "member": of,
-                "with": other,
-                "least": float(angle[at]),
-                "largest": float(angle.max()),
-                "time": float(time[at]),
-            }
-
+def _followers(model: Model, moved: str) -> Iterator[tuple[str, str, str]]:
+    """Members with a fixed pin and a free end: pin, end and name; moved : by the drive."""
     for name, one in model.members.items():
         for pin, end in (one.ends, one.ends[::-1]):
-            if set(model.fixed.get(pin, "")) < {"x", "y"} or end in model.fixed or name == moved:
-                continue
-            if not np.ptp(x[:, place[end]], axis=0).max() > 0:
-                continue
-            d = along(name)
-            for other in meeting[end]:
-                if other == name or pin in model.members[other].ends or other == moved:
-                    continue
-                e = along(other)
-                found += row(end, name, other, d[:, 0] * e[:, 1] - d[:, 1] * e[:, 0], np.einsum("tc,tc->t", d, e))
-    for node, axes in model.fixed.items():
-        free = {"x": 1, "y": 0}.get(axes)
-        if free is None or node not in place or not np.ptp(x[:, place[node], free]) > 0:
-            continue
-        for name in meeting.get(node, ()):
-            d = along(name)
-            if name != moved:
-                # the angle between the member and the normal of the axis
-                found += row(node, f"slider {node}", name, d[:, free], d[:, 1 - free])
-    return found
+            if {"x", "y"} <= set(model.fixed.get(pin, "")) and end not in model.fixed and name != moved:
+                yield pin, end, name
+
+
+def _transmission(node: str, of: str, other: str, s: Array, c: Array, time: Array) -> dict[str, Any]:
+    angle = np.arctan2(np.abs(s), np.abs(c))
+    at = place_of_largest(-angle)
+    least, largest = float(angle[at]), float(angle.max())
+    return {"node": node, "member": of, "with": other, "least": least, "largest": largest, "time": float(time[at])}
 
 
 # Quantities that the model defines.
@@ -308,43 +300,43 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
     """Value at the start, least and largest (with times, s), largest rate (with time) of the quantities of the model, each in
     its unit; its limits, and whether they are kept.
     """
-    found, checked, kinds = list[dict[str, Any]](), dict[tuple[str, str], str](), kinds_of(run.model)
-    for row in run.finding.quantities:
-        checked.setdefault((row.part, row.load_case), row.status)
+    found, kinds = list[dict[str, Any]](), kinds_of(run.model)
+    status: dict[tuple[str, str], str] = {}
+    for one in run.finding.quantities:
+        status.setdefault((one.part, one.load_case), one.status)
     for case, data in run.quantities.items():
         timed = "time" in data.coords
         time = data["time"].values if timed else np.zeros(1)
         for k, name in enumerate(map(str, data["quantity"].values)):
             values = data["value"].values[:, k] if timed else data["value"].values[k : k + 1]
-            rates = data["rate"].values[:, k] if "rate" in data else np.full(1, np.nan)
-            unit, record = str(data["quantity_unit"].values[k]), run.model.quantities[name]
-            row = {
-                "quantity": name,
-                "words": record.words,
-                "value": record.value,
-                "unit": unit,
-                "rate_unit": kinds[name]._replace(time=kinds[name].time - 1).unit,
-                "load_case": case,
-                "limits": None if record.limits is None else list(record.limits),
-                "status": checked.get((name, case), ""),
-                "start": float(values[0]),
-                "unknown": int(np.isnan(values).sum()),
-            }
-            if not np.isnan(values).all():
-                low, high = int(np.nanargmin(values)), int(np.nanargmax(values))
-                row |= {
-                    "least": float(values[low]),
-                    "least_time": float(time[low]),
-                    "largest": float(values[high]),
-                    "largest_time": float(time[high]),
+            rates = data["rate"].values[:, k] if "rate" in data else np.full(len(values), np.nan)
+            kind, record = kinds[name], run.model.quantities[name]
+            found.append(
+                {
+                    "quantity": name,
+                    "words": record.words,
+                    "value": record.value,
+                    "unit": kind.unit,
+                    "rate_unit": kind._replace(time=kind.time - 1).unit,
+                    "load_case": case,
+                    "limits": None if record.limits is None else list(record.limits),
+                    "status": status.get((name, case), ""),
+                    "start": float(values[0]),
+                    "unknown": int(np.isnan(values).sum()),
+                    **_extreme("least", time, values, -values),
+                    **_extreme("largest", time, values, values),
+                    **_extreme("rate", time, rates, np.abs(rates)),
                 }
-            else:
-                row |= dict.fromkeys(("least", "least_time", "largest", "largest_time"), math.nan)
-            known = not np.isnan(rates).all() and len(rates) > 1
-            at = int(np.nanargmax(np.abs(rates))) if known else 0
-            row |= {"rate": float(rates[at]) if known else math.nan, "rate_time": float(time[at]) if known else math.nan}
-            found.append(row)
+            )
     return found
+
+
+def _extreme(name: str, time: Array, values: Array, rank: Array) -> dict[str, float]:
+    """The value of the highest rank, and its time; NaN if none is known."""
+    if np.isnan(rank).all():
+        return {name: math.nan, f"{name}_time": math.nan}
+    at = int(np.nanargmax(rank))
+    return {name: float(values[at]), f"{name}_time": float(time[at])}
 
 
 def mechanism_record(run: RunResult) -> dict[str, Any]:

@@ -42,7 +42,9 @@ def _limits(row: Record) -> str:
 
 def paths(rows: Rows, dim: int) -> Table:
     """Where nodes go."""
-    box = {f"{axis} {end}": (key, k) for k, axis in enumerate("xyz"[:dim]) for end, key in (("from", "least"), ("to", "largest"))}
+    box = {
+        f"{axis} {end}": (key, k) for k, axis in enumerate("xyz"[:dim]) for end, key in (("from", "least"), ("to", "largest"))
+    }
     columns = [
         words("node"),
         *together("m", {**box, "path": "path"}),
@@ -60,7 +62,11 @@ def turned(rows: Rows, dim: int) -> Table:
     units = {row.get("ratio_unit", "") for row in rows if row.get("ratio")}
     columns = [
         words("member"),
-        *(together("rad", {"from": "least", "to": "largest", "sweep": "sweep"}) if dim == 2 else [measured("sweep", unit="rad")]),
+        *(
+            together("rad", {"from": "least", "to": "largest", "sweep": "sweep"})
+            if dim == 2
+            else [measured("sweep", unit="rad")]
+        ),
         measured("rate", unit="rad/s"),
         seconds("at", "rate_time"),
         measured("acceleration", unit="rad/s²"),
@@ -76,7 +82,11 @@ def turned(rows: Rows, dim: int) -> Table:
         ),
     ]
     drive = next((row["drive"] for row in rows if row.get("drive")), "")
-    foot = f"Ratio: angular velocity of the member over the rate of {drive}. Dead points: it stands while {drive} moves." if drive else ""
+    foot = (
+        f"Ratio: angular velocity of the member over the rate of {drive}. Dead points: it stands while {drive} moves."
+        if drive
+        else ""
+    )
     what = "Members that turn: angle, largest angular velocity and acceleration" if dim == 2 else (
         "Members that turn: angle from the direction at the start, largest angular velocity and acceleration"
     )  # fmt: skip
@@ -138,7 +148,10 @@ def of_member(row: Record, angles: Rows, dim: int) -> Table:
     """What one member does, as pairs; angles : its transmission angles."""
     span = f"{quantity(row['least'], 'rad')} to {quantity(row['largest'], 'rad')}"
     rows = [
-        ("angle", f"{span}, from +x" if dim == 2 else f"up to {quantity(row['largest'], 'rad')} from the direction at the start"),
+        (
+            "angle",
+            f"{span}, from +x" if dim == 2 else f"up to {quantity(row['largest'], 'rad')} from the direction at the start",
+        ),
         ("sweep", str(quantity(row["sweep"], "rad"))),
         ("largest angular velocity", f"{quantity(row['rate'], 'rad/s')} at {instant(row['rate_time'])}"),
         ("largest angular acceleration", f"{quantity(row['acceleration'], 'rad/s^2')} at {instant(row['acceleration_time'])}"),
@@ -150,13 +163,18 @@ def of_member(row: Record, angles: Rows, dim: int) -> Table:
         low, high = (quantity(one, unit) for one in row["ratio"])
         rows.append((f"rate over that of {row['drive']}", f"{low} to {high}"))
         gain = quantity(abs(row["advantage"]), row["advantage_unit"])
-        words_ = f"{gain} in magnitude at the least, at {instant(row['advantage_time'])}" + ("; without bound at dead points" if row["dead"] else "")
-        rows.append(("mechanical advantage", f"torque on it over that of {row['drive']}: {words_} (without friction, weight, inertia)"))
+        words_ = f"{gain} in magnitude at the least, at {instant(row['advantage_time'])}" + (
+            "; without bound at dead points" if row["dead"] else ""
+        )
+        rows.append(
+            ("mechanical advantage", f"torque on it over that of {row['drive']}: {words_} (without friction, weight, inertia)")
+        )
         rows.append(("dead points", f"it stands while {row['drive']} moves: {dead(row['dead'])}" if row["dead"] else "none"))
     rows += [
         (
             f"transmission angle at {one['node']}",
-            f"{quantity(one['least'], 'rad')} to {quantity(one['largest'], 'rad')} with {one['with']}, least at {instant(one['time'])}",
+            f"{quantity(one['least'], 'rad')} to {quantity(one['largest'], 'rad')} with {one['with']}, "
+            f"least at {instant(one['time'])}",
         )
         for one in angles
     ]

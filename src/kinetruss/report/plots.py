@@ -269,8 +269,8 @@ def plot_node(run: RunResult, nodes: Sequence[str], folder: str | Path, formats:
 
     node_paths(run, nodes)  # refuses unknown nodes, and runs without a motion
     name = "_".join(nodes)
-    figures = [path_figure(run, nodes, f"path_{name}"), speed_figure(run, nodes, f"motion_{name}", places=True)]
-    return save(figures, Path(folder), formats)
+    drawn = path_figure(run, nodes, f"path_{name}"), speed_figure(run, nodes, f"motion_{name}", places=True)
+    return save(drawn, Path(folder), formats)
 
 
 def specification(

@@ -117,7 +117,8 @@ def _shape(run: RunResult) -> Drawing:
 
 def _apart(position: NDArray[np.float64]) -> list[int]:
     """At most three samples of positions (t, n, dim) that show different poses: first, middle and last; or where two of them
-    are alike (after a full turn, a way back) the extremes of the motion along its main direction, and what is farthest from both.
+    are alike (after a full turn, a way back) the extremes of the motion along its main direction, and what is farthest from
+    both.
     """
     few = np.unique(np.linspace(0, len(position) - 1, min(len(position), POSES)).round().astype(int))
     reach = float(np.abs(position[few] - position[0]).max(initial=0.0))

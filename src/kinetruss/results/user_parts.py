@@ -82,7 +82,7 @@ def reactions(system: System, per: tuple[str, ...], x: Floats, force: Floats) ->
 
 
 def rotation_columns(system: System, per: tuple[str, ...], turned: Callable[[], Floats]) -> dict[str, Column]:
-    """The variable of the rotations of nodes that carry a frame, rad; none without frames. turned : gives (.., frames, 1 or 3)."""
+    """The variable of the rotations of nodes that carry a frame, rad; none without frames. turned : (.., frames, 1 or 3)."""
     if not system.inner.frames:
         return {}
     return {"node_rotation": variable((*per, "frame", "about"), turned(), "rad", "rotation of nodes of beams from the model")}

@@ -60,7 +60,9 @@ def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
                 yield _row(data, k, case, note=f"{NOT_CHECKED}its value is not known at {when}")
             if not np.isnan(used).all():
                 at = int(np.nanargmax(used))
-                yield _row(data, k, case, float(used[at]), float(values[at]), limits, float(time[at]) if len(time) > 1 else math.nan)
+                yield _row(
+                    data, k, case, float(used[at]), float(values[at]), limits, float(time[at]) if len(time) > 1 else math.nan
+                )
 
 
 def _row(

@@ -76,7 +76,8 @@ def equilibrium(
     Returns
     -------
     Equilibrium. ``position`` (node, axis) m; ``length`` (member) m; ``member_force`` (member) N, mean over the length, tension
-    positive; ``node_rotation`` (frame, about) rad of the nodes of beams; ``reaction`` (support, axis) N on the structure; ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
+    positive; ``node_rotation`` (frame, about) rad of the nodes of beams; ``reaction`` (support, axis) N on the structure;
+    ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
     lowest eigenvalues of the stiffness on the changes that rigid bars and held drives allow, and ``mode_shape`` (mode, node,
     axis). ``stable``, ``ways_out``; the message names unstable modes, modes without stiffness, and the rigid members whose
     force is not unique (``data.attrs["not_unique"]``; the rule of `dynamics.inverse` shares it out). `dynamics.linearise`

@@ -80,7 +80,7 @@ def beams(
     given = result.arrays["mode_force"].values if isinstance(result, Forces) and "mode_force" in result.arrays else None
     v = _history(system, result, data, x, "velocity") if elements.damping.any() else None
     loads = _along(system, case, len(x), data)
-    known = {"linear": linear, "given": given, "v": v, "loads": loads}
+    known: dict[str, Any] = {"linear": linear, "given": given, "v": v, "loads": loads}
     found = section_forces(elements, x, system.x0, load, xi, **known)
     moved, bent = deflections(elements, x, system.x0, load, xi, **known)
     values = _sections(found, dim) | _stresses(model, elements, found) | _ends(found, dim)

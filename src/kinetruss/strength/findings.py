@@ -46,7 +46,7 @@ class Finding:
 
     @cached_property
     def governing(self) -> Row | None:
-        """The check of the highest utilisation, of a member before one of a drive or a quantity; None if nothing was checked."""
+        """The check of the highest utilisation, a member's before one of a drive or a quantity; None if nothing was checked."""
         # an infinite one follows the finite one of its part that says by how much
         most = [row for rows in self._kinds.values() for row in rows[:1] if row.checked]
         return largest(most, lambda row: row.utilisation) if most else None
@@ -193,7 +193,10 @@ def find(
     rows = [] if verdict is None or "utilisation" not in verdict.arrays else verdict.table()  # a run's, before its end
     if verdict is not None and not verdict.status.ok:
         partial = partial or verdict.status.value.rstrip(".")
-    several = [rows, *(largest_first(some, lambda row: row.utilisation if row.checked else -math.inf) for some in (drives, quantities))]
+    several = [
+        rows,
+        *(largest_first(some, lambda row: row.utilisation if row.checked else -math.inf) for some in (drives, quantities)),
+    ]
     members, others, measured = several if timed else ([replace(row, time=math.nan) for row in some] for some in several)
     return Finding(
         members=tuple(members),

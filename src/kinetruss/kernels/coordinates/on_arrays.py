@@ -1,4 +1,4 @@
-"""Coordinates and other expressions on NumPy's arrays, which may be complex: the code of straight_line, run without a compiler."""
+"""Coordinates and other expressions on NumPy's arrays, which may be complex: the code of straight_line, not compiled."""
 
 from __future__ import annotations
 
