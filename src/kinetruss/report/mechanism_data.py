@@ -14,7 +14,7 @@ import numpy as np
 
 from kinetruss.display.ranks import largest_first, place_of_largest
 from kinetruss.errors import InputError
-from kinetruss.kinematics.quantities import quantities
+from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import nearest, turns
 from kinetruss.model.quantities import kinds_of
 
@@ -261,7 +261,7 @@ def transmission_angles(run: RunResult) -> list[dict[str, Any]]:
     for name, one in model.members.items():
         for end in one.ends if name != moved else ():
             meeting.setdefault(end, []).append(name)
-    pairs = list[tuple[str, str, str, Array, Array]]()
+    pairs: list[tuple[str, str, str, Array, Array]] = []
     for pin, end, name in _followers(model, moved):
         for other in meeting[end]:
             if other != name and pin not in model.members[other].ends:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from kinetruss.kinematics.quantities import quantities
+from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import Model
 from kinetruss.results.wide_tables import NOT_CHECKED, Row
 

@@ -62,8 +62,8 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
     -------
     Dataset over (time,) quantity: ``value`` in the unit of each (coordinate ``quantity_unit``: m, rad, m/rad, ...); along a
     motion ``rate``, per s, and ``second_rate``, per s^2. Angles count on over full turns; in the first sample they are the
-    nearest to those of the model. Of `statics.linear` the value is that of the model plus its change to first order. NaN : what is not
-    known, as a rate at rest, the second rate of an expression that has rates, an angle between directions of which one
+    nearest to those of the model. Of `statics.linear` the value is that of the model plus its change to first order. NaN : what
+    is not known, as a rate at rest, the second rate of an expression that has rates, an angle between directions of which one
     vanishes, and the value of an angle from an instant on before which the samples are too far apart to count its turns.
 
     Raises
