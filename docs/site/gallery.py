@@ -26,7 +26,9 @@ document.querySelectorAll("video.film").forEach((film) => {
 ```
 """
 GROUPS = {
-    "Machines": ("wiper", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane"),
+    "Machines": (
+        "wiper", "jansen_leg", "double_wishbone", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane",
+    ),
     "Adaptive trusses": (
         "double_octahedral_slew", "double_octahedral_fast", "triangular_truss", "chain_two_axis", "mast", "serpentine_arm",
         "docking", "opposed_trusses",

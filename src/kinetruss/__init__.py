@@ -125,6 +125,7 @@ if TYPE_CHECKING:
         Positioning as Positioning,
         PositionLoop as PositionLoop,
         Pressure as Pressure,
+        Quantity as Quantity,
         Quintic as Quintic,
         Radau as Radau,
         Rattle as Rattle,

@@ -6,7 +6,7 @@ import { freeBodyPicture, freeBodyTable } from "./freebody.js";
 import { drivesAt, drivesOf, freeBodyOf, sectionAt, sectionsOf } from "./mechanics.js";
 import { plot } from "./plot.js";
 
-const STATIONS = 41;
+const STATIONS = 41, MOST_CURVES = 12;
 const LIMITED = new Set(["stress"]);
 // diagrams of beams: title, unit, and which of the numbers of a station with which label
 const PLANE = [["Axial force T", "N", [[0, ""]]], ["Shear V", "N", [[1, ""]]], ["Bending moment M", "N m", [[2, ""]]], ["von Mises stress", "Pa", [[3, ""]]]];
@@ -29,7 +29,8 @@ export class Inspector {
       const some = this.app.views.some(({ scene }) => scene.members.length);
       const keys = (some ? ["N", "P"] : ["Shift N", "Shift P"]).map((one) => el("kbd", {}, one));
       const what = `${this.app.touch ? "Tap" : "Pick"} ${some ? "a member or node in the picture or the table" : "a node in the picture"}`;
-      fill(this.node, el("p", { class: "faint" }, what, this.app.touch ? "." : ["; or step through them with ", keys[0], " and ", keys[1], "."]), some ? null : this.overview());
+      fill(this.node, el("p", { class: "faint" }, what, this.app.touch ? "." : ["; or step through them with ", keys[0], " and ", keys[1], "."]), some ? null : this.overview(), this.app.views.map((view, k) => this.measured(view, k)));
+      this.update();
       return;
     }
     fill(this.node, el("div", { class: "views" }, this.app.views.map((view, k) => this.column(view, k, picked))));
@@ -48,6 +49,25 @@ export class Inspector {
       return found;
     });
     return el("table", { class: "values" }, rows.map(([words, value]) => el("tr", {}, el("th", {}, words), el("td", {}, value))));
+  }
+
+  /** The quantities that the model defines: their values now, and a curve of each. */
+  measured(view, k) {
+    const { scene } = view, found = scene.header.quantities || [];
+    if (!found.length) return null;
+    const beyond = ({ limits }, value) => limits && ((limits[0] !== null && value < limits[0]) || (limits[1] !== null && value > limits[1]));
+    const table = this.values(() => found.map((one, row) => {
+      const value = scene.number("quantity", view.frame, row);
+      return [one.name, quantity(value, one.unit), beyond(one, value) ? "beyond its limit" : one.words];
+    }));
+    const curves = scene.frames < 2 ? [] : found.slice(0, MOST_CURVES).map((one, row) => {
+      const canvas = el("canvas", { class: "plot", role: "img", "aria-label": `${one.name} over time` });
+      const y = Array.from(scene.time, (_, frame) => scene.number("quantity", frame, row));
+      this.updates.push(() => plot(canvas, [{ x: scene.time, y, label: "" }], { title: one.name, unit: one.unit, cursor: scene.time[view.frame] }));
+      return canvas;
+    });
+    const several = this.app.views.length > 1;
+    return el("div", { class: "subject" }, el("h2", {}, "Quantities", several ? el("small", {}, ` ${this.app.labels[k]}`) : null), table, ...curves);
   }
 
   update() {

@@ -37,6 +37,7 @@ export class Verdict {
     if (scene.cases.includes(governing.load_case)) app.setCase(governing.load_case);
     if (governing.kind === "member" && scene.channel("utilisation")) app.setChannel("utilisation");
     if (governing.time !== null) app.goTo(app.lead.frameAt(governing.time));
+    if (governing.kind === "quantity") return app.pick(null); // the panel then has the quantities
     const drive = scene.header.drives.find((one) => one.name === governing.name);
     if (scene.members.includes(governing.member)) app.pick({ type: "member", name: governing.member });
     else if (drive?.member !== undefined) app.pick({ type: "member", name: scene.members[drive.member] });

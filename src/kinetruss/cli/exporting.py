@@ -25,6 +25,7 @@ Examples:
   kinetruss export runs/slew slew.csv
   kinetruss export runs/slew slew.nc
   kinetruss export runs/slew margins.csv --group verdict
+  kinetruss export runs/wipe quantities.csv --group quantities
   kinetruss export runs/slew slew.pvd
   kinetruss export runs/slew pose.dxf --time 0.25s
   kinetruss export robot.yaml robot.urdf
@@ -64,7 +65,9 @@ def export(
             pair = Path(scratch) / "pair"
             found = opened_run(out, pair)
             try:
-                written = io.export(found.path or out, file, groups=group)
+                own = found.quantities.items()
+                more = {f"quantities/{case}".removesuffix("/all"): one for case, one in own if "time" in one.coords}
+                written = io.export(found.path or out, file, groups=group, more=more)
             except InputError as error:  # of a mission: the reader knows its folder, not that of the pair
                 raise InputError(str(error).replace(str(pair), f"The governing pair of {out}")) from None
         _say(out, exchange.Written(files=(written,)), as_json)

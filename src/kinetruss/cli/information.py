@@ -13,6 +13,8 @@ EPILOG = """\b
 Examples:
   kinetruss info slew.yaml
   kinetruss info runs/slew
+  kinetruss info runs/wipe --motion                     # paths, sweeps, ratios, transmission angles
+  kinetruss info runs/wipe --node T --member arm1       # where T goes, how arm1 turns
   kinetruss info runs/slew --joints --member M7 --time 0.25
   kinetruss info runs/slew --joints --node N4 --axis z
 """
@@ -23,8 +25,11 @@ Examples:
 @click.option(
     "--joints", is_flag=True, help="Print the force on every member at both ends, and every support force, at one instant."
 )
-@click.option("--member", shell_complete=completing.members, help="With --joints: only this member.")
-@click.option("--node", shell_complete=completing.nodes, help="With --joints: only this node.")
+@click.option(
+    "--motion", is_flag=True, help="Print paths of nodes, sweeps and ratios of members, transmission angles, quantities."
+)
+@click.option("--member", shell_complete=completing.members, help="How this member turns. With --joints: only this member.")
+@click.option("--node", shell_complete=completing.nodes, help="Where this node goes. With --joints: only this node.")
 @click.option("--axis", type=click.Choice(["x", "y", "z"]), help="With --joints: only this global axis.")
 @click.option(
     "--time",
@@ -38,6 +43,7 @@ Examples:
 def info(
     what: Path,
     joints: bool,
+    motion: bool,
     member: str | None,
     node: str | None,
     axis: str | None,
@@ -49,16 +55,33 @@ def info(
     """Print the contents of a model file or a run folder.
 
     For a model: nodes, bars, coordinates, degrees of freedom, rank. For a run: how it ended, the worst members, the motors,
-    and checks (energy balance, singularity, unique forces).
+    and checks (energy balance, singularity, unique forces); with --motion, --node or --member what the mechanism does.
     """
-    if not joints and (member, node, axis, time, case) != (None,) * 5:
-        raise click.UsageError("--member, --node, --axis, --time and --case go with --joints.")
+    if not joints and (axis, time, case) != (None,) * 3:
+        raise click.UsageError("--axis, --time and --case go with --joints.")
+    if joints and motion:
+        raise click.UsageError("--joints and --motion are two pages. Give one of them.")
+    if motion and (member, node) != (None, None):
+        raise click.UsageError("--motion tells of all that move. Leave it out to see one node or member.")
     if what.is_dir():
-        _run(what, (member, node, axis, time, case) if joints else None, as_json)
+        if motion or (not joints and (member, node) != (None, None)):
+            _motion(what, node, member, as_json)
+        else:
+            _run(what, (member, node, axis, time, case) if joints else None, as_json)
         return
-    if joints:
-        raise click.UsageError(f"--joints needs a run folder; {what} is a file.")
+    if joints or motion or (member, node) != (None, None):
+        raise click.UsageError(f"--joints, --motion, --node and --member need a run folder; {what} is a file.")
     _model(what, as_json, max_size)
+
+
+def _motion(path: Path, node: str | None, member: str | None, as_json: bool) -> None:
+    from kinetruss import report, runs
+
+    page = report.motion(runs.load(path), nodes=[node] if node else (), members=[member] if member else ())
+    if as_json:
+        print_json("motion", page.record)
+    else:
+        click.echo(page.text)
 
 
 def _run(path: Path, joints: tuple[str | None, str | None, str | None, float | None, str | None] | None, as_json: bool) -> None:

@@ -18,9 +18,11 @@ Quantities (several --quantity give panels above each other):
   stress     von_mises, S1, S2; axial, bending_2, bending_3, shear_2, shear_3
              (with _microstrain: as strain); components: all five
   drives     drive_position, drive_velocity, drive_acceleration (x, xd, xdd); motion: all three
-  nodes      position, velocity, acceleration
+  nodes      position, velocity, acceleration; --node: path, speed and acceleration of one
   members    member_force, end_force, joint_force, length, length_rate, length_acceleration,
-             section_T, section_V, section_M; reaction of the supports
+             section_T, section_V, section_M; reaction of the supports;
+             angle, angular_velocity, angular_acceleration
+  quantities each quantity of the model by its name; quantity: all, quantity_rate, quantity_second_rate
   actuators  thrust (actuator_force), motor_torque (torque), current, voltage; drive: all four;
              drive_force, interface_force, interface_moment, screw_torque, motor_speed, stroke,
              holding_torque, breakaway_torque, mechanical_power, electrical_power
@@ -38,6 +40,7 @@ Examples:
   kinetruss plot runs/slow runs/fast --quantity drive_force -o both.png
   kinetruss plot runs/compare --quantity von_mises --member follower -o compare.png
   kinetruss plot runs/compare/* --quantity motion --member actuator -o motion.png
+  kinetruss plot runs/wipe --node T                                                 # where T goes
   kinetruss plot runs/frame --along                                                 # diagrams of the governing members
   kinetruss plot runs/slew --along --member M7 --at "6.5 s" -o m7.pdf
 """
@@ -56,6 +59,12 @@ Examples:
     shell_complete=completing.one_of("column", "page"),
     help="For print: 90 mm (column), 190 mm (page), or millimetres.",
 )
+@click.option(
+    "--node",
+    multiple=True,
+    shell_complete=completing.nodes,
+    help="Path, speed and acceleration of this node (may be given several times).",
+)
 @click.option("--along", is_flag=True, help="Diagrams of section forces along members, at one instant.")
 @click.option(
     "--at",
@@ -72,6 +81,7 @@ def plot(
     station: float | None,
     file: Path | None,
     width: str | float | None,
+    node: tuple[str, ...],
     along: bool,
     at: str | None,
     as_json: bool,
@@ -86,6 +96,12 @@ def plot(
 
     paths = found_runs(out)
     results = [opened_run(path) for path in paths]
+    if node:
+        if len(results) > 1 or quantity or member or file is not None or width is not None or along or at is not None:
+            raise InputError("--node takes one run and no other option: it writes path_NODE and motion_NODE into its pictures.")
+        written = report.plot_node(results[0], node, paths[0] / PICTURES)
+        print_json("plot", {"files": [str(path) for path in written]}) if as_json else click.echo("\n".join(map(str, written)))
+        return
     if along or at is not None:
         _diagrams(paths, results, along, (quantity, station), member, at, case, file, width, as_json)
         return

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -22,7 +22,9 @@ BATCH = 1000
 """Number of samples read at a time."""
 
 
-def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> Path:
+def export(
+    out: str | Path, file: str | Path, *, groups: Sequence[str] = (), more: Mapping[str, xr.Dataset] | None = None
+) -> Path:
     """Write the good samples of a run to one file; the suffix chooses the format.
 
     Parameters
@@ -30,6 +32,7 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
     out : run folder. file : ``.csv``: one row per instant, one column per value, ``group.quantity[names] (unit)``, or
     with ``groups=("verdict",)`` one row per entry; ``.parquet``: one row per value; ``.nc``: netCDF, all arrays with units.
     groups : only datasets whose path begins with one of these, e.g. ``motion``, ``forces``, ``forces/hanging/total``.
+    more : further datasets over the same samples, by path, e.g. the quantities of a run.
 
     Returns
     -------
@@ -54,18 +57,23 @@ def export(out: str | Path, file: str | Path, *, groups: Sequence[str] = ()) -> 
     (362, 'time (s)')
     """
     path = Path(file)
-    writers: dict[str, Callable[[Store, list[str], Path], None]] = {".csv": _csv, ".parquet": _parquet, ".nc": _netcdf}
+    writers: dict[str, Callable[[Store, list[str], Path, Mapping[str, xr.Dataset]], None]] = {
+        ".csv": _csv,
+        ".parquet": _parquet,
+        ".nc": _netcdf,
+    }
     if path.suffix not in writers:
         raise InputError(f"{path}: a run is exported to {', '.join(writers)}. Choose one of these endings.")
     store = open_store(Path(out))
     if not store.groups or not store.ledger.committed:
         raise StoreError(f"{store.path} has no good sample to export.")
+    known = [*store.groups, *(more or {})]
     for wanted in groups:
-        if not any(_within(name, wanted) for name in store.groups):
-            raise InputError(f"{store.path} has no {wanted!r}. It has: {', '.join(store.groups)}.")
-    chosen = [name for name in store.groups if not groups or any(_within(name, wanted) for wanted in groups)]
+        if not any(_within(name, wanted) for name in known):
+            raise InputError(f"{store.path} has no {wanted!r}. It has: {', '.join(known)}.")
+    chosen = [name for name in known if not groups or any(_within(name, wanted) for wanted in groups)]
     with whole_file(path) as draft:
-        writers[path.suffix](store, chosen, draft)
+        writers[path.suffix](store, chosen, draft, more or {})
     return path
 
 
@@ -83,11 +91,15 @@ def _needed(package: str) -> Any:
         raise InputError(f"This format needs the package {package}. Install it: pip install 'kinetruss[export]'") from None
 
 
-def _netcdf(store: Store, groups: list[str], path: Path) -> None:
+def _read(store: Store, name: str, more: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    return more[name].copy() if name in more else store.read(name)
+
+
+def _netcdf(store: Store, groups: list[str], path: Path, more: Mapping[str, xr.Dataset]) -> None:
     _needed("netCDF4")
     mode: Literal["w", "a"] = "w"
     for group in groups:
-        data = store.read(group).load()
+        data = _read(store, group, more).load()
         data.attrs |= _state(store)
         for variable in data.variables.values():
             if variable.dtype.kind == "b":  # netCDF has no Boolean type
@@ -106,11 +118,11 @@ def _state(store: Store) -> dict[str, Any]:
     return {"state": state, "samples_good": ledger.committed, "samples_asked": ledger.samples}
 
 
-def _csv(store: Store, groups: list[str], path: Path) -> None:
+def _csv(store: Store, groups: list[str], path: Path, more: Mapping[str, xr.Dataset]) -> None:
     if groups == ["verdict"]:
         _entries(store.read("verdict"), path)
         return
-    histories = {name: data for name in groups if "time" in (data := store.read(name)).dims}
+    histories = {name: data for name in groups if "time" in (data := _read(store, name, more)).dims}
     if not histories:
         raise InputError("Nothing along time was chosen; a CSV has one row per instant. For the table: groups=('verdict',).")
     with path.open("w", newline="", encoding="utf-8") as file:
@@ -148,7 +160,7 @@ def _entries(data: xr.Dataset, path: Path) -> None:
                 rows.writerow([part, rule, data["unit"].values[j], *(data[key].values[i, j] for key in keys)])
 
 
-def _parquet(store: Store, groups: list[str], path: Path) -> None:
+def _parquet(store: Store, groups: list[str], path: Path, more: Mapping[str, xr.Dataset]) -> None:
     arrow, parquet = _needed("pyarrow"), _needed("pyarrow.parquet")
     word = arrow.dictionary(arrow.int32(), arrow.string())
     schema = arrow.schema(
@@ -163,7 +175,7 @@ def _parquet(store: Store, groups: list[str], path: Path) -> None:
     )
     with parquet.ParquetWriter(path, schema, compression="zstd") as writer:
         for name in groups:
-            data = store.read(name)
+            data = _read(store, name, more)
             for key in data.data_vars:
                 if _timed(data[key]):
                     for first in range(0, store.ledger.committed, BATCH):

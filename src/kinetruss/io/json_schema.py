@@ -46,6 +46,7 @@ def schema() -> dict[str, Any]:
     records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
     for name in ("Bar", "Beam"):
         records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
+    records["Quantity"] = {"anyOf": [records["Quantity"], records["Quantity"]["properties"]["value"]]}
     properties = made["properties"]
     listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
     for name in ("fixed", "clamped"):

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.platforms import platform as platform, platform_jacobian as platform_jacobian
     from kinetruss.kinematics.poses import pose as pose
     from kinetruss.kinematics.positions import assemble as assemble
+    from kinetruss.kinematics.quantity_histories import quantities as quantities
     from kinetruss.kinematics.rates import first_order as first_order, member_rates as member_rates
     from kinetruss.kinematics.sampling import Sampled as Sampled, sample as sample
     from kinetruss.kinematics.workspaces import workspace as workspace

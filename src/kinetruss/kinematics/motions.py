@@ -25,11 +25,12 @@ from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.bays import POSE, departs, pose_values
 from kinetruss.mechanics.beam_shapes import fixed_shapes, shaped
 from kinetruss.mechanics.mobility import mobility_at, underdriven
+from kinetruss.mechanics.rotations import rotation_axes, rotations
 from kinetruss.model import Model, turned_far
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.model.beam_frames import line_advice
 from kinetruss.results import Arrays, Axes, Motion, Status, provenance, variable
-from kinetruss.results.user_parts import part_axes
+from kinetruss.results.user_parts import part_axes, rotation_columns
 from kinetruss.results.wide_tables import drive_unit
 from kinetruss.threads import one_thread
 
@@ -48,6 +49,7 @@ def _axes(system: System) -> Axes:
             **part_axes(system),
             "drive": np.array(system.drives, dtype=object).astype(str),
             **drive_unit(system)[1],
+            **rotation_axes(system),
         }
     )
 
@@ -99,6 +101,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
         "drive_acceleration": variable(driven, drive[2][:count], f"{unit}/s^2", "drive acceleration"),
         "singularity": variable(("time",), gauge, "", "distance from a singular position"),
     }
+    data |= rotation_columns(system, ("time",), lambda: rotations(system, x.reshape(count, -1, 3)))
     if found.passed is not None:
         data |= found.passed.variables(system)
     kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space, **found.attrs})
@@ -160,8 +163,10 @@ def follow(
     Returns
     -------
     Motion with position, velocity, acceleration (time, node, axis) m, m/s, m/s^2; length and its rates (time, member);
-    drive_position and its rates (time, drive); singularity (time): distance from a singular position, 0 in one: the smallest
-    singular value of the Jacobian's blocks, rows of unit length, where the shape of rigid parts does not count.
+    drive_position and its rates (time, drive); of beams node_rotation (time, frame, about) rad, of their nodes from the model:
+    in the plane from -pi to pi, in space the vector along the axis; singularity (time): distance from a singular position, 0
+    in one: the smallest singular value of the Jacobian's blocks, rows of unit length, where the shape of rigid parts does not
+    count.
 
     Raises
     ------

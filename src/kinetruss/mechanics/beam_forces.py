@@ -260,3 +260,59 @@ def _frames(found: BeamElements, x: Floats) -> Floats:
     two = two - one * np.sum(one * two, axis=-1, keepdims=True)
     two = two / np.linalg.norm(two, axis=-1, keepdims=True)
     return np.stack([one, two, np.cross(one, two)], axis=-2)
+
+
+# Deflections between the nodes of beams: curvature, shear and strain from the section forces, integrated twice and once,
+# between the displacements of both ends. The section forces are polynomials between the ends of loads, so Gauss' rule is exact;
+# so are deflections of small displacements, as far as those of the nodes are.
+
+
+def deflections(
+    found: BeamElements,
+    x: NDArray[np.float64],
+    x0: NDArray[np.float64],
+    load: Floats,
+    xi: Floats,
+    *,
+    linear: bool = False,
+    given: Floats = None,
+    v: Floats = None,
+    loads: Sequence[tuple[OnBeam, Floats]] = (),
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Displacements (times, k, s, 3), m, of the axes of beams at their shares xi (s,), global axes; and how far they are from
+    the line of both ends, along the axes 2 and 3 of the deformed beam, (times, k, s, 2). Arguments as of `section_forces`.
+
+    w'' = M/(E I) + (V/(G A_s))', u' = N/(E A) (Timoshenko). NaN of beams that keep their shape.
+    """
+    ends = np.clip([one for each, _ in loads for one in (each.begin, each.end)], 0.0, 1.0)
+    edges = np.unique(np.concatenate([[0.0, 1.0], np.asarray(xi, float), ends]))
+    points, weights = np.polynomial.legendre.leggauss(4)
+    width = np.diff(edges)
+    at = (edges[:-1, None] + 0.5 * width[:, None] * (1.0 + points)).reshape(-1)
+    sections = section_forces(found, x, x0, load, at, linear=linear, given=given, v=v, loads=loads)
+    force, moment = sections["force"], sections["moment"]
+    l = found.length[:, None]
+    EA, EI3, EI2 = found.rigidity[:, [0]] / l, found.rigidity[:, [1]] * l, found.rigidity[:, [-3]] * l
+    # b = 1/(1 + 12 E I/(G A_s l^2)), and 1 where a beam is not flexible in shear
+    sheared3, sheared2 = ((1.0 / found.bending[:, [c]] - 1.0) * l**2 / 12.0 / EI for c, EI in ((0, EI3), (1, EI2)))
+    strain = np.stack([force[..., 0] / EA, sheared3 * force[..., 1], sheared2 * force[..., 2]], axis=-1)
+    # w_2 rises with a rotation about 3, w_3 falls with one about 2
+    curved = np.stack([np.zeros_like(moment[..., 0]), moment[..., 2] / EI3, -moment[..., 1] / EI2], axis=-1)
+    if x.shape[2] and found.axes.shape[1] == 2:
+        strain[..., 2] = curved[..., 2] = 0.0
+    step = (0.5 * width[:, None] * weights).reshape(-1)
+
+    def to(values: Floats) -> Floats:
+        """Integrals from 0 to the edges, (times, k, edges, 3)."""
+        parts = (values * step[:, None]).reshape(*values.shape[:2], len(width), 4, 3).sum(axis=3)
+        return np.concatenate([np.zeros_like(parts[:, :, :1]), np.cumsum(parts, axis=2)], axis=2)
+
+    scale = l[:, :, None]
+    once = scale * to(strain) + scale**2 * (edges[:, None] * to(curved) - to(curved * at[:, None]))
+    once = once - edges[:, None] * once[:, :, -1:]
+    own = once[:, :, np.searchsorted(edges, xi)]
+    if given is not None:
+        own = np.where(np.isnan(given[..., 0])[:, :, None, None], own, np.nan)
+    P, Q = (found.nodes[:, n] for n in (0, found.nodes.shape[1] // 2))
+    line = (1.0 - xi)[:, None] * (x - x0)[:, P][:, :, None] + xi[:, None] * (x - x0)[:, Q][:, :, None]
+    return line + np.einsum("tksa,tkac->tksc", own, sections["frame"]), own[..., 1:]

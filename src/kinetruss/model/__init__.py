@@ -87,6 +87,7 @@ if TYPE_CHECKING:
         mission_faults as mission_faults,
     )
     from kinetruss.model.plausible import plausibility as plausibility, turned_far as turned_far
+    from kinetruss.model.quantities import Quantity as Quantity
     from kinetruss.model.record import (
         Angle as Angle,
         Count as Count,

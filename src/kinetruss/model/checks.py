@@ -25,6 +25,7 @@ from kinetruss.model.hub_expansion import bearing_faults
 from kinetruss.model.links import link_faults
 from kinetruss.model.load_checks import load_faults
 from kinetruss.model.members import Active, elastic_faults
+from kinetruss.model.quantities import quantity_faults
 from kinetruss.model.references import unknown_names
 from kinetruss.model.run_checks import all_condition_faults, run_faults, value_faults
 from kinetruss.model.simulation import TRAJECTORY_TASKS
@@ -69,6 +70,7 @@ def faults_of(model: WholeModel) -> list[Fault]:
         *run_faults(model),
         *all_condition_faults(model),
         *_gauges(model),
+        *quantity_faults(model),
         *continuum_faults(model, dim),
     ]
 

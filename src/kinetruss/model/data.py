@@ -31,6 +31,7 @@ from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
 from kinetruss.model.links import Link
 from kinetruss.model.loads import History, Load, LoadCase
 from kinetruss.model.members import Active, Bar, Brace, Node
+from kinetruss.model.quantities import Quantity
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model.references import NodeName
 from kinetruss.model.runs import BaseRotation, Condition, Run
@@ -182,6 +183,8 @@ class ModelData(Record):
     """Motions by name, for runs to refer to."""
     runs: Table[Name, Run] = ReadOnly()
     """Analyses by name: what `kinetruss run` does."""
+    quantities: Table[Name, Quantity] = ReadOnly()
+    """What to measure of a motion: angles, distances, ratios of rates, as expressions, with limits."""
     gauges: Table[Name, Gauge] = ReadOnly()
     """Strain gauges on members."""
     gauge_zero: GaugeZero | None = None

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 
 def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list[dict[str, Any]]:
-    """Largest force (N) or torque (N m), its time (s), rate (m/s, rad/s) and power (W) of every drive and load case.
+    """Largest force (N) or torque (N m), its time (s) and root mean square, rate (m/s, rad/s), largest power (W) and its time
+    of every drive and load case.
 
     shown : rows of the table of motors, whose drives are omitted.
     """
@@ -33,21 +34,31 @@ def drive_loads(run: RunResult, shown: Sequence[Mapping[str, Any]] = ()) -> list
             drive, push, rate = run.model.all_drives[name], forces.whole["drive_force"].values[:, k], rates[:, k]
             if (getattr(drive, "bar", name) if drive.kind == "length" else name, case) in elsewhere or np.isnan(push).all():
                 continue
-            at = place_of_largest(np.abs(push))
+            at, power = place_of_largest(np.abs(push)), push * rate
+            most = place_of_largest(np.abs(np.nan_to_num(power)))
             found.append(
                 {
                     "drive": name,
                     "kind": drive.kind,
                     "unit": "N m" if turns(drive) else "N",
                     "load": float(push[at]),
+                    "rms": root_mean_square(time, push),
                     "time": float(time[at]),
                     "pose": pose_at(forces, at),
                     "rate": peak(rate),
-                    "power": peak(push * rate),
+                    "power": peak(power),
+                    "power_time": float(time[most]),
                     "load_case": case,
                 }
             )
     return found
+
+
+def root_mean_square(time: Any, values: Any) -> float:
+    """Over the time, by the trapezoidal rule; NaN of fewer than two instants, or where a value is not known."""
+    if len(time) < 2 or not time[-1] > time[0]:
+        return math.nan
+    return math.sqrt(float(np.trapezoid(values**2, time)) / float(time[-1] - time[0]))
 
 
 def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:

@@ -243,6 +243,36 @@ def plot(
     return path
 
 
+def plot_node(run: RunResult, nodes: Sequence[str], folder: str | Path, formats: Sequence[str] = ("png", "svg")) -> list[Path]:
+    """Draw where nodes go: their paths with the mechanism at the start, and position, speed and acceleration over time.
+
+    Parameters
+    ----------
+    folder : made if needed, for ``path_NODE.FORMAT`` and ``motion_NODE.FORMAT``. formats : of ``png``, ``svg``, ``pdf``.
+
+    Raises
+    ------
+    InputError : unknown nodes; a run that has no motion over time. StoreError : the folder cannot be written.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> import tempfile
+    >>> run = kt.run(kt.read(kt.library.example_files()["wiper"][0]))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     [path.name for path in kt.report.plot_node(run, ["T"], folder, formats=["svg"])]
+    ['path_T.svg', 'motion_T.svg']
+    """
+    from kinetruss.report.mechanism_data import node_paths
+    from kinetruss.report.mechanism_figures import path_figure, speed_figure
+    from kinetruss.report.pictures.draw import save
+
+    node_paths(run, nodes)  # refuses unknown nodes, and runs without a motion
+    name = "_".join(nodes)
+    drawn = path_figure(run, nodes, f"path_{name}"), speed_figure(run, nodes, f"motion_{name}", places=True)
+    return save(drawn, Path(folder), formats)
+
+
 def specification(
     runs: Sequence[RunResult],
     quantity: str | Sequence[str],

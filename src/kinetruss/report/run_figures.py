@@ -11,6 +11,7 @@ import numpy as np
 from kinetruss.display import instant
 from kinetruss.display.ranks import largest_first, order_of
 from kinetruss.model.bracing import CHORD
+from kinetruss.report.mechanism_figures import mechanism_figures
 from kinetruss.report.pictures.specs import Bars, Drawing, Figure, Histories, Panel
 from kinetruss.report.pictures.stands import drawing, shown_at
 from kinetruss.report.run_data import worst
@@ -39,7 +40,8 @@ alike.
 
 
 def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png", "svg")) -> list[Path]:
-    """Draw the pictures of a run: shape, lengths, forces of members and drives, stresses and utilisation, motor demands.
+    """Draw the pictures of a run: shape, lengths, paths, angles, forces of members and drives, stresses and utilisation, motor
+    demands, quantities of the model.
 
     Parameters
     ----------
@@ -60,8 +62,8 @@ def figures(run: RunResult, folder: str | Path, formats: Iterable[str] = ("png",
     >>> import tempfile
     >>> run = kt.run(model)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     sorted(path.name for path in kt.report.figures(run, folder, formats=["svg"]))
-    ['drives.svg', 'forces.svg', 'lengths.svg', 'shape.svg', 'stresses.svg', 'utilisation.svg']
+    ...     " ".join(sorted(path.stem for path in kt.report.figures(run, folder, formats=["svg"])))
+    'drives forces lengths paths shape speeds stresses turning utilisation'
     """
     from kinetruss.report.pictures.draw import save
 
@@ -74,7 +76,7 @@ def specifications(run: RunResult) -> list[Figure]:
     """The figures of a run; empty if no sample is good."""
     if not run.good:
         return []
-    found: list[Figure] = [_shape(run), *_lengths(run)]
+    found: list[Figure] = [_shape(run), *_lengths(run), *mechanism_figures(run)]
     if run.simulation is not None:
         found.append(_energies(run.simulation.data))
     for case, forces in run.forces.items():
@@ -116,8 +118,9 @@ def _shape(run: RunResult) -> Drawing:
 
 
 def _apart(position: NDArray[np.float64]) -> list[int]:
-    """At most three samples of positions (t, n, dim) that show different poses: first, middle and last, or where two of them
-    are alike (after a full turn, a way back) those that are farthest apart.
+    """At most three samples of positions (t, n, dim) that show different poses: first, middle and last; or where two of them
+    are alike (after a full turn, a way back) the extremes of the motion along its main direction, and what is farthest from
+    both.
     """
     few = np.unique(np.linspace(0, len(position) - 1, min(len(position), POSES)).round().astype(int))
     reach = float(np.abs(position[few] - position[0]).max(initial=0.0))
@@ -126,14 +129,14 @@ def _apart(position: NDArray[np.float64]) -> list[int]:
         return min(float(np.abs(position[k] - position[i]).max(initial=0.0)) for i in others)
 
     chosen = sorted({0, len(position) // 2, len(position) - 1})
-    if all(far(k, [i for i in chosen if i != k]) > ALIKE * reach for k in chosen[1:]):
-        return chosen
-    chosen = [0]
-    for _ in range(2):
-        best = max(few.tolist(), key=lambda k: far(k, chosen))
-        if reach and far(best, chosen) > ALIKE * reach:
-            chosen.append(best)
-    return sorted(chosen)
+    if not reach or all(far(k, [i for i in chosen if i != k]) > ALIKE * reach for k in chosen[1:]):
+        return chosen if reach else [0]
+    # the main direction of all positions as vectors, from their products with each other
+    flat = (position[few] - position[few].mean(axis=0)).reshape(len(few), -1)
+    main = np.linalg.eigh(flat @ flat.T)[1][:, -1]
+    chosen = [int(few[main.argmin()]), int(few[main.argmax()])]
+    best = max(few.tolist(), key=lambda k: far(k, chosen))
+    return sorted({*chosen, *([best] if far(best, chosen) > ALIKE * reach else [])})
 
 
 def _lengths(run: RunResult) -> Iterator[Histories]:

@@ -197,7 +197,10 @@ def drives(rows: Rows, *, timed: bool = True) -> Table:
     """Drives that have no motor: forces and torques, rates, powers."""
     rows = [row | {"rate_unit": "rad/s" if row["unit"] == "N m" else "m/s"} for row in rows if row["load"]]
     posed = any(row["pose"] for row in rows)
-    moving = [mixed("rate", "rate", "rate_unit"), measured("power", unit="W")] if timed and not posed else []
+    over_time = timed and not posed
+    mean = [mixed("rms", "rms")] if over_time else []
+    power = [measured("power", unit="W"), seconds("at", "power_time")] if over_time else []
+    moving = [*mean, mixed("rate", "rate", "rate_unit"), *power] if over_time else []
     columns = [words("drive"), mixed("force or torque", "load"), *when(rows, timed=timed), *moving, case_column()]
     what = ", held" if posed or not timed else ""
     scope = " (largest values of the poses)" if posed else " (largest values of the motion)" if timed else ""
@@ -448,7 +451,7 @@ def simulation(found: Record | None) -> list[Table]:
 
 def _change(energy: dict[str, float]) -> str:
     """Change of the energy: where nothing feeds it or takes from it the error, as a fraction of the largest kinetic energy if
-    anything moves; else what does.
+    anything moves; else what does. (What damping takes is no error, and no fraction of the kinetic energy.)
     """
     change, kinetic = energy["largest_change"], energy["largest_kinetic"]
     if kinetic <= NOTHING * max(1.0, abs(energy["start"])):
@@ -469,7 +472,8 @@ def checks(found: Record, closed: Record | None, poses: Sequence[str], *more: tu
     balance, gauge = found["energy_balance"], found["singularity"]
     if balance is not None:
         miss, largest = quantity(balance["largest_miss"], "W"), quantity(balance["largest_power"], "W")
-        said = f"power not accounted for is at most {miss}, largest power {largest}; 0 is exact"
+        whose = f", that of {balance['of']}" if balance["largest_power"] else ""
+        said = f"power not accounted for is at most {miss}, largest power {largest}{whose}; 0 is exact"
         rows.append(("energy balance", f"{number(balance['relative'], 3)} of the largest power", said))
     if closed is not None:
         share = f"{number(closed['relative'], 2)} of its length"

@@ -15,6 +15,8 @@ from kinetruss.mechanics import cached
 from kinetruss.results.arrays import Arrays, variable
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import xarray as xr
     from numpy.typing import NDArray
 
@@ -77,6 +79,13 @@ def reactions(system: System, per: tuple[str, ...], x: Floats, force: Floats) ->
         "reaction_moment": variable((*per, "support", "rotation"), moment[..., 3 - _turns(system) :], "N m", words),
         "held_force": variable((*per, HELD, "axis"), force[..., :dim], "N", "force on each node that a support holds"),
     }
+
+
+def rotation_columns(system: System, per: tuple[str, ...], turned: Callable[[], Floats]) -> dict[str, Column]:
+    """The variable of the rotations of nodes that carry a frame, rad; none without frames. turned : (.., frames, 1 or 3)."""
+    if not system.inner.frames:
+        return {}
+    return {"node_rotation": variable((*per, "frame", "about"), turned(), "rad", "rotation of nodes of beams from the model")}
 
 
 def held_forces(data: Any) -> tuple[list[str], NDArray[np.float64]]:

@@ -105,8 +105,8 @@ def singularity(run: Ran) -> dict[str, float] | None:
 
 
 def energy_balance(run: Ran) -> dict[str, Any] | None:
-    """The power balance of the load case that closes worst: its largest error and the largest power, W, and their ratio; None
-    for poses at rest, which have no power.
+    """The power balance of the load case that closes worst: its largest error and the largest power, W, whose it is, and their
+    ratio; None for poses at rest, which have no power.
     """
     still, exchanged = _stands_still(run), _exchanged(run)
     moving = [forces for forces in run.forces.values() if forces.whole.sizes["time"] and "energy_balance" in forces.whole]
@@ -133,13 +133,21 @@ def _stands_still(run: Ran) -> bool:
 
 def _balance(forces: Forces, exchanged: float, still: bool) -> dict[str, Any]:
     """Largest error of the power balance, and its ratio to the largest power: that of a single drive, of drives and loads
-    together, or between kinetic and potential energy.
+    together, of dampers and friction, or between kinetic and potential energy.
     """
     data = forces.whole
     miss = float(np.max(np.abs(data["energy_balance"].values)))
-    drives = (
-        data["drive_force"].values * forces.motion.whole["drive_velocity"].values if data.sizes.get("drive") else np.zeros(1)
-    )
-    powers = [np.nanmax(np.abs(one), initial=0.0) for one in (drives, data["power"].values, data["energy_rate"].values)]
-    largest = float(max(*powers, exchanged))
-    return {"largest_miss": miss, "largest_power": largest, "relative": miss / largest if largest and not still else 0.0}
+    powers = {"drives and loads together": data["power"].values, "the change of energy": data["energy_rate"].values}
+    if data.sizes.get("drive"):
+        drives = data["drive_force"].values * forces.motion.whole["drive_velocity"].values
+        names = map(str, data["drive"].values)
+        # a drive before the sum that it is alone
+        powers = {f"drive {name}": drives[:, k] for k, name in enumerate(names)} | powers
+    if "dissipation" in data:
+        powers["dampers and friction"] = data["dissipation"].values
+    sizes = {whose: float(np.nanmax(np.abs(one), initial=0.0)) for whose, one in powers.items()}
+    sizes["kinetic and potential energy, one into the other"] = exchanged
+    whose = max(sizes, key=lambda one: sizes[one] * (1 + 1e-9 * one.startswith("drive ")))
+    largest = sizes[whose]
+    relative = miss / largest if largest and not still else 0.0
+    return {"largest_miss": miss, "largest_power": largest, "of": whose, "relative": relative}

@@ -24,6 +24,7 @@ from kinetruss.results.user_parts import marked
 from kinetruss.runs.doubts import doubts
 from kinetruss.runs.instants import derived
 from kinetruss.runs.plans import conditioned
+from kinetruss.runs.quantity_limits import limit_rows, quantities_of
 from kinetruss.strength.findings import Finding, demands, find
 
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ class RunResult:
     forces : load case -> Forces (``.static`` for the same poses at rest). sections : load case -> Sections.
     verdict : utilisation of every part by every rule, over all load cases. demand : load case -> Demand.
     statics : load case -> what a static analysis finds besides forces (displacements, energies, stability), over time or poses.
+    quantities : load case -> the quantities that the model defines, with their rates.
     simulation : for a simulated motion, energies, events and diagnostics; else None.
     status, message : how it ended (RUNNING or INTERRUPTED if it has not ended); it contains only good samples.
     samples : number of requested samples; ``len(run.motion.time)`` of them are good.
@@ -98,7 +100,21 @@ class RunResult:
     @cached_property
     def finding(self) -> Finding:
         """What the run says: whether limits are kept, what governs, what was not checked and why, what is unsure."""
-        return find(self.verdict, demands(self.demand), partial=self.partial, doubts=self.doubts, timed=self.timed)
+        return find(
+            self.verdict,
+            demands(self.demand),
+            partial=self.partial,
+            doubts=self.doubts,
+            timed=self.timed,
+            quantities=limit_rows(self.model, self.quantities),
+        )
+
+    @cached_property
+    def quantities(self) -> dict[str, xr.Dataset]:
+        """Load case -> the quantities that the model defines, as of `kinematics.quantities`: of statics under the loads of
+        each case; else those of the motion, under ``all``. Empty if there are none.
+        """
+        return quantities_of(self)
 
     @property
     def doubts(self) -> tuple[str, ...]:

@@ -19,10 +19,11 @@ from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row
 from kinetruss.mechanics.elements import named_motions
 from kinetruss.mechanics.mobility import moves_text
 from kinetruss.mechanics.null_space import Spaces
+from kinetruss.mechanics.rotations import rotation_axes, rotations
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
-from kinetruss.results.user_parts import part_axes, reactions, support_axes
+from kinetruss.results.user_parts import part_axes, reactions, rotation_columns, support_axes
 from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
 from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
@@ -75,7 +76,8 @@ def equilibrium(
     Returns
     -------
     Equilibrium. ``position`` (node, axis) m; ``length`` (member) m; ``member_force`` (member) N, mean over the length, tension
-    positive; ``reaction`` (support, axis) N on the structure; ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
+    positive; ``node_rotation`` (frame, about) rad of the nodes of beams; ``reaction`` (support, axis) N on the structure;
+    ``drive_force`` (drive) N or N m; ``stiffness`` (mode) N/m,
     lowest eigenvalues of the stiffness on the changes that rigid bars and held drives allow, and ``mode_shape`` (mode, node,
     axis). ``stable``, ``ways_out``; the message names unstable modes, modes without stiffness, and the rigid members whose
     force is not unique (``data.attrs["not_unique"]``; the rule of `dynamics.inverse` shares it out). `dynamics.linearise`
@@ -215,6 +217,7 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         "position": variable(("node", "axis"), reached.x[:, :dim], "m", "node position"),
         "length": variable(("member",), np.linalg.norm(d, axis=1), "m", "member length"),
         **forces_of(system, balance, reached.x, reached.N),
+        **rotation_columns(system, (), lambda: rotations(system, reached.x[None])[0]),
         "stiffness": variable(("mode",), found.values, "N/m", "eigenvalues of the reduced stiffness"),
         "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
     }
@@ -224,6 +227,7 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         "drive": list(system.drives),
         **element_axes(system),
         **force_units(system, "drive", *element_axes(system))[1],
+        **rotation_axes(system),
     }
     ways = [moves_text(system, shape) for shape in shapes[: found.negative + found.neutral]]
     unsure = _not_unique(balance.system, reached.x)

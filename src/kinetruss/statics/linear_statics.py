@@ -24,10 +24,11 @@ from kinetruss.mechanics.balance import measure_forces
 from kinetruss.mechanics.elements import element_forces, named_laws, strained_forces
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
+from kinetruss.mechanics.rotations import rotation_axes, small_rotations
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.results.user_parts import part_axes, reactions, support_axes
+from kinetruss.results.user_parts import part_axes, reactions, rotation_columns, support_axes
 from kinetruss.results.wide_tables import coordinate_axes, displaced_columns, element_columns, force_units
 from kinetruss.statics.refinement import NOTHING, SILENT, accuracy_note
 from kinetruss.statics.small_displacements import (
@@ -159,7 +160,7 @@ def linear(
     -------
     Linear. ``displacement`` (node, axis) m; ``member_force`` (member) N, mean over the length, tension positive;
     ``end_force`` (member, end): axial tension at A and B; ``joint_force`` (member, end, axis): force on the member from its
-    joint; ``reaction`` (support, axis): force on the structure;
+    joint; ``reaction`` (support, axis): force on the structure; ``node_rotation`` (frame, about) rad of the nodes of beams;
     ``elongation`` (member) m and ``strain`` (member), of the load alone; ``strain_energy`` (member) J; ``energy`` J, their
     sum; ``work`` J, half the loads times their displacements, equal to it without prestress (Clapeyron).
     attrs ``force_error``, ``displacement_error``: bounds on the errors by round-off, relative to the largest force and
@@ -309,6 +310,8 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
     }
     coords |= coordinate_axes(system) | force_units(system, *coordinate_axes(system))[1]
     data |= element_columns(system, (), on_coordinates)
+    data |= rotation_columns(system, (), lambda: small_rotations(system, x, solved.displacement.reshape(-1, 3)))
+    coords |= rotation_axes(system)
     displaced, axes = displaced_columns(system, x, solved.displacement.reshape(-1, 3))
     data, coords = data | displaced, coords | axes
     return xr.Dataset(data, coords=coords)

@@ -10,7 +10,7 @@ import xarray as xr
 from kinetruss.elements.kinds import LOADS
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.beam_forces import section_forces
+from kinetruss.mechanics.beam_forces import deflections, section_forces
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.model import Model, Piece, bends
 from kinetruss.results import Forces, Result, variable
@@ -45,9 +45,12 @@ def beams(
     ``stress`` Pa: largest normal stress |T|/A + bending. ``von_mises`` Pa: with the largest shear stress of V and of torsion
     taken at the same point, a bound; NaN where the section does not know its torsion. ``utilisation``: of the yield strength
     over its safety factor, NaN without one. ``end_force`` N and ``end_moment`` N m (beam, end, axis), by the nodes on the beam,
-    along global axes (moment in the plane: about z). Stations of a link count along it from its first node; at a pin it has
-    the side with the larger stress. With links ``pin_force`` (pin, axis) N, by the nodes on links, global axes; pins are called
-    ``LINK.NODE``.
+    along global axes (moment in the plane: about z). ``displacement`` (beam, station, axis) m: of the axis from the model's
+    straight beam, global axes; ``deflection`` (beam, station, transverse) m: of the axis from the line of both ends, of a link
+    from that of two pins that follow each other, along local axes 2 (, 3). Both are exact for small displacements under any
+    load across the beam, and uniform ones along it; NaN of beams that keep their shape. Stations of a link count along it from
+    its first node; at a pin it has the side with the larger stress. With links ``pin_force`` (pin, axis) N, by the nodes on
+    links, global axes; pins are called ``LINK.NODE``.
 
     Raises
     ------
@@ -104,8 +107,11 @@ def along_elements(
     given = result.arrays["mode_force"].values if isinstance(result, Forces) and "mode_force" in result.arrays else None
     v = _history(system, result, data, x, "velocity") if elements.damping.any() else None
     loads = _along(system, case, len(x), data)
-    found = section_forces(elements, x, system.x0, load, xi, linear=linear, given=given, v=v, loads=loads)
-    return _sections(found, dim) | _stresses(system, elements, found) | _ends(found, dim), data, timed
+    known: dict[str, Any] = {"linear": linear, "given": given, "v": v, "loads": loads}
+    found = section_forces(elements, x, system.x0, load, xi, **known)
+    moved, bent = deflections(elements, x, system.x0, load, xi, **known)
+    values = _sections(found, dim) | _stresses(system, elements, found) | _ends(found, dim)
+    return values | {"displacement": moved[..., :dim], "deflection": bent[..., : dim - 1]}, data, timed
 
 
 def _merged(
@@ -260,6 +266,8 @@ def _dataset(
         "stress": (("station",), "Pa", "largest normal stress"),
         "von_mises": (("station",), "Pa", "bound of von Mises' stress"),
         "utilisation": (("station",), "", "of the yield strength"),
+        "displacement": (("station", "axis"), "m", "displacement of the axis"),
+        "deflection": (("station", "transverse"), "m", "distance of the axis from the line of both ends, along 2, 3"),
         "end_force": (("end", "axis"), "N", "force of the node on the beam"),
         "end_moment": (("end", "about"), "N m", "moment of the node on the beam"),
     }

@@ -20,13 +20,15 @@ if TYPE_CHECKING:
 class Finding:
     """What a result says: terminal, report, page and studio show these words.
 
-    members, drives : every check of a part and of a drive, worst first; `Row.status` tells whether its limit is kept.
+    members, drives, quantities : every check of a part, of a drive and of a quantity of the model, worst first; `Row.status`
+    tells whether its limit is kept.
     left_out : sentences on actions that no check includes. partial : why the result is not that which was asked for; empty if
     it is. doubts : sentences on what makes its numbers unsure.
     """
 
     members: tuple[Row, ...] = ()
     drives: tuple[Row, ...] = ()
+    quantities: tuple[Row, ...] = ()
     left_out: tuple[str, ...] = ()
     partial: str = ""
     doubts: tuple[str, ...] = ()
@@ -38,26 +40,31 @@ class Finding:
         """
         if self.over:
             return "over"
-        if self.partial or self.unchecked or self.left_out:
+        if self.partial or self.unchecked or self.left_out or self.unknown:
             return "open"
         return "none" if self.governing is None else "ok"
 
     @cached_property
     def governing(self) -> Row | None:
-        """The check of the highest utilisation, of a member before one of a drive; None if nothing was checked."""
+        """The check of the highest utilisation, a member's before one of a drive or a quantity; None if nothing was checked."""
         # an infinite one follows the finite one of its part that says by how much
-        most = [row for rows in (self.members, self.drives) for row in rows[:1] if row.checked]
+        most = [row for rows in self._kinds.values() for row in rows[:1] if row.checked]
         return largest(most, lambda row: row.utilisation) if most else None
 
     @property
-    def kind(self) -> Literal["member", "drive"]:
+    def _kinds(self) -> dict[Literal["member", "drive", "quantity"], tuple[Row, ...]]:
+        return {"member": self.members, "drive": self.drives, "quantity": self.quantities}
+
+    @property
+    def kind(self) -> Literal["member", "drive", "quantity"]:
         """Of what governs."""
-        return "drive" if self.governing in self.drives[:1] else "member"
+        return next((kind for kind, rows in reversed(self._kinds.items()) if self.governing in rows[:1]), "member")
 
     @cached_property
     def over(self) -> tuple[Row, ...]:
-        """The worst check of each part and drive beyond a limit."""
-        first = [{row.part: row for row in reversed(rows) if row.status == "exceeded"} for rows in (self.members, self.drives)]
+        """The worst check of each part, drive and quantity beyond a limit."""
+        kinds = self._kinds.values()
+        first = [{row.part: row for row in reversed(rows) if row.status == "exceeded"} for rows in kinds]
         return tuple(largest_first((row for one in first for row in one.values()), lambda row: row.utilisation))
 
     @cached_property
@@ -68,6 +75,11 @@ class Finding:
             if row.status == "not checked":
                 found[row.part] = (*found.get(row.part, ()), f"{row.rule}: {row.note.removeprefix(NOT_CHECKED)}")
         return found
+
+    @property
+    def unknown(self) -> tuple[str, ...]:
+        """Quantities with limits that were not checked everywhere, and why."""
+        return tuple(f"{row.part} {row.note}" for row in self.quantities if row.status == "not checked")
 
     @cached_property
     def parts(self) -> tuple[str, ...]:
@@ -92,7 +104,8 @@ class Finding:
     @property
     def text(self) -> str:
         """The state in words, without what governs."""
-        return {"over": "Over capacity", "ok": "OK"}.get(self.state) or self.partial or self.lacking
+        over = "Over capacity" if {row.part for row in self.over} - {row.part for row in self.quantities} else "Beyond a limit"
+        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or self.lacking or self.unknown[0]
 
     @property
     def governs(self) -> str:
@@ -111,6 +124,7 @@ class Finding:
             *(one for one in (self.partial, lacking) if one != self.text),
             f"{counted(drives, 'drive')} without limits" if drives else "",
             *self.left_out,
+            *(one for one in self.unknown if one != self.text),
         ]
         return [one for one in found if one]
 
@@ -155,6 +169,7 @@ def find(
     partial: str = "",
     doubts: Iterable[str] = (),
     timed: bool = True,
+    quantities: Iterable[Row] = (),
 ) -> Finding:
     """What a verdict and the checks of drives say.
 
@@ -162,7 +177,7 @@ def find(
     ----------
     drives : checks of drives, of `demands` or others. partial : why the result is only a part of what was asked for; by default
     how the forces of the verdict ended, if not well. doubts : sentences on what makes the numbers unsure. timed : False for one
-    pose at rest, whose time says nothing.
+    pose at rest, whose time says nothing. quantities : checks of the quantities of a model.
 
     Examples
     --------
@@ -178,11 +193,15 @@ def find(
     rows = [] if verdict is None or "utilisation" not in verdict.arrays else verdict.table()  # a run's, before its end
     if verdict is not None and not verdict.status.ok:
         partial = partial or verdict.status.value.rstrip(".")
-    several = [rows, largest_first(drives, lambda row: row.utilisation if row.checked else -math.inf)]
-    members, others = several if timed else ([replace(row, time=math.nan) for row in some] for some in several)
+    several = [
+        rows,
+        *(largest_first(some, lambda row: row.utilisation if row.checked else -math.inf) for some in (drives, quantities)),
+    ]
+    members, others, measured = several if timed else ([replace(row, time=math.nan) for row in some] for some in several)
     return Finding(
         members=tuple(members),
         drives=tuple(others),
+        quantities=tuple(measured),
         left_out=() if verdict is None else tuple(map(str, verdict.attrs.get("not_held", []))),
         partial=partial,
         doubts=tuple(doubts),

@@ -89,6 +89,7 @@ UNITS = {
     "joint_force": "N", "action_force": "N", "action_place": "", "reaction": "N", "drive_force": "N or N m",
     "load_force": "N", "rest_force": "N",
     "stress": "Pa", "utilisation": "", "buckling": "", "energy": "J", "skin_stress": "Pa", "beam_section": "N, N m or Pa",
+    "quantity": "that of each",
 }  # fmt: skip
 
 
@@ -101,6 +102,7 @@ def moving(
     the header fields of each: as many as fit without rounding, at least one.
     """
     count = int(motion.whole.sizes["time"])
+    quantities, measured = quantities_of(model, run, count)
     keep = _chosen_samples(count, most, motion.whole["time"].values, run, instants)
     if len(keep) < count:
         motion = motion.with_(data=motion.whole.isel(time=keep))
@@ -112,6 +114,7 @@ def moving(
         rates = rates_in_space(forces[0].attrs, time, found["position"], found["velocity"], found["acceleration"])
         found["velocity"], found["acceleration"] = rates
     found["position"] = scalars_placed(model, found["position"])
+    found |= {name: values[keep] for name, values in measured.items()}
     moved, each = 3 * found["position"].size, len(time) * len(model.whole.members) * (4 + 2 * model.dim)
     rounded = moved + min(1, len(forces)) * each > EXACT
     fitting = 1 if rounded else (EXACT - moved) // max(each, 1)
@@ -131,9 +134,24 @@ def moving(
         "channels": channels,
         "over_run": over_run,
         "cases": described,
+        "quantities": quantities,
         **(described[0] if described else {}),
     }
     return more, found
+
+
+def quantities_of(model: Model, run: RunResult | None, count: int) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+    """Names, words, units and limits of the quantities of a model; and ``quantity``, their values (samples, quantities)."""
+    found = {} if run is None else run.quantities
+    data = next(iter(found.values()), None)
+    if data is None or "time" not in data.coords or data.sizes["time"] != count:
+        return [], {}
+    units = map(str, data["quantity_unit"].values)
+    described = [
+        {"name": name, "words": one.words, "unit": unit, "limits": None if one.limits is None else list(one.limits)}
+        for unit, (name, one) in zip(units, model.quantities.items(), strict=True)
+    ]
+    return described, {"quantity": data["value"].values}
 
 
 def scalars_placed(model: Model, position: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -276,7 +276,8 @@ def _finding(subject: _Subject) -> Finding:
         return find(verdict, timed=subject.motion is not None and subject.motion.whole.sizes["time"] > 1)
     names = {one.load_case for one in subject.forces}
     demand = demands({name: one for name, one in run.demand.items() if name in names})
-    return find(verdict, demand, partial=run.partial, doubts=run.doubts, timed=run.timed)
+    measured = run.finding.quantities
+    return find(verdict, demand, partial=run.partial, doubts=run.doubts, timed=run.timed, quantities=measured)
 
 
 def _not_checked(finding: Finding) -> dict[str, str]:

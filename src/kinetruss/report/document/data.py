@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.report.document.checks import mobility_record
 from kinetruss.report.document.result import result_lines, warnings
 from kinetruss.report.drive_data import drive_spans, limits
+from kinetruss.report.mechanism_data import mechanism_record
 from kinetruss.report.run_data import (
     closure,
     envelopes,
@@ -44,6 +45,7 @@ def document_record(run: RunResult, worked: list[dict[str, Any]]) -> dict[str, A
         "model": text,
         "mobility": mobility_record(run.model),
         "drives": drive_spans(run),
+        "mechanism": mechanism_record(run),
         "envelopes": envelopes(run),
         "reactions": reactions(run),
         "strength": strength(run),

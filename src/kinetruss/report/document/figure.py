@@ -66,7 +66,7 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
     over, labels, chief = False, [], None
     if worst is not None:
         over = worst.status == "exceeded"
-        chief = _member(places, run, worst.part, getattr(worst, "position", None))
+        chief = None if run.finding.kind == "quantity" else _member(places, run, worst.part, getattr(worst, "position", None))
     if worst is not None and chief is not None:
         words = f"{worst.part}: {worst.rule} {share_of(worst.utilisation)}"
         labels.append(Label(words=words, at=middle(places, chief), colour=ALARM if over else INK, bold=True))
@@ -142,7 +142,9 @@ def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: 
     if "pose" in run.motion.whole.coords:
         when = f"in pose {run.motion.whole['pose'].values[k]}"
     words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
-    if worst is not None:
+    if worst is not None and run.finding.kind == "quantity":
+        words.append(f"where {worst.part} is nearest to its limit, or farthest beyond it ({share_of(worst.utilisation)})")
+    elif worst is not None:
         mark = "red, over its capacity" if over else "on a broad pale band"
         words.append(f"the governing part {mark} ({worst.part}: {worst.rule} {share_of(worst.utilisation)})")
     if header["drives"]:

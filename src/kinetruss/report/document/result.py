@@ -60,6 +60,11 @@ def _limits(run: RunResult) -> Iterator[str]:
         yield f"{row.part}: {words} ({cased(row.load_case)})."
     if len(rows) > MOST:
         yield f"{len(rows) - MOST} more entries of the strength table are above 100 %."
+    for row in run.finding.quantities:
+        if row.status == "exceeded":
+            when = f" at {moment(row.time, ())}" if math.isfinite(row.time) else ""
+            value, limit = quantity(row.value, row.unit), quantity(row.limit, row.unit)
+            yield f"{row.part} is {value}{when}, beyond its limit of {limit} ({cased(row.load_case)})."
     found = exceeded(run)
     for one in found[:MOST]:
         yield f"{one['sentence'].rstrip('.')} ({cased(one['load_case'])})."
@@ -71,6 +76,7 @@ def _incomplete(run: RunResult) -> Iterator[str]:
     if run.good and run.forces and run.verdict is None:
         yield "Strength was not checked: utilisation is known only when a run has ended."
     yield from run.finding.left_out
+    yield from (f"{one[:1].upper()}{one[1:]}." for one in run.finding.unknown)
     if parts := run.finding.unchecked:
         yield f"{UNCHECKED}: see the table of what was not, for {', '.join(parts)}."
 
@@ -145,7 +151,7 @@ def result_lines(run: RunResult, record: Mapping[str, Any]) -> tuple[str, str, s
     checked.
     """
     found = run.finding
-    checked = [row.status for row in (*found.members, *found.drives) if row.checked]
+    checked = [row.status for row in (*found.members, *found.drives, *found.quantities) if row.checked]
     return _governing(run, found, record), _limits_line(found, checked), _checked(found)
 
 
@@ -155,7 +161,7 @@ def _governing(run: RunResult, found: Finding, record: Mapping[str, Any]) -> str
     if worst is None:
         return f"{begin}No limit was checked. {_largest(record)}".strip()
     pairs = isinstance(run, MissionRun)
-    what = f"{worst.rule} of {'the drive of ' if found.kind == 'drive' else ''}{worst.part}"
+    what = f"{worst.rule} of {'the drive of ' * (found.kind == 'drive')}{worst.part}"
     when = f"pose {worst.pose}" if worst.pose else ""
     if not when and worst.time == worst.time and (pairs or run.good > 1):
         when = f"t = {instant(worst.time)}"

@@ -5,9 +5,11 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from kinetruss.display import Table, element
 from kinetruss.model import TitleBlock
-from kinetruss.report import tables
+from kinetruss.report import mechanism_tables, tables
 from kinetruss.report.document import sections as parts
 from kinetruss.report.document.checks import recompute
 from kinetruss.report.document.data import document_record
@@ -183,7 +185,25 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
             "Axial forces and supports",
             [*parts.forces(record), *drawn.of("forces"), *drawn.of("drives")],
         ),
-        Section("motion", "Motion", "Drives, or the lengths that change most", [*parts.motion(record), *changes]),
+        Section(
+            "quantities",
+            "Quantities of the model",
+            "What the model defines to be measured, with limits",
+            [mechanism_tables.quantities(record["quantities"], timed=timed), *drawn.of("quantities")],
+        ),
+        Section(
+            "motion",
+            "Motion",
+            "Drives, or the lengths that change most; where nodes go and how members turn",
+            [
+                *parts.motion(record),
+                *changes,
+                *mechanism_tables.entries(record["mechanism"], run.model.dim),
+                *drawn.of("turning"),
+                *drawn.of("paths"),
+                *drawn.of("speeds"),
+            ],
+        ),
         Section(
             "simulation",
             "Simulation",
@@ -209,7 +229,10 @@ def basis(run: RunResult) -> list[Table]:
 
 
 def _changes(run: RunResult) -> bool:
-    """True if lengths are driven or can change; lengths of rigid bars need no figure."""
+    """True if lengths are driven or can change; lengths of rigid bars need no figure, and drives of constant rates none."""
+    rates = run.motion.whole["drive_velocity"].values if run.model.all_drives and run.good else np.zeros((1, 0))
+    if rates.shape[1] and np.ptp(rates, axis=0).max() <= 1e-12 * np.abs(rates).max():
+        return False
     return bool(run.model.all_drives or run.model.bending) or any(bar.kind != "rigid" for bar in run.model.bars.values())
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.model import nearest
+from kinetruss.report.mechanism_data import angle_histories, moves
 from kinetruss.results.wide_tables import units_of
 from kinetruss.runs.mission_results import check_histories
 
@@ -115,6 +116,10 @@ BUNDLES = {
     "energies": ("energy", "kinetic_energy", "potential_energy"),
 }
 """Groups of quantities for one picture, by name."""
+TURNS = ("angle", "angular_velocity", "angular_acceleration")
+"""Of members along a motion."""
+MEASURED = {"quantity": "value", "quantity_rate": "rate", "quantity_second_rate": "second_rate"}
+"""Of the quantities that the model defines; each of them is also one by its own name."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -206,6 +211,7 @@ def _found(run: RunResult, quantity: str, case: str | None) -> tuple[xr.DataArra
             still = rest()
             return data[quantity], None if still is None else still[quantity]
     known = [name for name in (*QUANTITIES, *FED, *ALIASES, *BUNDLES) if _is_there(run, name)]
+    known += [*run.model.quantities, *(MEASURED if run.quantities else ()), *(TURNS if moves(run) else ())]
     why, fix = "", nearest(quantity, known)
     if quantity in POWERS and any(one.attrs.get("at_rest") for one in run.forces.values()):
         why = " (its poses are at rest)"
@@ -219,6 +225,11 @@ Source = tuple[Callable[[], Any], Callable[[], Any]]
 
 def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source]:
     """Datasets that may have it, with those at rest; computed ones are last, and only if they are needed."""
+    if (measured := run.quantities) and (quantity in MEASURED or quantity in run.model.quantities):
+        found = measured.get(case or "", next(iter(measured.values())))
+        yield lambda: _measured(found), lambda: None
+    if quantity in TURNS and moves(run):
+        yield lambda: _turned(run), lambda: None
     yield lambda: run.motion.whole, lambda: None
     simulation = run.simulation
     if simulation is not None:
@@ -244,6 +255,32 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
             lambda: work(run.model, run.sections[case]),
             lambda: None if static is None else work(run.model, _at_rest(run, static)),
         )
+
+
+def _measured(found: xr.Dataset) -> dict[str, Any]:
+    """The quantities of the model: all of them, and one by one."""
+    if "time" not in found.coords:
+        return {}
+    every = {name: found[key].rename(name) for name, key in MEASURED.items() if key in found}
+    for k, name in enumerate(map(str, found["quantity"].values)):
+        one = found["value"][:, k : k + 1].rename(name)
+        words = str(found["words"].values[k]) or name.replace("_", " ")
+        every.setdefault(name, one.assign_attrs(units=str(found["quantity_unit"].values[k]), long_name=words))
+    return every
+
+
+def _turned(run: RunResult) -> dict[str, Any]:
+    """Angles of members, and their rates."""
+    import xarray as xr
+
+    names = [*run.model.members, *run.model.beams]
+    series = np.array(angle_histories(run, names))
+    over = {"time": run.motion.whole["time"], "member": np.array(names, dtype=object).astype(str)}
+    words = {"angle": "rad", "angular_velocity": "rad/s", "angular_acceleration": "rad/s^2"}
+    return {
+        name: xr.DataArray(series[:, k].T, over, ("time", "member"), name, {"units": unit, "long_name": name.replace("_", " ")})
+        for k, (name, unit) in enumerate(words.items())
+    }
 
 
 def _at_rest(run: RunResult, static: Any) -> Any:

@@ -1,0 +1,468 @@
+"""Expressions of node positions as text: what may stand in them, as a tree; what a tree measures, and in which unit.
+
+They are read by Python's own grammar (`ast`), of which a short list of constructs is taken and nothing is executed: numbers,
+names, + - * / and powers, components of vectors, and the functions of `FUNCTIONS`.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kinetruss.errors import shown
+from kinetruss.kernels.coordinates.programs import angle, cosine, cross, dot, minus, root, size, unit
+from kinetruss.model.words import nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from kinetruss.model.data import ModelData
+
+LONGEST = 1000
+"""Characters of an expression."""
+DEEPEST = 60
+"""Levels of brackets and operations in each other."""
+LARGEST_POWER = 8
+
+
+class Tree(NamedTuple):
+    """What an expression computes. op : ``number`` (value), ``name`` (value), ``add`` ``subtract`` ``multiply`` ``divide``
+    ``power`` (value: the exponent) ``negate``, ``part`` (value: 0, 1 or 2), a function of `FUNCTIONS`, a kind of `KINDS`
+    (value: the name), ``rate``. text : as it is written.
+    """
+
+    op: str
+    parts: tuple[Tree, ...] = ()
+    value: Any = None
+    text: str = ""
+
+
+class ExpressionError(Exception):
+    """A fault of an expression: the message, and how to mend it."""
+
+    def __init__(self, message: str, mend: str) -> None:
+        super().__init__(f"{message} {mend}")
+        self.message, self.mend = message, mend
+
+
+class Kind(NamedTuple):
+    """What a tree measures: a vector or a number, of the unit m^length s^time rad^turn."""
+
+    vector: bool = False
+    length: Fraction = Fraction(0)
+    time: Fraction = Fraction(0)
+    turn: Fraction = Fraction(0)
+
+    @property
+    def unit(self) -> str:
+        """SI unit, as text; empty for a plain number. Radians of a length are none: r times an angle is in m."""
+        turn = self.turn if not self.length or self.turn < 0 else Fraction(0)
+        above = [_to_power(name, p) for name, p in (("m", self.length), ("rad", turn), ("s", self.time)) if p > 0]
+        below = [_to_power(name, -p) for name, p in (("m", self.length), ("rad", turn), ("s", self.time)) if p < 0]
+        return "/".join([" ".join(above) or ("1" if below else ""), *below])
+
+    def times(self, other: Kind, sign: int = 1) -> Kind:
+        """The kind of a product, or of a quotient."""
+        powers = (a + sign * b for a, b in zip(self[1:], other[1:], strict=True))
+        return Kind(self.vector or other.vector, *powers)
+
+    def to(self, power: Fraction) -> Kind:
+        """The kind of a power."""
+        return Kind(self.vector, *(power * one for one in self[1:]))
+
+
+def _to_power(name: str, power: Fraction) -> str:
+    return name if power == 1 else f"{name}^{float(power):g}"
+
+
+NUMBER, LENGTH, ANGLE = Kind(), Kind(length=Fraction(1)), Kind(turn=Fraction(1))
+PLACE = Kind(vector=True, length=Fraction(1))
+KINDS = ("node", "member", "drive", "quantity")
+"""What a name may stand for; each is also a function, for a name that several have."""
+CONSTANTS: dict[str, tuple[float, Kind]] = {
+    "pi": (math.pi, NUMBER),
+    "deg": (math.pi / 180, ANGLE),
+    "rad": (1.0, ANGLE),
+    "m": (1.0, LENGTH),
+    "mm": (1e-3, LENGTH),
+    "s": (1.0, Kind(time=Fraction(1))),
+}
+AXES = {"ex": (1.0, 0.0, 0.0), "ey": (0.0, 1.0, 0.0), "ez": (0.0, 0.0, 1.0)}
+
+
+# Functions: what they take, what they give, and how their expression is made.
+
+
+class Function(NamedTuple):
+    """given : of the arguments, ``v`` a vector, ``s`` a number; choices are several. kind : of the result from those of the
+    arguments, and whether the model is planar. make : the result from the arguments.
+    """
+
+    given: tuple[str, ...]
+    kind: Callable[[Sequence[Kind]], Kind]
+    make: Callable[..., Any]
+    says: str
+    only: int = 0
+    """The only number of dimensions in which it has a meaning; 0: any."""
+
+
+def _sine(a: Any) -> Any:
+    return cosine(a - 0.5 * math.pi)
+
+
+def _meeting(A: Any, B: Any, C: Any, D: Any, n: Any) -> Any:
+    """The point of the line A B that, seen along n, is on the line C D."""
+    along, across = minus(B, A), minus(D, C)
+    s = dot(n, cross(minus(C, A), across)) / dot(n, cross(along, across))
+    return tuple(a + s * d for a, d in zip(A, along, strict=True))
+
+
+def _about(u: Any, v: Any, n: Any) -> Any:
+    """Angle from u to v, right-handed about n, both seen along n (Blondel & Karplus, J. Comput. Chem. 17 (1996) 1132)."""
+    p, q = cross(n, u), cross(n, v)
+    return angle(dot(n, cross(p, q)) / size(n), dot(p, q))
+
+
+def _like(k: int) -> Callable[[Sequence[Kind]], Kind]:
+    return lambda given: given[k]
+
+
+def _angle_kind(_: Sequence[Kind]) -> Kind:
+    return ANGLE
+
+
+def _plain(given: Sequence[Kind]) -> Kind:
+    """A plain number of an angle or a plain number."""
+    if given[0].length or given[0].time:
+        raise ExpressionError(
+            f"takes an angle or a plain number, not one in {given[0].unit}.", "Divide by a quantity of that unit."
+        )
+    return NUMBER
+
+
+def _of_plain(given: Sequence[Kind]) -> Kind:
+    _plain(given)
+    return ANGLE
+
+
+def _alike(given: Sequence[Kind]) -> Kind:
+    """That of the first, of arguments of one unit."""
+    for one in given[1:]:
+        same_unit(given[0], one)
+    return given[0]
+
+
+def _no_vector(kind: Kind) -> Kind:
+    return kind._replace(vector=False)
+
+
+FUNCTIONS: dict[str, tuple[Function, ...]] = {
+    "length": (Function(("v",), lambda k: _no_vector(k[0]), size, "of a vector, or of a member"),),
+    "distance": (Function(("v", "v"), lambda k: _no_vector(_alike(k)), lambda a, b: size(minus(b, a)), "of two places"),),
+    "dot": (Function(("v", "v"), lambda k: _no_vector(k[0].times(k[1])), dot, "scalar product"),),
+    "cross": (Function(("v", "v"), lambda k: k[0].times(k[1]), cross, "vector product"),),
+    "unit": (Function(("v",), lambda _: Kind(vector=True), unit, "direction of a vector"),),
+    "normal": (
+        Function(
+            ("v", "v", "v"),
+            lambda _: Kind(vector=True),
+            lambda a, b, c: unit(cross(minus(b, a), minus(c, a))),
+            "direction normal to the plane of three places, right-handed",
+        ),
+    ),
+    "angle": (
+        Function(("v",), _angle_kind, lambda u: angle(u[1], u[0]), "in the plane from +x counter-clockwise", only=2),
+        Function(
+            ("v", "v"),
+            _angle_kind,
+            lambda u, v: angle(u[0] * v[1] - u[1] * v[0], dot(u, v)),
+            "in the plane from the first to the second, counter-clockwise",
+            only=2,
+        ),
+        Function(("v", "v"), _angle_kind, lambda u, v: angle(size(cross(u, v)), dot(u, v)), "of two directions, 0 to pi"),
+        Function(("v", "v", "v"), _angle_kind, _about, "from the first to the second, right-handed about the third", only=3),
+    ),
+    "meet": (
+        Function(
+            ("v", "v", "v", "v"),
+            _alike,
+            lambda A, B, C, D: _meeting(A, B, C, D, (0.0, 0.0, 1.0)),
+            "the point where the line of the first two places meets that of the others",
+            only=2,
+        ),
+        Function(
+            ("v", "v", "v", "v", "v"),
+            lambda k: _alike(k[:4]),
+            _meeting,
+            "the point of the line of the first two places that, seen along the last, is on the line of the others",
+            only=3,
+        ),
+    ),
+    "sqrt": (Function(("s",), lambda k: k[0].to(Fraction(1, 2)), root, "square root"),),
+    "abs": (Function(("s",), _like(0), lambda a: root(a * a), "magnitude"),),
+    "sin": (Function(("s",), _plain, _sine, "sine"),),
+    "cos": (Function(("s",), _plain, cosine, "cosine"),),
+    "tan": (Function(("s",), _plain, lambda a: _sine(a) / cosine(a), "tangent"),),
+    "asin": (Function(("s",), _of_plain, lambda a: angle(a, root(1.0 - a * a)), "arc sine"),),
+    "acos": (Function(("s",), _of_plain, lambda a: angle(root(1.0 - a * a), a), "arc cosine"),),
+    "atan": (Function(("s",), _of_plain, lambda a: angle(a, 1.0), "arc tangent, over any number of turns"),),
+    "atan2": (
+        Function(("s", "s"), lambda k: (_alike(k), ANGLE)[1], angle, "angle of (second, first), over any number of turns"),
+    ),
+}
+
+
+def function_of(op: str, given: Sequence[Kind], dim: int) -> Function:
+    """The function of this name for these arguments; ExpressionError if there is none."""
+    chosen = "".join("v" if one.vector else "s" for one in given)
+    # in the plane the one with a sign comes first
+    known: dict[str, Function] = {"".join(one.given): one for one in reversed(FUNCTIONS[op]) if one.only in (0, dim)}
+    if chosen in known:
+        return known[chosen]
+    words = {"v": "vector", "s": "number"}
+    has = ", ".join(f"a {words[letter]}" for letter in chosen) or "nothing"
+    takes = (
+        "; or ".join(", ".join(f"a {words[letter]}" for letter in letters) for letters in sorted(known, key=len))
+        or "nothing here"
+    )
+    where = " in the plane" if dim == 2 else " in space"
+    raise ExpressionError(f"{op}(...) takes {takes}{where if len(FUNCTIONS[op]) > 1 else ''}; it has {has}.", _written(op, dim))
+
+
+def _written(op: str, dim: int) -> str:
+    """How to write a function."""
+    if op == "angle" and dim == 3:
+        return "Write for example angle(one, other), or angle(one, other, ez)."
+    return {"meet": "Write meet(A, B, C, D), in space meet(A, B, C, D, ex)."}.get(
+        op, "A vector is a node, a member, a difference of places; a number is a component, as A.x, or a length."
+    )
+
+
+def same_unit(a: Kind, b: Kind) -> None:
+    """Raise ExpressionError if two units do not match; angles are plain numbers."""
+    if (a.length, a.time) != (b.length, b.time):
+        one, other = (kind.unit or "plain" for kind in (a, b))
+        mend = "Give a plain number its unit, as in 0.3*m, 20*mm, 5*deg." if NUMBER in (a, b) else "Mend one of them."
+        raise ExpressionError(f"puts together what is in {one} and what is in {other}.", mend)
+
+
+# Reading.
+
+_OPERATIONS: dict[type, str] = {ast.Add: "add", ast.Sub: "subtract", ast.Mult: "multiply", ast.Div: "divide"}
+
+
+def read_expression(text: str) -> Tree:
+    """The tree of an expression; names are not yet looked up.
+
+    Raises
+    ------
+    ExpressionError : it is no expression, or has what may not stand in one.
+
+    >>> read_expression("P.y - 20*mm").op
+    'subtract'
+    """
+    if len(text) > LONGEST:
+        raise ExpressionError(f"has {len(text)} characters, more than {LONGEST}.", "Divide it into several quantities.")
+    try:
+        found = ast.parse(text.strip(), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        why = error.msg if isinstance(error, SyntaxError) and error.msg else "it cannot be read"
+        raise ExpressionError(
+            f"{shown(text)} is no expression: {why}.", "Write for example distance(A, B), or angle(crank)."
+        ) from None
+    return _tree(found, text.strip(), 0)
+
+
+def _tree(node: Any, text: str, depth: int) -> Tree:
+    if depth > DEEPEST:
+        raise ExpressionError(f"has more than {DEEPEST} operations in each other.", "Divide it into several quantities.")
+
+    def below(*ones: Any) -> tuple[Tree, ...]:
+        return tuple(_tree(one, text, depth + 1) for one in ones)
+
+    own = ast.get_source_segment(text, node) or text
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
+        return Tree("number", value=_finite(node.value, own), text=own)
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return Tree("name", value=node.value, text=own)
+    if isinstance(node, ast.Name):
+        return Tree("name", value=node.id, text=own)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        return Tree("negate", below(node.operand), text=own)
+    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATIONS:
+        return Tree(_OPERATIONS[type(node.op)], below(node.left, node.right), text=own)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+        return Tree("power", below(node.left), value=_exponent(node.right, own), text=own)
+    if isinstance(node, ast.Attribute):
+        if node.attr not in ("x", "y", "z"):
+            raise ExpressionError(
+                f"has no part {node.attr!r} in {own!r}.", 'Write .x, .y or .z; a name with a dot as text: node("A.1").'
+            )
+        return Tree("part", below(node.value), value="xyz".index(node.attr), text=own)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
+        return _call(node, own, below)
+    raise ExpressionError(
+        f"has {own!r}, which may not stand here.", f"Write numbers, names, + - * / **, and {', '.join(FUNCTIONS)}, rate."
+    )
+
+
+def _call(node: ast.Call, own: str, below: Callable[..., tuple[Tree, ...]]) -> Tree:
+    """A function with its arguments."""
+    name = node.func.id  # type: ignore[attr-defined]
+    if name in KINDS:
+        one, more = (node.args[0], node.args[1:]) if node.args else (None, [])
+        named = one.id if isinstance(one, ast.Name) else one.value if isinstance(one, ast.Constant) else None
+        if more or not isinstance(named, str):
+            raise ExpressionError(f"{own!r} names no {name}.", f"Write for example {name}(A).")
+        return Tree(name, value=named, text=own)
+    if name not in FUNCTIONS and name != "rate":
+        raise ExpressionError(f"has no function {name!r}.", nearest(name, [*FUNCTIONS, "rate", *KINDS]))
+    if name == "rate" and len(node.args) != 1:
+        raise ExpressionError(
+            f"rate(...) takes one expression; it has {len(node.args)}.", "Write for example rate(angle(crank))."
+        )
+    return Tree(name, below(*node.args), text=own)
+
+
+def _finite(value: float, own: str) -> float:
+    if isinstance(value, int) and abs(value) > 10**15:
+        value = math.inf
+    if not math.isfinite(value):
+        raise ExpressionError(f"has the number {shown(own)}, which is too large.", "Give a smaller one.")
+    return float(value)
+
+
+def _exponent(node: Any, own: str) -> Fraction:
+    sign = 1
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        sign, node = -1, node.operand
+    value: Any = node.value if isinstance(node, ast.Constant) else None
+    if type(value) in (int, float) and abs(value) <= LARGEST_POWER and float(2 * value).is_integer():
+        return Fraction(sign * int(2 * value), 2)
+    raise ExpressionError(
+        f"has the power {own!r}.", f"Exponents are whole or half numbers up to {LARGEST_POWER}: a**2, a**0.5."
+    )
+
+
+# Names and units.
+
+
+def looked_up(model: ModelData, tree: Tree) -> Tree:
+    """The tree with every name replaced by what it stands for in a model: a node, a member, a drive, a quantity, a constant.
+
+    Raises
+    ------
+    ExpressionError : unknown names, and those that stand for several things.
+    """
+    if tree.op in KINDS:
+        if tree.value not in (known := _known(model)[tree.op]):
+            raise ExpressionError(f"has no {tree.op} called {tree.value!r}.", nearest(tree.value, known))
+        return tree
+    if tree.op != "name":
+        return tree._replace(parts=tuple(looked_up(model, one) for one in tree.parts))
+    known, name = _known(model), tree.value
+    found = [kind for kind, names in known.items() if name in names]
+    if found == ["member", "drive"] and name not in model.drives:
+        found = ["member"]  # the drive of a member, of its own name
+    quoted = name if name.isidentifier() else f'"{name}"'
+    if len(found) > 1 or (found and name in (*CONSTANTS, *AXES)):
+        kinds = [*found, *(["unit" if name in CONSTANTS else "axis"] if name in (*CONSTANTS, *AXES) else [])]
+        mend = f"Write {' or '.join(f'{kind}({quoted})' for kind in found)}."
+        raise ExpressionError(f"{name!r} is a {' and a '.join(kinds)}.", mend)
+    if found:
+        return Tree(found[0], value=name, text=tree.text)
+    if name in AXES:
+        return Tree("axis", value=name, text=tree.text)
+    if name in CONSTANTS:
+        return Tree("constant", value=name, text=tree.text)
+    every = [one for names in known.values() for one in names]
+    raise ExpressionError(f"has no node, member, drive or quantity called {name!r}.", nearest(name, every))
+
+
+def _known(model: ModelData) -> dict[str, Any]:
+    return {
+        "node": {name: None for name, one in model.nodes.items() if not one.scalar},
+        "member": {**model.members, **model.beams},
+        "drive": model.all_drives,
+        "quantity": model.quantities,
+    }
+
+
+def kind_of(model: ModelData, tree: Tree, inside: tuple[str, ...] = ()) -> Kind:
+    """What a tree measures, names looked up. inside : the quantities of which this one is a part.
+
+    Raises
+    ------
+    ExpressionError : units that do not match, wrong arguments, a quantity that needs itself.
+    """
+    if tree.op == "number":
+        return NUMBER
+    if tree.op == "constant":
+        return CONSTANTS[tree.value][1]
+    if tree.op == "axis":
+        return Kind(vector=True)
+    if tree.op in ("node", "member"):
+        return PLACE
+    if tree.op == "drive":
+        return ANGLE if model.all_drives[tree.value].kind in ("angle", "hinge") else LENGTH
+    if tree.op == "quantity":
+        return _of_quantity(model, tree.value, inside)
+    given = [kind_of(model, one, inside) for one in tree.parts]
+    if tree.op in FUNCTIONS:
+        try:
+            return function_of(tree.op, given, model.dim).kind(given)
+        except ExpressionError as error:
+            raise ExpressionError(
+                error.message if tree.op in error.message else f"{tree.text!r} {error.message}", error.mend
+            ) from None
+    return _of_operation(tree, given)
+
+
+def _of_quantity(model: ModelData, name: str, inside: tuple[str, ...]) -> Kind:
+    if name in inside:
+        raise ExpressionError(f"needs itself: {' of '.join((*inside[inside.index(name) :], name))}.", "Take one of them out.")
+    if len(inside) > DEEPEST:
+        raise ExpressionError(f"rests on more than {DEEPEST} quantities, each on the next.", "Write some of them directly.")
+    return kind_of(model, looked_up(model, model.quantities[name].tree), (*inside, name))
+
+
+def _of_operation(tree: Tree, given: Sequence[Kind]) -> Kind:
+    first, last = given[0], given[-1]
+    if tree.op == "part":
+        if not first.vector:
+            raise ExpressionError(
+                f"{tree.text!r} takes a part of a number.", "A node, a member, a difference of places have parts."
+            )
+        return _no_vector(first)
+    if tree.op == "rate":
+        return first._replace(time=first.time - 1)
+    if tree.op == "negate":
+        return first
+    if tree.op == "power":
+        if first.vector:
+            raise ExpressionError(f"{tree.text!r} is a power of a vector.", "Take its length first.")
+        return first.to(tree.value)
+    vectors = [one.vector for one in given]
+    if tree.op in ("add", "subtract"):
+        if vectors[0] != vectors[1]:
+            raise ExpressionError(
+                f"{tree.text!r} puts a vector and a number together.", "Take a component, as A.x, or a length."
+            )
+        try:
+            same_unit(first, last)
+        except ExpressionError as error:
+            raise ExpressionError(f"{tree.text!r} {error.message}", error.mend) from None
+        return first if first.turn >= last.turn else last
+    if (tree.op == "multiply" and all(vectors)) or (tree.op == "divide" and vectors[1]):
+        raise ExpressionError(f"{tree.text!r} multiplies or divides by a vector.", "Write dot(a, b) or cross(a, b).")
+    return first.times(last, 1 if tree.op == "multiply" else -1)
+
+
+def walk(tree: Tree) -> Iterator[Tree]:
+    """A tree and all that are in it."""
+    yield tree
+    for one in tree.parts:
+        yield from walk(one)

@@ -1,0 +1,103 @@
+"""The quantities of a run by load case, and whether the limits that a model gives them are kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from kinetruss.kinematics.quantity_histories import quantities
+from kinetruss.model import Model
+from kinetruss.results.wide_tables import NOT_CHECKED, Row
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from kinetruss.results import Motion, Result
+
+
+class Ran(Protocol):
+    """What of a run its quantities rest on."""
+
+    @property
+    def model(self) -> Model: ...  # noqa: D102
+
+    @property
+    def motion(self) -> Motion: ...  # noqa: D102
+
+    @property
+    def statics(self) -> Mapping[str, Result]: ...  # noqa: D102
+
+
+def quantities_of(run: Ran) -> dict[str, xr.Dataset]:
+    """The quantities of a run by load case, as of `kinematics.quantities`; under ``all`` those of a motion that does not depend
+    on the case. Empty if the model defines none, or no sample is good.
+    """
+    if not run.model.quantities or not run.motion.arrays["time"].values.size:
+        return {}
+    # of linear statics and equilibria the positions are those under the loads of the case
+    own = {case: one for case, one in run.statics.items() if one.attrs.get("kind") in ("linear", "equilibrium")}
+    return {case: quantities(run.model, one) for case, one in (own or {"all": run.motion}).items()}
+
+
+def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
+    """A row for each quantity that has limits, and load case: its worst value and the limit next to it.
+
+    Utilisation : of two limits the distance from their middle over half their range; of one positive limit the value over it
+    (of a least value the limit over the value); else 0 or infinite.
+    """
+    for case, data in found.items():
+        time = data["time"].values if "time" in data.coords else np.zeros(1)
+        for k, name in enumerate(map(str, data["quantity"].values)):
+            if (limits := model.quantities[name].limits) is None:
+                continue
+            values = data["value"].values[:, k] if "time" in data.coords else data["value"].values[k : k + 1]
+            used, when = _used(values, *limits), f"{np.isnan(values).sum()} of {len(values)} samples"
+            if np.isnan(used).any():
+                yield _row(data, k, case, note=f"{NOT_CHECKED}its value is not known at {when}")
+            if not np.isnan(used).all():
+                at = int(np.nanargmax(used))
+                yield _row(
+                    data, k, case, float(used[at]), float(values[at]), limits, float(time[at]) if len(time) > 1 else math.nan
+                )
+
+
+def _row(
+    data: xr.Dataset,
+    k: int,
+    case: str,
+    used: float = math.nan,
+    value: float = math.nan,
+    limits: tuple[float | None, float | None] = (None, None),
+    time: float = math.nan,
+    note: str = "",
+) -> Row:
+    """The row of quantity k; of two limits that is shown which is nearer to its value."""
+    name, known = str(data["quantity"].values[k]), [one for one in limits if one is not None]
+    return Row(
+        part=name,
+        member=name,
+        rule="limit",
+        value=value,
+        limit=float(min(known, key=lambda one: abs(value - one))) if known else math.nan,
+        unit=str(data["quantity_unit"].values[k]),
+        utilisation=used,
+        margin=math.inf if used == 0 else 1 / used - 1,
+        time=time,
+        load_case=case,
+        note="beyond its limit" if math.isinf(used) else note,
+    )
+
+
+def _used(values: NDArray[np.float64], low: float | None, high: float | None) -> NDArray[np.float64]:
+    if low is not None and high is not None:
+        return np.abs(values - 0.5 * (low + high)) / (0.5 * (high - low))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if high is not None:
+            plain = values / high if high > 0 else np.where(values <= high, 0.0, np.inf)
+            return np.where(np.isnan(values), np.nan, np.maximum(plain, 0.0))
+        plain = np.where(values > 0, low / values, np.inf) if low > 0 else np.where(values >= low, 0.0, np.inf)  # type: ignore[operator]
+        return np.where(np.isnan(values), np.nan, plain)
